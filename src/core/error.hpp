@@ -1,0 +1,36 @@
+// The one error type that leaves a function of this library: a sentence for a person.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace rva {
+
+/// Something outside the program is not as it must be: a file, a device, an option's value.
+///
+/// Policy: a call that throws leaves its arguments and the disk as they were. Programming mistakes are
+/// assertions, not Errors. `what()` is one line, `place: problem; remedy`, fit for stderr as it is.
+class Error : public std::runtime_error {
+ public:
+  /// @param place   where: a path (see printable()), an option, a device
+  /// @param problem what is wrong there, without a full stop
+  /// @param remedy  what the person can do about it, as an instruction
+  Error(std::string place, std::string problem, std::string remedy);
+
+  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] const std::string& remedy() const { return remedy_; }
+
+ private:
+  std::string place_;
+  std::string problem_;
+  std::string remedy_;
+};
+
+/// The caller combined valid things in a way that makes no sense; `rva` exits with status 2 on it.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace rva

@@ -1,0 +1,101 @@
+#include "core/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+
+namespace rva {
+namespace {
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  [[nodiscard]] int get() const { return descriptor_; }
+  // A full disk may show itself only here.
+  [[nodiscard]] bool close() {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    return ::close(descriptor) == 0;
+  }
+
+ private:
+  int descriptor_;
+};
+
+std::string reason() { return std::generic_category().message(errno); }
+
+Error cannot_read(const std::filesystem::path& path) {
+  const bool missing = errno == ENOENT;
+  return {printable(path), missing ? "no such file" : fmt::format("cannot be read ({})", reason()),
+          missing ? "check the path" : "check its permissions and the disk"};
+}
+
+Error cannot_write(const std::filesystem::path& path) {
+  const bool full = errno == ENOSPC || errno == EDQUOT;
+  return {printable(path), fmt::format("cannot be written ({})", reason()),
+          full ? "free some space or choose another place" : "check the permissions or choose another place"};
+}
+
+template <typename Bytes>
+Bytes read_whole(const std::filesystem::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw cannot_read(path);
+  if (!S_ISREG(status.st_mode)) throw Error(printable(path), "not a file", "check the path");
+  const auto size = static_cast<std::uintmax_t>(status.st_size);
+  if (size > max_file_bytes) {
+    throw Error(printable(path), fmt::format("{} MB is more than a file of this kind can hold", size >> 20U),
+                "check the path");
+  }
+  Bytes bytes;
+  bytes.resize(size);
+  std::size_t done = 0;
+  while (done < size) {
+    const ::ssize_t got = ::read(file.get(), bytes.data() + done, size - done);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw cannot_read(path);
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+}  // namespace
+
+std::vector<std::byte> read_file(const std::filesystem::path& path) {
+  return read_whole<std::vector<std::byte>>(path);
+}
+
+std::string read_text_file(const std::filesystem::path& path) { return read_whole<std::string>(path); }
+
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.get() < 0) throw cannot_write(path);
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ::ssize_t wrote = ::write(file.get(), bytes.data() + done, bytes.size() - done);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote < 0) throw cannot_write(path);
+    done += static_cast<std::size_t>(wrote);
+  }
+  if (::fsync(file.get()) != 0 || !file.close()) throw cannot_write(path);
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  write_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace rva

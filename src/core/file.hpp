@@ -1,0 +1,30 @@
+// Whole files, in and out, with every failure reported.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rva {
+
+/// Larger files are refused: no file that RVA reads whole comes near it, and a mistaken path must not fill
+/// the memory.
+inline constexpr std::uintmax_t max_file_bytes = 512ULL << 20U;
+
+/// @throws Error when the file is missing, unreadable, not a regular file, or larger than max_file_bytes
+[[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path);
+
+/// As read_file(), as text.
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
+
+/// Creates or replaces the file, and returns when its bytes are on the disk (fsync).
+/// @throws Error when the disk is full or refuses; the file may then be incomplete, so write into a folder
+///         that is renamed at the end (OutputFolder).
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace rva

@@ -1,0 +1,92 @@
+#include "core/json_object.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace rva {
+namespace {
+
+constexpr const char* mend = "correct the file";
+
+Error not_a(const std::string& name, std::string_view kind) {
+  return {name, fmt::format("not {}", kind), mend};
+}
+
+}  // namespace
+
+nlohmann::json parse_json(const std::string& text, const std::string& place) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), end, '\n');
+    throw Error(place, fmt::format("not JSON at line {}", line), mend);
+  }
+}
+
+JsonObject::JsonObject(const nlohmann::json& value, std::string place, std::string field)
+    : value_(&value), place_(std::move(place)), field_(std::move(field)) {
+  if (!value.is_object())
+    throw not_a(field_.empty() ? place_ : fmt::format("{}: {}", place_, field_), "an object");
+}
+
+std::string JsonObject::name_of(std::string_view key) const {
+  return field_.empty() ? fmt::format("{}: {}", place_, key) : fmt::format("{}: {}.{}", place_, field_, key);
+}
+
+bool JsonObject::has(const char* key) const { return value_->contains(key) && !(*value_)[key].is_null(); }
+
+const nlohmann::json& JsonObject::at(const char* key) const {
+  if (!has(key)) throw Error(name_of(key), "missing", mend);
+  return (*value_)[key];
+}
+
+double JsonObject::number(const char* key) const {
+  const auto& value = at(key);
+  if (!value.is_number()) throw not_a(name_of(key), "a number");
+  return value.get<double>();
+}
+
+int JsonObject::integer(const char* key) const {
+  const double value = number(key);
+  const int whole = value > -2e9 && value < 2e9 ? static_cast<int>(value) : 0;
+  if (static_cast<double>(whole) != value) throw not_a(name_of(key), "a whole number of sensible size");
+  return whole;
+}
+
+std::string JsonObject::string(const char* key) const {
+  const auto& value = at(key);
+  if (!value.is_string()) throw not_a(name_of(key), "a text");
+  return value.get<std::string>();
+}
+
+JsonObject JsonObject::object(const char* key) const {
+  return {at(key), place_, field_.empty() ? std::string(key) : fmt::format("{}.{}", field_, key)};
+}
+
+std::vector<double> JsonObject::numbers(const char* key, std::size_t count) const {
+  const auto& value = at(key);
+  const bool fits =
+      value.is_array() && value.size() == count &&
+      std::all_of(value.begin(), value.end(), [](const auto& item) { return item.is_number(); });
+  if (!fits) throw not_a(name_of(key), fmt::format("a list of {} numbers", count));
+  return value.get<std::vector<double>>();
+}
+
+std::optional<double> JsonObject::optional_number(const char* key) const {
+  return has(key) ? std::optional(number(key)) : std::nullopt;
+}
+
+std::optional<std::string> JsonObject::optional_string(const char* key) const {
+  return has(key) ? std::optional(string(key)) : std::nullopt;
+}
+
+std::optional<JsonObject> JsonObject::optional_object(const char* key) const {
+  return has(key) ? std::optional(object(key)) : std::nullopt;
+}
+
+}  // namespace rva

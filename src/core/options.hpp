@@ -1,0 +1,47 @@
+// One description per option: from it come the command line, the files, the checks and the documentation.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace rva {
+
+/// What a person needs to know of one field of an options struct.
+///
+/// An options struct holds plain fields with defaults and a static `describe(self, visit)` that calls
+/// `visit(self.field, OptionField{...})` for each, in the order people should read them.
+struct OptionField {
+  std::string_view name;  ///< as on the command line, without dashes: "min-blob"
+  std::string_view unit;  ///< "m", "px", ""; files append it to the name: "threshold_m"
+  double min;             ///< least allowed value
+  double max;             ///< largest allowed value
+  std::string_view help;  ///< one sentence, without a full stop
+};
+
+/// The field's name in JSON: `min-blob` in px is "min_blob_px".
+inline std::string json_name(const OptionField& field) {
+  std::string name(field.name);
+  for (char& character : name) {
+    if (character == '-') character = '_';
+  }
+  if (!field.unit.empty()) name += fmt::format("_{}", field.unit);
+  return name;
+}
+
+/// @throws Error naming the option, its bounds and its unit when a field is out of bounds or not a number
+template <typename Options>
+void check_options(const Options& options) {
+  Options::describe(options, [](const auto& value, const OptionField& field) {
+    const auto number = static_cast<double>(value);
+    if (number >= field.min && number <= field.max) return;  // false for NaN
+    throw UsageError(
+        fmt::format("--{}", field.name), fmt::format("{} is out of range", number),
+        fmt::format("give {} to {}{}{}", field.min, field.max, field.unit.empty() ? "" : " ", field.unit));
+  });
+}
+
+}  // namespace rva

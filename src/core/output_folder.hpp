@@ -1,0 +1,40 @@
+// Results appear whole or not at all.
+#pragma once
+
+#include <filesystem>
+
+namespace rva {
+
+/// What to do when the target of an OutputFolder is there already.
+enum class Existing {
+  refuse,   ///< throw, unless it is an empty folder
+  replace,  ///< take its place at commit(), if it holds an earlier result of the same kind
+};
+
+/// A folder that is written beside its target, under a name of its own, and renamed when complete.
+/// Destroyed without commit(), it leaves nothing behind. Not for use by several threads.
+class OutputFolder {
+ public:
+  /// @param target  the folder to appear at commit(); its parents are made
+  /// @param marker  file that every such result holds; only a folder with it is ever replaced
+  /// @throws Error  the target exists (see Existing), is not UTF-8, or its parent cannot be written
+  OutputFolder(std::filesystem::path target, std::filesystem::path marker, Existing existing);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Where to write a file of the result until commit().
+  [[nodiscard]] std::filesystem::path path(const std::filesystem::path& name) const {
+    return staging_ / name;
+  }
+
+  /// Puts the folder in its place. @throws Error and leaves the target as it was.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path staging_;
+  bool committed_ = false;
+};
+
+}  // namespace rva
