@@ -1,0 +1,32 @@
+// The inner loops of DepthStatistics; not for other callers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rva::kernel {
+
+/// Frames that are added in one pass over the sums.
+inline constexpr std::size_t frames_per_pass = 8;
+
+/// The sums of a run of pixels.
+struct Sums {
+  std::uint16_t* reference;
+  std::uint16_t* count;
+  std::int32_t* sum;
+  std::uint64_t* sum_of_squares;
+};
+
+/// Adds `count` (1 to frames_per_pass) runs of `pixels` depths to the sums.
+using AddPass = void (*)(const std::uint16_t* const* frames, std::size_t count, std::size_t pixels,
+                         const Sums& sums);
+
+void add_pass_portable(const std::uint16_t* const* frames, std::size_t count, std::size_t pixels,
+                       const Sums& sums);
+void add_pass_avx2(const std::uint16_t* const* frames, std::size_t count, std::size_t pixels,
+                   const Sums& sums);
+
+/// True where this machine was built for and runs add_pass_avx2().
+[[nodiscard]] bool has_avx2();
+
+}  // namespace rva::kernel

@@ -1,0 +1,66 @@
+// The folders that open_capture() understands, one function each.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "depth/capture.hpp"
+
+namespace rva {
+
+/// A capture whose frames are image files.
+class FolderCapture : public Capture {
+ public:
+  /// @param place where the capture is, for errors
+  /// @throws Error when there is no depth file, or the description is unsound (sizes, intrinsics, unit)
+  FolderCapture(const std::filesystem::path& place, CaptureInfo info,
+                std::vector<std::filesystem::path> depth_files,
+                std::vector<std::filesystem::path> color_files);
+
+  [[nodiscard]] std::size_t depth_frames() const override { return depth_files_.size(); }
+  [[nodiscard]] std::size_t color_frames() const override { return color_files_.size(); }
+  [[nodiscard]] DepthImage depth(std::size_t i) const override;
+  [[nodiscard]] ColorImage color(std::size_t i) const override;
+
+ private:
+  std::vector<std::filesystem::path> depth_files_;
+  std::vector<std::filesystem::path> color_files_;
+};
+
+/// capture.json, depth/*.png, color/*.png|jpg: our own format (docs/captures.md).
+[[nodiscard]] std::unique_ptr<Capture> open_capture_folder(const std::filesystem::path& folder);
+
+/// intrinsic.json or camera_intrinsic.json, depth/*.png, color/*.jpg|png: what Open3D's recorders write.
+/// Depth is aligned to colour there, so both share one view.
+[[nodiscard]] std::unique_ptr<Capture> open_open3d_folder(const std::filesystem::path& folder,
+                                                          const std::filesystem::path& intrinsic_file);
+
+/// depth.txt, rgb.txt and the images they list: the TUM RGB-D benchmark's format, 5000 units a metre.
+[[nodiscard]] std::unique_ptr<Capture> open_tum_folder(const std::filesystem::path& folder,
+                                                       const CaptureOptions& options);
+
+/// The description of a capture folder from its text; apart from open_capture_folder() so that it can be
+/// tried with any text.
+/// @throws Error naming the line or the field, `place` in front
+[[nodiscard]] CaptureInfo parse_capture_json(const std::string& text, const std::string& place);
+
+/// As parse_capture_json(), of an Open3D intrinsic file.
+[[nodiscard]] CaptureInfo parse_open3d_json(const std::string& text, const std::string& place);
+
+/// One line of a TUM list: seconds and a file.
+struct TumEntry {
+  double time_s = 0.0;
+  std::string file;
+};
+
+/// @throws Error naming the line that is not `seconds file`
+[[nodiscard]] std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& place);
+
+/// The files of `folder` whose names end in one of `endings`, by name; empty when there is no such folder.
+[[nodiscard]] std::vector<std::filesystem::path> image_files(const std::filesystem::path& folder,
+                                                             const std::vector<std::string_view>& endings);
+
+}  // namespace rva

@@ -1,0 +1,20 @@
+// Depth frames in order, decoded ahead on all cores.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "core/progress.hpp"
+#include "depth/capture.hpp"
+
+namespace rva {
+
+/// Calls `use` on the calling thread with the first `count` depth frames of the capture, in order, while
+/// other threads decode the next ones. Memory holds two frames a core, however many there are.
+///
+/// @param count at most capture.depth_frames()
+/// @throws Error of the first frame that cannot be read; Interrupted
+void for_each_depth_frame(const Capture& capture, std::size_t count, const Progress& progress,
+                          const std::function<void(const DepthImage&)>& use);
+
+}  // namespace rva

@@ -1,0 +1,73 @@
+// Pixels in rows.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rva {
+
+/// A dense image: row by row, no padding. Pixel (u, v) is column u from the left, row v from the top,
+/// both from 0. Copies are deep.
+template <typename Pixel>
+class Image {
+ public:
+  Image() = default;
+  Image(int width, int height, Pixel fill = {})
+      : width_(width),
+        height_(height),
+        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] std::size_t size() const { return pixels_.size(); }
+  [[nodiscard]] bool empty() const { return pixels_.empty(); }
+
+  [[nodiscard]] Pixel& operator()(int u, int v) { return pixels_[index(u, v)]; }
+  [[nodiscard]] const Pixel& operator()(int u, int v) const { return pixels_[index(u, v)]; }
+  /// Pixel by its position in the rows laid end to end.
+  [[nodiscard]] Pixel& operator[](std::size_t i) { return pixels_[i]; }
+  [[nodiscard]] const Pixel& operator[](std::size_t i) const { return pixels_[i]; }
+
+  [[nodiscard]] Pixel* data() { return pixels_.data(); }
+  [[nodiscard]] const Pixel* data() const { return pixels_.data(); }
+  [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
+
+  template <typename Other>
+  [[nodiscard]] bool same_size(const Image<Other>& other) const {
+    return width_ == other.width() && height_ == other.height();
+  }
+
+  bool operator==(const Image&) const = default;
+
+ private:
+  [[nodiscard]] std::size_t index(int u, int v) const {
+    assert(u >= 0 && u < width_ && v >= 0 && v < height_);
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(u);
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<Pixel> pixels_;
+};
+
+/// Depth along z of the depth imager, in the capture's depth units.
+using DepthImage = Image<std::uint16_t>;
+/// The value of a DepthImage's pixel that has no measurement.
+inline constexpr std::uint16_t no_depth = 0;
+
+/// 0: no; 255: yes.
+using Mask = Image<std::uint8_t>;
+inline constexpr std::uint8_t mask_set = 255;
+
+struct Rgb {
+  std::uint8_t r = 0;
+  std::uint8_t g = 0;
+  std::uint8_t b = 0;
+  bool operator==(const Rgb&) const = default;
+};
+using ColorImage = Image<Rgb>;
+
+}  // namespace rva

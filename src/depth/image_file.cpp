@@ -1,0 +1,152 @@
+#include "depth/image_file.hpp"
+
+#include <fmt/format.h>
+#include <spng.h>
+#include <turbojpeg.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/path_text.hpp"
+
+namespace rva {
+namespace {
+
+constexpr const char* copy_again = "copy or record it again";
+
+using Spng = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
+struct TurboJpegDelete {
+  void operator()(void* handle) const { tjDestroy(handle); }
+};
+using TurboJpeg = std::unique_ptr<void, TurboJpegDelete>;
+
+void require_reasonable_size(long width, long height, const std::string& place) {
+  if (width > 0 && height > 0 && width <= max_image_pixels / height) return;
+  throw Error(place,
+              fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
+              "check that the file is what it should be");
+}
+
+Error damaged(const std::string& place, std::string_view reason) {
+  return {place, fmt::format("not a sound image ({})", reason), copy_again};
+}
+
+// A decoder with the header read and judged, ready for spng_decode_image().
+Spng open_png(std::span<const std::byte> png, const std::string& place, spng_ihdr& header) {
+  Spng decoder(spng_ctx_new(0), spng_ctx_free);
+  spng_set_png_buffer(decoder.get(), png.data(), png.size());
+  if (const int error = spng_get_ihdr(decoder.get(), &header)) throw damaged(place, spng_strerror(error));
+  require_reasonable_size(header.width, header.height, place);
+  return decoder;
+}
+
+void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, const std::string& place) {
+  if (const int error = spng_decode_image(decoder, out, size, format, 0)) {
+    throw damaged(place, spng_strerror(error));
+  }
+}
+
+ColorImage decode_color_png(std::span<const std::byte> png, const std::string& place) {
+  spng_ihdr header{};
+  const Spng decoder = open_png(png, place, header);
+  if (header.bit_depth > 8) throw Error(place, "a colour image of 16 bits a channel", "give one of 8 bits");
+  ColorImage image(static_cast<int>(header.width), static_cast<int>(header.height));
+  decode_png(decoder.get(), SPNG_FMT_RGB8, image.data(), image.size() * sizeof(Rgb), place);
+  return image;
+}
+
+ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place) {
+  const TurboJpeg decoder(tjInitDecompress());
+  const auto* bytes = reinterpret_cast<const unsigned char*>(jpeg.data());
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int color_space = 0;
+  if (tjDecompressHeader3(decoder.get(), bytes, jpeg.size(), &width, &height, &subsampling, &color_space) !=
+      0) {
+    throw damaged(place, tjGetErrorStr2(decoder.get()));
+  }
+  require_reasonable_size(width, height, place);
+  ColorImage image(width, height);
+  // TJFLAG_STOPONWARNING: a JPEG that ends early is otherwise filled with grey and called sound.
+  if (tjDecompress2(decoder.get(), bytes, jpeg.size(), reinterpret_cast<unsigned char*>(image.data()), width,
+                    0, height, TJPF_RGB, TJFLAG_STOPONWARNING) != 0) {
+    throw damaged(place, tjGetErrorStr2(decoder.get()));
+  }
+  return image;
+}
+
+std::vector<std::byte> encode(int width, int height, std::uint8_t color_type, std::uint8_t bit_depth,
+                              const void* pixels, std::size_t size) {
+  const Spng encoder(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
+  spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1);
+  // The least effort: levels above cost several times as much and save a tenth.
+  spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, 1);
+  spng_ihdr header{};
+  header.width = static_cast<std::uint32_t>(width);
+  header.height = static_cast<std::uint32_t>(height);
+  header.color_type = color_type;
+  header.bit_depth = bit_depth;
+  spng_set_ihdr(encoder.get(), &header);
+  int error = spng_encode_image(encoder.get(), pixels, size, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+  std::size_t length = 0;
+  const std::unique_ptr<void, decltype(&std::free)> png(
+      error == 0 ? spng_get_png_buffer(encoder.get(), &length, &error) : nullptr, std::free);
+  if (error != 0)
+    throw Error("image", fmt::format("cannot be encoded ({})", spng_strerror(error)), "free some memory");
+  std::vector<std::byte> bytes(length);
+  std::memcpy(bytes.data(), png.get(), length);
+  return bytes;
+}
+
+}  // namespace
+
+DepthImage decode_depth(std::span<const std::byte> png, const std::string& place) {
+  spng_ihdr header{};
+  const Spng decoder = open_png(png, place, header);
+  if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 16) {
+    throw Error(
+        place,
+        fmt::format("{} channel(s) of {} bits where depth has one of 16",
+                    header.color_type == SPNG_COLOR_TYPE_GRAYSCALE ? "one" : "several", header.bit_depth),
+        "record depth as 16-bit grey PNG");
+  }
+  DepthImage image(static_cast<int>(header.width), static_cast<int>(header.height));
+  // SPNG_FMT_PNG leaves one channel of 16 bits, in the byte order of this machine.
+  decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size() * sizeof(std::uint16_t), place);
+  return image;
+}
+
+ColorImage decode_color(std::span<const std::byte> file, const std::string& place) {
+  const bool jpeg = file.size() >= 2 && file[0] == std::byte{0xFF} && file[1] == std::byte{0xD8};
+  return jpeg ? decode_jpeg(file, place) : decode_color_png(file, place);
+}
+
+DepthImage read_depth(const std::filesystem::path& path) {
+  return decode_depth(read_file(path), printable(path));
+}
+
+ColorImage read_color(const std::filesystem::path& path) {
+  return decode_color(read_file(path), printable(path));
+}
+
+std::vector<std::byte> encode_png(const DepthImage& image) {
+  return encode(image.width(), image.height(), SPNG_COLOR_TYPE_GRAYSCALE, 16, image.data(),
+                image.size() * sizeof(std::uint16_t));
+}
+
+std::vector<std::byte> encode_png(const Mask& image) {
+  return encode(image.width(), image.height(), SPNG_COLOR_TYPE_GRAYSCALE, 8, image.data(), image.size());
+}
+
+std::vector<std::byte> encode_png(const ColorImage& image) {
+  return encode(image.width(), image.height(), SPNG_COLOR_TYPE_TRUECOLOR, 8, image.data(),
+                image.size() * sizeof(Rgb));
+}
+
+}  // namespace rva

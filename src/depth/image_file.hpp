@@ -1,0 +1,34 @@
+// Depth and colour images in files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// Images with more pixels are refused before any memory is taken for them; no depth camera comes near.
+inline constexpr long max_image_pixels = 32L << 20;
+
+/// @param png    a whole PNG file: one channel of 16 bits
+/// @param place  what to call it in an error
+/// @throws Error when it is damaged, ends early, has other channels or bits, or is too large
+[[nodiscard]] DepthImage decode_depth(std::span<const std::byte> png, const std::string& place);
+
+/// @param file   a whole PNG or JPEG file, 8 bits, grey or colour
+/// @throws Error as decode_depth()
+[[nodiscard]] ColorImage decode_color(std::span<const std::byte> file, const std::string& place);
+
+/// As above, from the disk; `place` in errors is the path.
+[[nodiscard]] DepthImage read_depth(const std::filesystem::path& path);
+[[nodiscard]] ColorImage read_color(const std::filesystem::path& path);
+
+[[nodiscard]] std::vector<std::byte> encode_png(const DepthImage& image);
+[[nodiscard]] std::vector<std::byte> encode_png(const Mask& image);
+[[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);
+
+}  // namespace rva

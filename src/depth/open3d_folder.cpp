@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/json_object.hpp"
+#include "core/path_text.hpp"
+#include "depth/formats.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+
+CaptureInfo parse_open3d_json(const std::string& text, const std::string& place) {
+  const nlohmann::json json = parse_json(text, place);
+  const JsonObject document(json, place);
+  CaptureInfo info;
+  info.format = "open3d";
+  info.source_json = text;
+  // The matrix is stored column by column: fx 0 0, 0 fy 0, cx cy 1.
+  const std::vector<double> matrix = document.numbers("intrinsic_matrix", 9);
+  info.depth.width = document.integer("width");
+  info.depth.height = document.integer("height");
+  info.depth.fx = matrix[0];
+  info.depth.fy = matrix[4];
+  info.depth.cx = matrix[6];
+  info.depth.cy = matrix[7];
+  try {
+    info.depth.check();
+  } catch (const Error& error) {
+    throw Error(document.name_of(error.place()), error.problem(), "correct the file");
+  }
+  const double units_per_m = document.optional_number("depth_scale").value_or(1000.0);
+  if (!(units_per_m >= 1.0))
+    throw Error(document.name_of("depth_scale"), "not 1 or more", "correct the file");
+  info.depth_unit_m = 1.0 / units_per_m;
+  info.color = info.depth;
+  info.color_from_depth = Transform::Identity();
+  CameraInfo camera;
+  camera.model = document.optional_string("device_name").value_or("");
+  camera.serial = document.optional_string("serial_number").value_or("");
+  if (!camera.model.empty() || !camera.serial.empty()) info.camera = camera;
+  return info;
+}
+
+std::unique_ptr<Capture> open_open3d_folder(const fs::path& folder, const fs::path& intrinsic_file) {
+  return std::make_unique<FolderCapture>(
+      folder, parse_open3d_json(read_text_file(intrinsic_file), printable(intrinsic_file)),
+      image_files(folder / "depth", {".png"}), image_files(folder / "color", {".png", ".jpg", ".jpeg"}));
+}
+
+}  // namespace rva

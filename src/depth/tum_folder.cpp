@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/path_text.hpp"
+#include "depth/formats.hpp"
+#include "depth/image_file.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+constexpr double tum_unit_m = 1.0 / 5000.0;
+
+// A list names files inside its folder; one that leads out of it was not written by the benchmark's tools.
+fs::path inside(const fs::path& folder, const TumEntry& entry, const std::string& list) {
+  const fs::path relative = fs::path(entry.file).lexically_normal();
+  if (relative.is_absolute() || *relative.begin() == "..") {
+    throw Error(list, fmt::format("'{}' lies outside the folder", printable(entry.file)), "correct the list");
+  }
+  return folder / relative;
+}
+
+// The colour image nearest in time to each depth frame would repeat images; what overlays need is the one
+// nearest to the first depth frame.
+std::vector<fs::path> nearest_color(const fs::path& folder, double time_s) {
+  const fs::path list = folder / "rgb.txt";
+  std::error_code ignored;
+  if (!fs::exists(list, ignored)) return {};
+  const std::vector<TumEntry> entries = parse_tum_list(read_text_file(list), printable(list));
+  const TumEntry* nearest = nullptr;
+  double least_s = std::numeric_limits<double>::infinity();
+  for (const TumEntry& entry : entries) {
+    if (std::abs(entry.time_s - time_s) < least_s) {
+      least_s = std::abs(entry.time_s - time_s);
+      nearest = &entry;
+    }
+  }
+  return nearest == nullptr ? std::vector<fs::path>{}
+                            : std::vector{inside(folder, *nearest, printable(list))};
+}
+
+}  // namespace
+
+std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& place) {
+  std::vector<TumEntry> entries;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.empty() || line[0] == '#' || line == "\r") continue;
+    std::istringstream words(line);
+    TumEntry entry;
+    if (!(words >> entry.time_s >> entry.file) || !std::isfinite(entry.time_s)) {
+      throw Error(fmt::format("{}:{}", place, number), "not 'seconds file'", "correct the list");
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOptions& options) {
+  if (!options.intrinsics) {
+    throw Error(printable(folder), "a TUM folder carries no intrinsics",
+                "give them with --intrinsics FX,FY,CX,CY");
+  }
+  const fs::path list = folder / "depth.txt";
+  const std::vector<TumEntry> entries = parse_tum_list(read_text_file(list), printable(list));
+  std::vector<fs::path> depth_files;
+  depth_files.reserve(entries.size());
+  for (const TumEntry& entry : entries) depth_files.push_back(inside(folder, entry, printable(list)));
+  if (depth_files.empty()) throw Error(printable(list), "lists no depth frame", "record the capture again");
+
+  CaptureInfo info;
+  info.format = "tum";
+  info.depth = *options.intrinsics;
+  info.depth_unit_m = tum_unit_m;
+  const DepthImage first = read_depth(depth_files.front());
+  info.depth.width = first.width();
+  info.depth.height = first.height();
+  info.depth.check();
+  // The benchmark publishes depth already registered to colour.
+  info.color = info.depth;
+  info.color_from_depth = Transform::Identity();
+  return std::make_unique<FolderCapture>(folder, std::move(info), std::move(depth_files),
+                                         nearest_color(folder, entries.front().time_s));
+}
+
+}  // namespace rva
