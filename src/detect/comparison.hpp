@@ -1,0 +1,27 @@
+// What a static method says about every pixel of the final depth image.
+#pragma once
+
+#include <optional>
+
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// Shares of the final depth image; they sum to 1.
+struct Coverage {
+  double compared = 0.0;              ///< measured before and after
+  double unseen = 0.0;                ///< measured after only: the initial capture never saw it
+  double invalid = 0.0;               ///< not measured after
+  std::optional<double> beyond_clip;  ///< measured, but left out as too far, where a method clips
+};
+
+/// A pixel for pixel comparison of two captures from one place. All images have the size of the depth image.
+struct Comparison {
+  Mask changed;            ///< set where the method says that something came nearer
+  Image<float> initial_m;  ///< depth before, metres; 0 where not measured
+  Image<float> final_m;    ///< depth after, metres; 0 where not measured
+  Image<float> evidence;   ///< how far the pixel exceeds noise, in the method's own unit; 0 where not changed
+  Coverage coverage;
+};
+
+}  // namespace rva

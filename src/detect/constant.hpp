@@ -1,0 +1,30 @@
+// Algorithm 2 of the thesis: a pixel changed when it came nearer by more than a constant.
+#pragma once
+
+#include "core/options.hpp"
+#include "depth/image.hpp"
+#include "detect/comparison.hpp"
+
+namespace rva {
+
+struct ConstantOptions {
+  double threshold_m = 0.05;
+  double clip_m = 2.0;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.threshold_m,
+          OptionField{"threshold", "m", 0, 100, "a pixel changed when it came nearer by more than this"});
+    visit(self.clip_m, OptionField{"clip", "m", 0, 1000, "pixels at this distance and beyond are left out"});
+  }
+};
+
+/// initial - final > threshold, where final < clip (thesis chapter 3.2.2).
+///
+/// Unlike the thesis', a pixel without a measurement in either image is never a change. Evidence is the depth
+/// that a pixel came nearer, in thresholds.
+/// @param initial, final one size, one depth unit
+/// @param unit_m         metres of one depth unit
+[[nodiscard]] Comparison compare_constant(const DepthImage& initial, const DepthImage& final, double unit_m,
+                                          const ConstantOptions& options);
+
+}  // namespace rva

@@ -1,0 +1,54 @@
+#include <nlohmann/json.hpp>
+
+#include "detect/findings.hpp"
+
+namespace rva {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json_value(const Finding& finding) {
+  Json json;
+  json["id"] = finding.id;
+  json["kind"] = finding.kind == ChangeKind::added ? "added" : "removed";
+  json["bbox"] = {finding.box.x, finding.box.y, finding.box.width, finding.box.height};
+  json["area_px"] = finding.pixels.size();
+  json["centroid"] = {finding.centroid.x(), finding.centroid.y()};
+  if (const auto& p = finding.position_m) json["position_m"] = {p->x(), p->y(), p->z()};
+  if (finding.size_mm) json["size_mm"] = *finding.size_mm;
+  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.score) json["score"] = *finding.score;
+  if (finding.p_value) json["p_value"] = *finding.p_value;
+  return json;
+}
+
+Json to_json_value(const Coverage& coverage) {
+  Json json{{"compared", coverage.compared}, {"unseen", coverage.unseen}, {"invalid", coverage.invalid}};
+  if (coverage.beyond_clip) json["beyond_clip"] = *coverage.beyond_clip;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Findings& findings) {
+  Json json;
+  json["format"] = "rva-detections";
+  json["version"] = 1;
+  json["method"] = findings.method;
+  json["parameters"] = Json::object();
+  for (const auto& [name, value] : findings.parameters) json["parameters"][name] = value;
+  json["frames"] = {{"initial", findings.initial_frames}, {"final", findings.final_frames}};
+  json["final_from_initial"] = to_row_major(findings.final_from_initial);
+  json["coverage"] = to_json_value(findings.coverage);
+  const Runtime& runtime = findings.runtime;
+  json["runtime_ms"] = {{"load", runtime.load_ms},
+                        {"statistics", runtime.statistics_ms},
+                        {"detect", runtime.detect_ms},
+                        {"regions", runtime.regions_ms},
+                        {"total", runtime.total_ms}};
+  json["detections"] = Json::array();
+  for (const Finding& finding : findings.findings) json["detections"].push_back(to_json_value(finding));
+  return json.dump(1) + "\n";
+}
+
+}  // namespace rva
