@@ -1,0 +1,23 @@
+// The commands of `rva`. Each adds itself to the program; its callback does the work when it was chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace rva::cli {
+
+/// What a chosen command leaves for main().
+struct Outcome {
+  int status = 0;
+};
+
+/// Exit statuses (docs/commands.md).
+inline constexpr int status_failed = 1;
+inline constexpr int status_usage = 2;
+inline constexpr int status_detected = 3;
+
+void add_detect_command(CLI::App& program, Outcome& outcome);
+void add_info_command(CLI::App& program, Outcome& outcome);
+void add_noise_command(CLI::App& program, Outcome& outcome);
+void add_options_command(CLI::App& program, Outcome& outcome);
+
+}  // namespace rva::cli

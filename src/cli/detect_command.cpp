@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/option_flags.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/file.hpp"
+#include "core/output_folder.hpp"
+#include "depth/image_file.hpp"
+#include "detect/drawing.hpp"
+#include "detect/static_detection.hpp"
+
+namespace rva::cli {
+namespace {
+
+struct DetectArguments {
+  std::string initial;
+  std::string final;
+  std::string out;
+  CaptureFlags captures;
+  StaticDetectionOptions detection;
+  bool overwrite = false;
+  bool json = false;
+  bool fail_on_detection = false;
+};
+
+void warn(const std::string& sentence) { fmt::print(stderr, "rva: warning: {}\n", sentence); }
+
+// Boxes on colour need a colour picture; without one the result simply has no such file.
+void write_color_overlay(const Capture& final, const StaticDetection& detection, const OutputFolder& out) {
+  if (final.color_frames() == 0) {
+    warn("the final capture has no colour image, so there is no overlay.png");
+    return;
+  }
+  const Overlay overlay =
+      draw_on_color(final.color(0), detection.findings.findings, detection.final_m, final.info());
+  if (overlay.outside > 0) {
+    warn(fmt::format("{} finding(s) lie outside the colour camera's view; depth_overlay.png shows them",
+                     overlay.outside));
+  }
+  write_file(out.path("overlay.png"), encode_png(overlay.picture));
+}
+
+void print_for_a_person(const DetectArguments& arguments, const Findings& findings) {
+  fmt::print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
+             findings.initial_frames, findings.final_frames);
+  if (!findings.findings.empty()) {
+    fmt::print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", "id", "kind", "box x y w h (px)",
+               "area px", "height mm", "distance m", "score");
+  }
+  for (const Finding& finding : findings.findings) {
+    const Box& box = finding.box;
+    fmt::print("{:>4}  {:7}  {:>20}  {:>8}  {:>9.1f}  {:>11.2f}  {:>8.1f}\n", finding.id,
+               finding.kind == ChangeKind::added ? "added" : "removed",
+               fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height), finding.pixels.size(),
+               finding.height_mm.value_or(0.0), finding.position_m ? finding.position_m->z() : 0.0,
+               finding.score.value_or(0.0));
+  }
+  const Coverage& coverage = findings.coverage;
+  fmt::print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
+             100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
+  if (coverage.beyond_clip) fmt::print(", too far {:.1f} %", 100.0 * *coverage.beyond_clip);
+  fmt::print("\n{}\n", arguments.out);
+}
+
+int detect(const DetectArguments& arguments) {
+  const CaptureOptions capture_options = arguments.captures.options();
+  check_options(arguments.detection);
+  OutputFolder out(arguments.out, "detections.json",
+                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  const auto initial = open_capture(arguments.initial, capture_options);
+  const auto final = open_capture(arguments.final, capture_options);
+  const StaticDetection detection = detect_static(*initial, *final, arguments.detection, terminal_progress());
+  for (const std::string& warning : detection.warnings) warn(warning);
+
+  const std::string json = to_json(detection.findings);
+  write_file(out.path("changes.png"), encode_png(detection.changed));
+  write_file(out.path("depth_overlay.png"),
+             encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
+  write_color_overlay(*final, detection, out);
+  write_file(out.path("detections.json"), json);
+  out.commit();
+
+  if (arguments.json) {
+    fmt::print("{}", json);
+  } else {
+    print_for_a_person(arguments, detection.findings);
+  }
+  return arguments.fail_on_detection && !detection.findings.findings.empty() ? status_detected : 0;
+}
+
+}  // namespace
+
+void add_detect_command(CLI::App& program, Outcome& outcome) {
+  CLI::App& command =
+      *program.add_subcommand("detect", "finds what changed between two captures of one scene");
+  const auto arguments = std::make_shared<DetectArguments>();
+  command.add_option("INITIAL", arguments->initial, "capture before the work")->required();
+  command.add_option("FINAL", arguments->final, "capture after the work, from the same place")->required();
+  command.add_option("--out", arguments->out, "folder for the result")->required()->type_name("DIR");
+  const std::map<std::string, StaticMethod> methods{{"constant", StaticMethod::constant},
+                                                    {"gaussian", StaticMethod::gaussian}};
+  command.add_option("--method", arguments->detection.method, "constant or gaussian (default)")
+      ->transform(CLI::CheckedTransformer(methods).description(""))
+      ->type_name("METHOD");
+  add_flags(command, arguments->detection);
+  arguments->captures.add_to(command);
+  command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
+  command.add_flag("--json", arguments->json, "print detections.json instead of a table");
+  command.add_flag("--fail-on-detection", arguments->fail_on_detection,
+                   "exit with status 3 when something was found");
+  command.callback([arguments, &outcome] { outcome.status = detect(*arguments); });
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/option_flags.hpp"
+#include "cli/terminal_progress.hpp"
+#include "depth/frame_reader.hpp"
+
+namespace rva::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoArguments {
+  std::string capture;
+  CaptureFlags captures;
+  bool json = false;
+};
+
+// What only a look at every frame tells.
+struct FrameSummary {
+  double fill_rate = 0.0;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  double farthest_m = 0.0;
+};
+
+FrameSummary read_all_frames(const Capture& capture) {
+  FrameSummary summary;
+  std::size_t measured = 0;
+  std::size_t pixels = 0;
+  std::uint16_t nearest = std::numeric_limits<std::uint16_t>::max();
+  std::uint16_t farthest = 0;
+  for_each_depth_frame(capture, capture.depth_frames(), terminal_progress(), [&](const DepthImage& frame) {
+    pixels += frame.size();
+    for (const std::uint16_t depth : frame.pixels()) {
+      if (depth == no_depth) continue;
+      ++measured;
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
+    }
+  });
+  for (std::size_t i = 0; i < capture.color_frames(); ++i) static_cast<void>(capture.color(i));
+  summary.fill_rate = static_cast<double>(measured) / static_cast<double>(pixels);
+  summary.nearest_m = measured == 0 ? 0.0 : nearest * capture.info().depth_unit_m;
+  summary.farthest_m = farthest * capture.info().depth_unit_m;
+  return summary;
+}
+
+Json to_json(const Intrinsics& camera) {
+  return {{"width", camera.width},
+          {"height", camera.height},
+          {"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"distortion_model", name_of(camera.distortion)},
+          {"distortion", camera.coefficients}};
+}
+
+Json to_json(const Pose& pose) {
+  Json json = Json::object();
+  if (pose.base) json["base"] = *pose.base;
+  if (pose.pan_deg) json["pan_deg"] = *pose.pan_deg;
+  if (pose.tilt_deg) json["tilt_deg"] = *pose.tilt_deg;
+  if (pose.world_from_camera) json["world_from_camera"] = to_row_major(*pose.world_from_camera);
+  return json;
+}
+
+Json to_json(const Capture& capture, const FrameSummary& summary) {
+  const CaptureInfo& info = capture.info();
+  Json json{{"format", info.format},
+            {"sound", true},
+            {"depth_frames", capture.depth_frames()},
+            {"color_frames", capture.color_frames()}};
+  json["depth"] = to_json(info.depth);
+  json["depth"]["unit_m"] = info.depth_unit_m;
+  if (info.color) json["color"] = to_json(*info.color);
+  if (info.color_from_depth) json["color_from_depth"] = to_row_major(*info.color_from_depth);
+  if (info.pose) json["pose"] = to_json(*info.pose);
+  if (info.camera) {
+    json["camera"] = {{"model", info.camera->model}, {"serial", info.camera->serial}};
+    if (info.camera->baseline_m) json["camera"]["baseline_m"] = *info.camera->baseline_m;
+  }
+  if (!info.captured_at.empty()) json["captured_at"] = info.captured_at;
+  json["fill_rate"] = summary.fill_rate;
+  json["nearest_m"] = summary.nearest_m;
+  json["farthest_m"] = summary.farthest_m;
+  return json;
+}
+
+void print_camera(const char* name, std::size_t frames, const Intrinsics& camera) {
+  const auto field_deg = [](int pixels, double focal_px) {
+    return 2.0 * std::atan(0.5 * pixels / focal_px) * 180.0 / M_PI;
+  };
+  fmt::print(
+      "{:<8} {} frame(s) of {}x{}, fx {:.3f} fy {:.3f} cx {:.3f} cy {:.3f}, view {:.0f} x {:.0f} deg\n", name,
+      frames, camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy,
+      field_deg(camera.width, camera.fx), field_deg(camera.height, camera.fy));
+}
+
+void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
+  const CaptureInfo& info = capture.info();
+  fmt::print("format   {}\n", info.format);
+  print_camera("depth", capture.depth_frames(), info.depth);
+  fmt::print("         unit {} m, {:.1f} % of pixels measured, {:.3f} to {:.3f} m\n", info.depth_unit_m,
+             100.0 * summary.fill_rate, summary.nearest_m, summary.farthest_m);
+  if (info.color) {
+    print_camera("color", capture.color_frames(), *info.color);
+  } else {
+    fmt::print("color    {} frame(s), no intrinsics\n", capture.color_frames());
+  }
+  if (info.pose) {
+    fmt::print("pose     base {}", info.pose->base.value_or("not stated"));
+    if (info.pose->pan_deg) fmt::print(", pan {} deg", *info.pose->pan_deg);
+    if (info.pose->tilt_deg) fmt::print(", tilt {} deg", *info.pose->tilt_deg);
+    fmt::print("\n");
+  }
+  if (info.camera) {
+    fmt::print("camera   {} {}", info.camera->model, info.camera->serial);
+    if (info.camera->baseline_m) fmt::print(", baseline {} m", *info.camera->baseline_m);
+    fmt::print("\n");
+  }
+  if (!info.captured_at.empty()) fmt::print("taken    {}\n", info.captured_at);
+  fmt::print("sound    every frame was read\n");
+}
+
+void show(const InfoArguments& arguments) {
+  const auto capture = open_capture(arguments.capture, arguments.captures.options());
+  const FrameSummary summary = read_all_frames(*capture);
+  if (arguments.json) {
+    fmt::print("{}\n", to_json(*capture, summary).dump(1));
+  } else {
+    print_for_a_person(*capture, summary);
+  }
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& program, Outcome& /*outcome*/) {
+  CLI::App& command = *program.add_subcommand(
+      "info", "says what a capture holds, and reads all of it to see that it is sound");
+  const auto arguments = std::make_shared<InfoArguments>();
+  command.add_option("PATH", arguments->capture, "a capture")->required();
+  arguments->captures.add_to(command);
+  command.add_flag("--json", arguments->json, "print JSON instead of text");
+  command.callback([arguments] { show(*arguments); });
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/option_flags.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/file.hpp"
+#include "core/output_folder.hpp"
+#include "depth/colorize.hpp"
+#include "depth/image_file.hpp"
+#include "depth/noise.hpp"
+
+namespace rva::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct NoiseArguments {
+  std::string capture;
+  std::string out;
+  CaptureFlags captures;
+  NoiseOptions noise;
+  bool overwrite = false;
+  bool json = false;
+};
+
+Json to_json(const NoiseBin& bin) {
+  Json json{{"from_m", bin.from_m},
+            {"to_m", bin.to_m},
+            {"pixels", bin.pixels},
+            {"median_std_mm", bin.median_std_mm},
+            {"p95_std_mm", bin.p95_std_mm}};
+  if (bin.subpixel_rms_px) json["subpixel_rms_px"] = *bin.subpixel_rms_px;
+  return json;
+}
+
+std::string to_json(const NoiseReport& report) {
+  Json json{{"format", "rva-noise"},
+            {"version", 1},
+            {"frames", report.frames},
+            {"fill_rate", report.fill_rate},
+            {"overall", to_json(report.overall)}};
+  json["by_distance"] = Json::array();
+  for (const NoiseBin& bin : report.bins) json["by_distance"].push_back(to_json(bin));
+  json["welch"] = {{"frames", report.welch_frames},
+                   {"alpha", report.alpha},
+                   {"tested_px", report.welch_tested_px},
+                   {"rejected", report.welch_rejected}};
+  return json.dump(1) + "\n";
+}
+
+// White where the ends of the capture differ, black where they agree, grey where nothing could be tested.
+Mask drift_picture(const Noise& noise) {
+  constexpr std::uint8_t untested = 96;
+  Mask picture(noise.welch_p.width(), noise.welch_p.height());
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const float p = noise.welch_p[i];
+    const bool rejected = static_cast<double>(p) < noise.report.alpha;
+    picture[i] = std::isnan(p) ? untested : rejected ? mask_set : std::uint8_t{0};
+  }
+  return picture;
+}
+
+void print_row(const char* name, const NoiseBin& bin) {
+  fmt::print("{:>10}  {:>9}  {:>14.2f}  {:>11.2f}  {:>12}\n", name, bin.pixels, bin.median_std_mm,
+             bin.p95_std_mm, bin.subpixel_rms_px ? fmt::format("{:.3f}", *bin.subpixel_rms_px) : "-");
+}
+
+void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& report) {
+  fmt::print("{} frames, {:.1f} % of pixels measured\n", report.frames, 100.0 * report.fill_rate);
+  fmt::print("{:>10}  {:>9}  {:>14}  {:>11}  {:>12}\n", "distance m", "pixels", "median std mm",
+             "95 % std mm", "sub-pixel px");
+  for (const NoiseBin& bin : report.bins)
+    print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
+  print_row("all", report.overall);
+  fmt::print(
+      "Welch's test, first against last {} frames: {:.1f} % of pixels differ (p < {}; {:.1f} % expected if "
+      "nothing drifts)\n",
+      report.welch_frames, 100.0 * report.welch_rejected, report.alpha, 100.0 * report.alpha);
+  fmt::print("{}\n", arguments.out);
+}
+
+void measure(const NoiseArguments& arguments) {
+  const CaptureOptions capture_options = arguments.captures.options();
+  check_options(arguments.noise);
+  OutputFolder out(arguments.out, "noise.json", arguments.overwrite ? Existing::replace : Existing::refuse);
+  const auto capture = open_capture(arguments.capture, capture_options);
+  const Noise noise = measure_noise(*capture, arguments.noise, terminal_progress());
+  const ColorScale scale = scale_from_zero(noise.std_mm);
+  const std::string json = to_json(noise.report);
+  write_file(out.path("std.png"), encode_png(with_scale_bar(colorize(noise.std_mm, scale), scale, "std mm")));
+  write_file(out.path("drift.png"), encode_png(drift_picture(noise)));
+  write_file(out.path("noise.json"), json);
+  out.commit();
+  if (arguments.json) {
+    fmt::print("{}", json);
+  } else {
+    print_for_a_person(arguments, noise.report);
+  }
+}
+
+}  // namespace
+
+void add_noise_command(CLI::App& program, Outcome& /*outcome*/) {
+  CLI::App& command = *program.add_subcommand("noise", "measures how much the depth of a still scene varies");
+  const auto arguments = std::make_shared<NoiseArguments>();
+  command.add_option("CAPTURE", arguments->capture, "capture of a scene in which nothing moved")->required();
+  command.add_option("--out", arguments->out, "folder for std.png, drift.png and noise.json")
+      ->required()
+      ->type_name("DIR");
+  add_flags(command, arguments->noise);
+  arguments->captures.add_to(command);
+  command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
+  command.add_flag("--json", arguments->json, "print noise.json instead of a table");
+  command.callback([arguments] { measure(*arguments); });
+}
+
+}  // namespace rva::cli
