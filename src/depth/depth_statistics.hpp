@@ -30,6 +30,9 @@ class DepthStatistics {
   /// Adds frames that lie in memory together; faster than one by one, since sums stay in the cache.
   void add(std::span<const DepthImage> frames);
 
+  /// Starts anew in the memory that is there.
+  void clear();
+
   [[nodiscard]] int width() const { return reference_.width(); }
   [[nodiscard]] int height() const { return reference_.height(); }
   [[nodiscard]] std::size_t size() const { return reference_.size(); }

@@ -33,6 +33,7 @@ class Image {
 
   [[nodiscard]] Pixel* data() { return pixels_.data(); }
   [[nodiscard]] const Pixel* data() const { return pixels_.data(); }
+  [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
   [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
 
   template <typename Other>

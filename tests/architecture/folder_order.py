@@ -1,0 +1,36 @@
+"""Holds the folder order of docs/design.md: a folder of src/ includes only itself and folders above it.
+
+usage: folder_order.py SRC
+"""
+import pathlib
+import re
+import sys
+
+ORDER = ['core', 'geometry', 'depth', 'detect', 'cloud', 'map', 'camera', 'robot', 'sim', 'classify', 'inspect',
+         'store', 'server', 'cli']
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+
+
+def main():
+    src = pathlib.Path(sys.argv[1])
+    faults, includes = [], 0
+    for folder in sorted(path.name for path in src.iterdir() if path.is_dir()):
+        if folder not in ORDER:
+            faults.append(f'src/{folder}: not in the order; add it there and to docs/design.md')
+    for file in sorted(src.rglob('*.[ch]pp')):
+        folder = file.relative_to(src).parts[0]
+        for target in INCLUDE.findall(file.read_text()):
+            includes += 1
+            included = target.split('/')[0]
+            if included not in ORDER or not (src / target).exists():
+                faults.append(f'{file}: "{target}" is no file of src/')
+            elif ORDER.index(included) > ORDER.index(folder):
+                faults.append(f'{file}: {folder} may not include {included}')
+    if includes == 0:
+        faults.append(f'{src}: no include found, so nothing was held')
+    print('\n'.join(faults) or f'{includes} includes keep the order')
+    return 1 if faults else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

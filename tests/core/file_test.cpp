@@ -1,0 +1,36 @@
+#include "core/file.hpp"
+
+#include "core/error.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rva {
+namespace {
+
+TEST(File, GivesBackWhatWasWritten) {
+  const test::TemporaryFolder folder;
+  for (const std::string& text : {std::string(), std::string("one\0two", 7), std::string(3U << 20U, 'x')}) {
+    write_file(folder / "file", text);
+    EXPECT_EQ(read_text_file(folder / "file"), text);
+    EXPECT_EQ(read_file(folder / "file").size(), text.size());
+  }
+}
+
+TEST(File, SaysWhatIsMissing) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(static_cast<void>(read_file(folder / "none")), Error);
+  EXPECT_THROW(static_cast<void>(read_file(folder.path())), Error);
+  EXPECT_THROW(write_file(folder / "none" / "file", "text"), Error);
+}
+
+TEST(File, ReportsAFullDisk) {
+  // /dev/full is Linux's own: every write to it fails as on a full disk.
+  try {
+    write_file("/dev/full", "text");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("free some space"));
+  }
+}
+
+}  // namespace
+}  // namespace rva

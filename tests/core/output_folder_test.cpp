@@ -1,0 +1,92 @@
+#include "core/output_folder.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+std::ptrdiff_t entries(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+TEST(OutputFolder, AppearsWholeAtCommit) {
+  const test::TemporaryFolder folder;
+  OutputFolder out(folder / "deep" / "out", "marker", Existing::refuse);
+  write_file(out.path("marker"), "1");
+  EXPECT_FALSE(fs::exists(folder / "deep" / "out"));
+  out.commit();
+  EXPECT_EQ(read_text_file(folder / "deep" / "out" / "marker"), "1");
+  EXPECT_EQ(entries(folder / "deep"), 1);
+}
+
+TEST(OutputFolder, LeavesNothingWithoutCommit) {
+  const test::TemporaryFolder folder;
+  {
+    const OutputFolder out(folder / "out", "marker", Existing::refuse);
+    write_file(out.path("marker"), "1");
+  }
+  EXPECT_EQ(entries(folder.path()), 0);
+}
+
+TEST(OutputFolder, TakesAnEmptyFolder) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  OutputFolder out(folder / "out/", "marker", Existing::refuse);
+  write_file(out.path("marker"), "1");
+  out.commit();
+  EXPECT_TRUE(fs::exists(folder / "out" / "marker"));
+}
+
+TEST(OutputFolder, RefusesWhatIsThere) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  write_file(folder / "out" / "mine", "keep");
+  write_file(folder / "file", "keep");
+  for (const Existing existing : {Existing::refuse, Existing::replace}) {
+    EXPECT_THROW(OutputFolder(folder / "out", "marker", existing), Error);
+    EXPECT_THROW(OutputFolder(folder / "file", "marker", existing), Error);
+  }
+  EXPECT_EQ(read_text_file(folder / "out" / "mine"), "keep");
+  EXPECT_EQ(entries(folder.path()), 2);
+}
+
+TEST(OutputFolder, ReplacesOnlyAnEarlierResult) {
+  const test::TemporaryFolder folder;
+  for (const char* content : {"first", "second"}) {
+    OutputFolder out(folder / "out", "marker", Existing::replace);
+    write_file(out.path("marker"), content);
+    write_file(out.path(content), "");
+    out.commit();
+  }
+  EXPECT_EQ(read_text_file(folder / "out" / "marker"), "second");
+  EXPECT_FALSE(fs::exists(folder / "out" / "first"));
+  EXPECT_EQ(entries(folder.path()), 1);
+}
+
+TEST(OutputFolder, KeepsTheEarlierResultUntilCommit) {
+  const test::TemporaryFolder folder;
+  {
+    OutputFolder out(folder / "out", "marker", Existing::replace);
+    write_file(out.path("marker"), "first");
+    out.commit();
+  }
+  { const OutputFolder out(folder / "out", "marker", Existing::replace); }
+  EXPECT_EQ(read_text_file(folder / "out" / "marker"), "first");
+}
+
+TEST(OutputFolder, RefusesAnUnusableTarget) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "file", "");
+  EXPECT_THROW(OutputFolder(folder / "file" / "out", "marker", Existing::refuse), Error);
+  EXPECT_THROW(OutputFolder(folder / "\xFF", "marker", Existing::refuse), Error);
+  EXPECT_THROW(OutputFolder("/proc/out", "marker", Existing::refuse), Error);
+}
+
+}  // namespace
+}  // namespace rva
