@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/terminal_progress.hpp"
+#include "core/path_text.hpp"
 #include "depth/frame_reader.hpp"
 
 namespace rva::cli {
@@ -115,17 +116,17 @@ void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
     fmt::print("color    {} frame(s), no intrinsics\n", capture.color_frames());
   }
   if (info.pose) {
-    fmt::print("pose     base {}", info.pose->base.value_or("not stated"));
+    fmt::print("pose     base {}", printable(info.pose->base.value_or("not stated")));
     if (info.pose->pan_deg) fmt::print(", pan {} deg", *info.pose->pan_deg);
     if (info.pose->tilt_deg) fmt::print(", tilt {} deg", *info.pose->tilt_deg);
     fmt::print("\n");
   }
   if (info.camera) {
-    fmt::print("camera   {} {}", info.camera->model, info.camera->serial);
+    fmt::print("camera   {} {}", printable(info.camera->model), printable(info.camera->serial));
     if (info.camera->baseline_m) fmt::print(", baseline {} m", *info.camera->baseline_m);
     fmt::print("\n");
   }
-  if (!info.captured_at.empty()) fmt::print("taken    {}\n", info.captured_at);
+  if (!info.captured_at.empty()) fmt::print("taken    {}\n", printable(info.captured_at));
   fmt::print("sound    every frame was read\n");
 }
 

@@ -25,6 +25,8 @@ nlohmann::json parse_json(const std::string& text, const std::string& place) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
     throw Error(place, fmt::format("not JSON at line {}", line), mend);
+  } catch (const nlohmann::json::out_of_range&) {
+    throw Error(place, "holds a number beyond what a double can hold", mend);
   }
 }
 

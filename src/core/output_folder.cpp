@@ -45,7 +45,7 @@ fs::path make_beside(const fs::path& target) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path target, fs::path marker, Existing existing) {
+OutputFolder::OutputFolder(const fs::path& target, const fs::path& marker, Existing existing) {
   require_utf8(target);
   std::error_code failure;
   target_ = fs::absolute(target, failure).lexically_normal();

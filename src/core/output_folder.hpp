@@ -18,7 +18,7 @@ class OutputFolder {
   /// @param target  the folder to appear at commit(); its parents are made
   /// @param marker  file that every such result holds; only a folder with it is ever replaced
   /// @throws Error  the target exists (see Existing), is not UTF-8, or its parent cannot be written
-  OutputFolder(std::filesystem::path target, std::filesystem::path marker, Existing existing);
+  OutputFolder(const std::filesystem::path& target, const std::filesystem::path& marker, Existing existing);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

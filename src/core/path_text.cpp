@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -10,32 +11,52 @@
 namespace rva {
 namespace {
 
-bool is_continuation(std::uint8_t byte) { return (byte & 0xC0U) == 0x80U; }
+struct Range {
+  std::uint8_t low;
+  std::uint8_t high;
+  [[nodiscard]] bool holds(std::uint8_t byte) const { return byte >= low && byte <= high; }
+};
 
-// Length of the well-formed sequence that starts at `at`, 0 where there is none (Unicode 15, table 3-7).
-std::size_t sequence_length(std::string_view bytes, std::size_t at) {
-  const auto byte = [&](std::size_t offset) -> std::uint8_t {
-    return at + offset < bytes.size() ? static_cast<std::uint8_t>(bytes[at + offset]) : std::uint8_t{0};
-  };
-  const std::uint8_t lead = byte(0);
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead <= 0xDF) return is_continuation(byte(1)) ? 2 : 0;
-  if (lead >= 0xE0 && lead <= 0xEF) {
-    const std::uint8_t low = lead == 0xE0 ? 0xA0 : 0x80;
-    const std::uint8_t high = lead == 0xED ? 0x9F : 0xBF;
-    return byte(1) >= low && byte(1) <= high && is_continuation(byte(2)) ? 3 : 0;
+constexpr Range continuation{0x80, 0xBF};
+
+// A kind of well-formed sequence: what may lead it, what may follow first, how long it is. Bytes after the
+// second are continuations (The Unicode Standard 15, table 3-7).
+struct SequenceForm {
+  Range lead;
+  Range second;
+  std::size_t length;
+};
+
+constexpr std::array<SequenceForm, 9> sequence_forms{{{{0x00, 0x7F}, {0x00, 0xFF}, 1},
+                                                      {{0xC2, 0xDF}, continuation, 2},
+                                                      {{0xE0, 0xE0}, {0xA0, 0xBF}, 3},
+                                                      {{0xE1, 0xEC}, continuation, 3},
+                                                      {{0xED, 0xED}, {0x80, 0x9F}, 3},
+                                                      {{0xEE, 0xEF}, continuation, 3},
+                                                      {{0xF0, 0xF0}, {0x90, 0xBF}, 4},
+                                                      {{0xF1, 0xF3}, continuation, 4},
+                                                      {{0xF4, 0xF4}, {0x80, 0x8F}, 4}}};
+
+bool starts_with(std::string_view bytes, const SequenceForm& form) {
+  if (bytes.size() < form.length || !form.lead.holds(static_cast<std::uint8_t>(bytes[0]))) return false;
+  for (std::size_t k = 1; k < form.length; ++k) {
+    const Range& allowed = k == 1 ? form.second : continuation;
+    if (!allowed.holds(static_cast<std::uint8_t>(bytes[k]))) return false;
   }
-  if (lead >= 0xF0 && lead <= 0xF4) {
-    const std::uint8_t low = lead == 0xF0 ? 0x90 : 0x80;
-    const std::uint8_t high = lead == 0xF4 ? 0x8F : 0xBF;
-    const bool second = byte(1) >= low && byte(1) <= high;
-    return second && is_continuation(byte(2)) && is_continuation(byte(3)) ? 4 : 0;
+  return true;
+}
+
+// Length of the well-formed sequence that starts at `at`, 0 where there is none.
+std::size_t sequence_length(std::string_view bytes, std::size_t at) {
+  for (const SequenceForm& form : sequence_forms) {
+    if (starts_with(bytes.substr(at), form)) return form.length;
   }
   return 0;
 }
 
-bool is_control(char character) {
-  const auto byte = static_cast<std::uint8_t>(character);
+bool is_control(std::string_view bytes, std::size_t at) {
+  const auto byte = static_cast<std::uint8_t>(bytes[at]);
+  if (byte == 0xC2) return static_cast<std::uint8_t>(bytes[at + 1]) < 0xA0;
   return byte < 0x20 || byte == 0x7F;
 }
 
@@ -55,7 +76,7 @@ std::string printable(const std::filesystem::path& path) {
   std::string text;
   for (std::size_t at = 0; at < bytes.size();) {
     const std::size_t length = sequence_length(bytes, at);
-    if (length == 0 || is_control(bytes[at])) {
+    if (length == 0 || is_control(bytes, at)) {
       text += fmt::format("\\x{:02X}", static_cast<std::uint8_t>(bytes[at]));
       at += 1;
     } else {

@@ -28,7 +28,8 @@ Intrinsics parse_intrinsics(const JsonObject& object) {
   if (const auto name = object.optional_string("distortion_model")) {
     const auto model = distortion_from_name(*name);
     if (!model) {
-      throw Error(object.name_of("distortion_model"), fmt::format("the model '{}' is not known", *name),
+      throw Error(object.name_of("distortion_model"),
+                  fmt::format("the model '{}' is not known", printable(*name)),
                   "use none, brown_conrady or inverse_brown_conrady");
     }
     camera.distortion = *model;
@@ -59,6 +60,15 @@ Pose parse_pose(const JsonObject& object) {
   pose.tilt_deg = object.optional_number("tilt_deg");
   if (object.has("world_from_camera")) pose.world_from_camera = parse_transform(object, "world_from_camera");
   return pose;
+}
+
+// Refused before memory is taken for a single image of that size.
+void require_possible_size(const fs::path& place, const Intrinsics& camera) {
+  if (camera.width <= max_image_pixels / camera.height) return;
+  throw Error(printable(place),
+              fmt::format("states images of {}x{} pixels, larger than any camera of ours gives", camera.width,
+                          camera.height),
+              "correct the description");
 }
 
 void require_format(const JsonObject& document, const std::string& place) {
@@ -116,6 +126,8 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder) {
 FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, std::vector<fs::path> depth_files,
                              std::vector<fs::path> color_files)
     : Capture(std::move(info)), depth_files_(std::move(depth_files)), color_files_(std::move(color_files)) {
+  require_possible_size(place, this->info().depth);
+  if (this->info().color) require_possible_size(place, *this->info().color);
   const double unit_m = this->info().depth_unit_m;
   if (!(unit_m > 0.0 && unit_m <= 1.0)) {
     throw Error(printable(place), fmt::format("a depth unit of {} m makes no sense", unit_m),

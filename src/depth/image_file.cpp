@@ -39,6 +39,7 @@ Error damaged(const std::string& place, std::string_view reason) {
 // A decoder with the header read and judged, ready for spng_decode_image().
 Spng open_png(std::span<const std::byte> png, const std::string& place, spng_ihdr& header) {
   Spng decoder(spng_ctx_new(0), spng_ctx_free);
+  spng_set_chunk_limits(decoder.get(), 1U << 20U, 1U << 20U);
   spng_set_png_buffer(decoder.get(), png.data(), png.size());
   if (const int error = spng_get_ihdr(decoder.get(), &header)) throw damaged(place, spng_strerror(error));
   require_reasonable_size(header.width, header.height, place);
@@ -46,9 +47,10 @@ Spng open_png(std::span<const std::byte> png, const std::string& place, spng_ihd
 }
 
 void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, const std::string& place) {
-  if (const int error = spng_decode_image(decoder, out, size, format, 0)) {
-    throw damaged(place, spng_strerror(error));
-  }
+  int error = spng_decode_image(decoder, out, size, format, 0);
+  // On to the end mark: a file that lacks it was cut off, even where all pixels happen to be there.
+  if (error == 0) error = spng_decode_chunks(decoder);
+  if (error != 0) throw damaged(place, spng_strerror(error));
 }
 
 ColorImage decode_color_png(std::span<const std::byte> png, const std::string& place) {
@@ -75,7 +77,7 @@ ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place
   ColorImage image(width, height);
   // TJFLAG_STOPONWARNING: a JPEG that ends early is otherwise filled with grey and called sound.
   if (tjDecompress2(decoder.get(), bytes, jpeg.size(), reinterpret_cast<unsigned char*>(image.data()), width,
-                    0, height, TJPF_RGB, TJFLAG_STOPONWARNING) != 0) {
+                    0, height, TJPF_RGB, TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
     throw damaged(place, tjGetErrorStr2(decoder.get()));
   }
   return image;

@@ -23,7 +23,7 @@ struct NoiseOptions {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
                                    "frames to use, from the first; 0 for all"});
     visit(self.welch_frames,
-          OptionField{"welch-frames", "", 2, DepthStatistics::max_frames / 2,
+          OptionField{"welch-frames", "", 2, 10000,
                       "frames at either end that Welch's test compares; fewer where the capture is short"});
     visit(self.alpha,
           OptionField{"alpha", "", 1e-12, 0.5, "Welch's test marks pixels with a p-value below this"});
