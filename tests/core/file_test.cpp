@@ -1,5 +1,8 @@
 #include "core/file.hpp"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "core/error.hpp"
 #include "tests/temporary_folder.hpp"
 

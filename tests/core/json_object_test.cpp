@@ -1,5 +1,8 @@
 #include "core/json_object.hpp"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -25,7 +28,8 @@ TEST(ParseJson, NamesTheLine) {
 }
 
 TEST(JsonObject, ReadsWhatIsThere) {
-  const auto json = parse_json(R"({"n": 2, "s": "text", "o": {"x": 1.5}, "l": [1, 2], "nothing": null})", "file");
+  const auto json =
+      parse_json(R"({"n": 2, "s": "text", "o": {"x": 1.5}, "l": [1, 2], "nothing": null})", "file");
   const JsonObject object(json, "file");
   EXPECT_EQ(object.integer("n"), 2);
   EXPECT_EQ(object.string("s"), "text");
@@ -36,15 +40,23 @@ TEST(JsonObject, ReadsWhatIsThere) {
 }
 
 TEST(JsonObject, NamesTheFieldThatIsWrong) {
-  const auto json = parse_json(R"({"n": 2.5, "big": 1e300, "s": "text", "o": {"x": []}, "l": [1, "2"]})", "file");
+  const auto json =
+      parse_json(R"({"n": 2.5, "big": 1e300, "s": "text", "o": {"x": []}, "l": [1, "2"]})", "file");
   const JsonObject object(json, "file");
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.integer("n")); }), testing::StartsWith("file: n: not a whole"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.integer("big")); }), testing::StartsWith("file: big"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.number("s")); }), testing::StartsWith("file: s: not a number"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.object("o").number("x")); }), testing::StartsWith("file: o.x"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.numbers("l", 2)); }), testing::StartsWith("file: l: not a list"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.string("absent")); }), testing::StartsWith("file: absent: missing"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(object.object("s")); }), testing::StartsWith("file: s: not an object"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.integer("n")); }),
+              testing::StartsWith("file: n: not a whole"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.integer("big")); }),
+              testing::StartsWith("file: big"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.number("s")); }),
+              testing::StartsWith("file: s: not a number"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.object("o").number("x")); }),
+              testing::StartsWith("file: o.x"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.numbers("l", 2)); }),
+              testing::StartsWith("file: l: not a list"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.string("absent")); }),
+              testing::StartsWith("file: absent: missing"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(object.object("s")); }),
+              testing::StartsWith("file: s: not an object"));
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "core/options.hpp"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace rva {

@@ -1,5 +1,7 @@
 #include "core/output_folder.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "core/error.hpp"

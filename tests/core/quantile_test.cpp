@@ -1,5 +1,7 @@
 #include "core/quantile.hpp"
 
+#include <gtest/gtest.h>
+
 namespace rva {
 namespace {
 

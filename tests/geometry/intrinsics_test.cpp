@@ -1,5 +1,7 @@
 #include "geometry/intrinsics.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 
@@ -76,7 +78,8 @@ TEST(Intrinsics, RefusesWhatIsNoCamera) {
 }
 
 TEST(Distortion, NamesAreTheirOwnInverse) {
-  for (const Distortion model : {Distortion::none, Distortion::brown_conrady, Distortion::inverse_brown_conrady}) {
+  for (const Distortion model :
+       {Distortion::none, Distortion::brown_conrady, Distortion::inverse_brown_conrady}) {
     EXPECT_EQ(distortion_from_name(name_of(model)), model);
   }
   EXPECT_FALSE(distortion_from_name("fisheye"));

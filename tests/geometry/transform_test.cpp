@@ -1,5 +1,7 @@
 #include "geometry/transform.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "core/error.hpp"

@@ -1,0 +1,112 @@
+#include "detect/static_detection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/error.hpp"
+#include "tests/depth/stacks.hpp"
+
+namespace rva {
+namespace {
+
+using test::MemoryCapture;
+
+// A wall at 1 m with noise of +-2 mm; `after` has a box of 12x8 px that stands 30 mm out.
+std::vector<DepthImage> wall(int frames, bool with_box, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<DepthImage> stack = test::random_stack({80, 60, frames}, 1000, 2, 0.02, random);
+  if (!with_box) return stack;
+  for (DepthImage& frame : stack) {
+    for (int v = 20; v < 28; ++v) {
+      for (int u = 30; u < 42; ++u) {
+        if (frame(u, v) != no_depth) frame(u, v) = static_cast<std::uint16_t>(frame(u, v) - 30);
+      }
+    }
+  }
+  return stack;
+}
+
+TEST(StaticDetection, FindsWhatWasLeft) {
+  const MemoryCapture before = test::capture_of(wall(20, false, 1));
+  const MemoryCapture after = test::capture_of(wall(20, true, 2));
+  for (const StaticMethod method : {StaticMethod::constant, StaticMethod::gaussian}) {
+    StaticDetectionOptions options;
+    options.method = method;
+    options.constant.threshold_m = 0.02;
+    const StaticDetection detection = detect_static(before, after, options, {});
+    ASSERT_EQ(detection.findings.findings.size(), 1U);
+    EXPECT_EQ(detection.findings.findings[0].box, (Box{30, 20, 12, 8}));
+    EXPECT_NEAR(*detection.findings.findings[0].height_mm, 30.0, 2.0);
+    EXPECT_TRUE(detection.warnings.empty());
+    EXPECT_TRUE(detection.findings.final_from_initial.isApprox(Transform::Identity()));
+  }
+}
+
+TEST(StaticDetection, NothingChangedNothingFound) {
+  const MemoryCapture before = test::capture_of(wall(20, false, 3));
+  const MemoryCapture after = test::capture_of(wall(20, false, 4));
+  EXPECT_TRUE(detect_static(before, after, {}, {}).findings.findings.empty());
+}
+
+TEST(StaticDetection, UsesTheFirstFramesOnly) {
+  std::vector<DepthImage> frames = wall(10, true, 5);
+  for (DepthImage& frame : wall(10, false, 6)) frames.push_back(std::move(frame));
+  const MemoryCapture before = test::capture_of(wall(10, false, 7));
+  StaticDetectionOptions options;
+  options.frames = 10;
+  const StaticDetection detection = detect_static(before, test::capture_of(frames), options, {});
+  EXPECT_EQ(detection.findings.findings.size(), 1U);
+  EXPECT_EQ(detection.findings.final_frames, 10U);
+}
+
+TEST(StaticDetection, SaysWhenFramesAreMissing) {
+  StaticDetectionOptions options;
+  options.frames = 10;
+  const MemoryCapture capture = test::capture_of(wall(6, false, 8));
+  const StaticDetection detection = detect_static(capture, capture, options, {});
+  EXPECT_EQ(detection.findings.initial_frames, 6U);
+  EXPECT_EQ(detection.warnings.size(), 2U);
+}
+
+TEST(StaticDetection, OneFrameHasNoDeviation) {
+  const MemoryCapture one = test::capture_of(wall(1, false, 9));
+  EXPECT_THROW(static_cast<void>(detect_static(one, one, {}, {})), Error);
+  StaticDetectionOptions options;
+  options.method = StaticMethod::constant;
+  EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {})));
+}
+
+TEST(StaticDetection, RefusesAnotherCamera) {
+  const MemoryCapture before = test::capture_of(wall(2, false, 10));
+  const auto refused = [&](auto change) {
+    CaptureInfo info = before.info();
+    change(info);
+    const MemoryCapture after(info, wall(2, false, 11));
+    EXPECT_THROW(static_cast<void>(detect_static(before, after, {}, {})), Error);
+  };
+  refused([](CaptureInfo& info) { info.depth.width = 81; });
+  refused([](CaptureInfo& info) { info.depth.fx += 1.0; });
+  refused([](CaptureInfo& info) { info.depth.cy += 0.1; });
+  refused([](CaptureInfo& info) { info.depth.coefficients[0] = 0.1; });
+  refused([](CaptureInfo& info) { info.depth_unit_m = 0.0001; });
+}
+
+TEST(StaticDetection, WarnsWhenPosesSayThatTheCameraMoved) {
+  const auto warnings = [](const Pose& a, const Pose& b) {
+    CaptureInfo before = test::info_of(80, 60);
+    CaptureInfo after = before;
+    before.pose = a;
+    after.pose = b;
+    return detect_static(MemoryCapture(before, wall(2, false, 12)), MemoryCapture(after, wall(2, false, 13)),
+                         {}, {})
+        .warnings.size();
+  };
+  EXPECT_EQ(warnings({"b1", 10.0, -5.0, {}}, {"b1", 10.0, -5.0, {}}), 0U);
+  EXPECT_EQ(warnings({"b1", 10.0, -5.0, {}}, {"b2", 10.0, -5.0, {}}), 1U);
+  EXPECT_EQ(warnings({"b1", 10.0, -5.0, {}}, {"b1", 10.3, -5.0, {}}), 1U);
+  EXPECT_EQ(warnings({{}, {}, {}, {}}, {"b1", 10.3, {}, {}}), 0U);
+}
+
+}  // namespace
+}  // namespace rva
