@@ -198,13 +198,19 @@ void run(const std::filesystem::path& out) {
 }  // namespace rva::bench
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::strcmp(argv[1], "--export") == 0) {
-    rva::bench::export_inputs(argv[2]);
-  } else if (argc == 2) {
-    rva::bench::run(argv[1]);
-  } else {
+  try {
+    if (argc == 3 && std::strcmp(argv[1], "--export") == 0) {
+      rva::bench::export_inputs(argv[2]);
+      return 0;
+    }
+    if (argc == 2) {
+      rva::bench::run(argv[1]);
+      return 0;
+    }
     fmt::print(stderr, "usage: rva_bench OUT.json | rva_bench --export DIR\n");
     return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rva_bench: {}\n", error.what());
+    return 1;
   }
-  return 0;
 }
