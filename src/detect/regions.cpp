@@ -2,30 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <limits>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 #include "depth/mat_view.hpp"
+#include "detect/blobs.hpp"
+#include "detect/disjoint_sets.hpp"
 
 namespace rva {
 namespace {
 
 using Contour = std::vector<cv::Point>;
-
-// Disjoint sets of contours (Tarjan 1975), with path halving.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::size_t find(std::size_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 struct Corner {
   int x;
@@ -50,15 +38,17 @@ class Grid {
     }
   }
 
-  void join_near(Groups& groups) {
-    // Farther cells than these hold no near corner.
-    const int reach = static_cast<int>(std::ceil(std::min(near_px_, 1e6) / side_));
+  void join_near(DisjointSets& groups) {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         const std::vector<Corner>& corners = cell(column, row);
         for (std::size_t k = 1; k < corners.size(); ++k)
           groups.join(corners[k - 1].contour, corners[k].contour);
-        if (!corners.empty()) join_with_neighbours(column, row, reach, groups);
+      }
+    }
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        if (!cell(column, row).empty()) join_with_neighbours(column, row, groups);
       }
     }
   }
@@ -71,7 +61,8 @@ class Grid {
 
   // The corners of a cell are one group by now, so one near pair joins two cells; each pair of cells is
   // looked at once, from the upper or left of the two.
-  void join_with_neighbours(int column, int row, int reach, Groups& groups) {
+  void join_with_neighbours(int column, int row, DisjointSets& groups) {
+    const int reach = static_cast<int>(std::ceil(std::min(near_px_, 1e6) / side_));
     const std::vector<Corner>& here = cell(column, row);
     for (int other_row = row; other_row <= std::min(rows_ - 1, row + reach); ++other_row) {
       const int first = other_row == row ? column + 1 : std::max(0, column - reach);
@@ -100,108 +91,106 @@ class Grid {
   std::vector<std::vector<Corner>> cells_;
 };
 
-// Blobs by label; label 0 is what did not change.
-struct Blobs {
-  cv::Mat labels;
-  cv::Mat stats;
-
-  explicit Blobs(const cv::Mat& changed) {
-    cv::Mat centroids;
-    cv::connectedComponentsWithStats(changed, labels, stats, centroids, 8, CV_32S);
+// Borders of the blobs that are large enough, outer ones and those of holes.
+std::vector<Contour> find_contours(const Mask& changed, const Blobs& blobs, int min_blob_px) {
+  Mask kept(changed.width(), changed.height());
+  for (const Run& run : blobs.runs()) {
+    if (blobs.area_px(run.blob) < min_blob_px) continue;
+    std::fill(&kept(run.first, run.v), &kept(run.first, run.v) + (run.end - run.first), mask_set);
   }
-  [[nodiscard]] int area(int label) const { return stats.at<int>(label, cv::CC_STAT_AREA); }
-  [[nodiscard]] int at(const cv::Point& point) const { return labels.at<int>(point); }
-};
-
-cv::Mat without_small_blobs(const cv::Mat& changed, const Blobs& blobs, int min_blob_px) {
-  cv::Mat kept(changed.size(), CV_8UC1);
-  for (int v = 0; v < changed.rows; ++v) {
-    const int* labels = blobs.labels.ptr<int>(v);
-    auto* row = kept.ptr<std::uint8_t>(v);
-    for (int u = 0; u < changed.cols; ++u) {
-      row[u] = labels[u] != 0 && blobs.area(labels[u]) >= min_blob_px ? mask_set : std::uint8_t{0};
-    }
-  }
-  return kept;
-}
-
-Box united(const Box& a, const cv::Rect& b) {
-  if (a.width == 0) return {b.x, b.y, b.width, b.height};
-  const int left = std::min(a.x, b.x);
-  const int top = std::min(a.y, b.y);
-  return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
-          std::max(a.y + a.height, b.y + b.height) - top};
+  std::vector<Contour> contours;
+  cv::findContours(as_mat(kept), contours, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
+  return contours;
 }
 
 // findContours walks a blob's outer border counter-clockwise (in an image whose v runs down) and its holes
 // clockwise; a border without area is a line or a point, so an outer one.
 bool is_hole(const Contour& contour) { return cv::contourArea(contour, true) > 0.0; }
 
-std::vector<std::uint32_t> pixels_of_blob_in(const Box& box, int label, const Blobs& blobs) {
-  std::vector<std::uint32_t> pixels;
-  for (int v = box.y; v < box.y + box.height; ++v) {
-    for (int u = box.x; u < box.x + box.width; ++u) {
-      if (blobs.at({u, v}) == label) pixels.push_back(static_cast<std::uint32_t>(v * blobs.labels.cols + u));
-    }
+void extend(Box& box, const cv::Rect& by) {
+  if (box.width == 0) {
+    box = {by.x, by.y, by.width, by.height};
+    return;
   }
-  return pixels;
+  const int right = std::max(box.x + box.width, by.x + by.width);
+  const int bottom = std::max(box.y + box.height, by.y + by.height);
+  box.x = std::min(box.x, by.x);
+  box.y = std::min(box.y, by.y);
+  box.width = right - box.x;
+  box.height = bottom - box.y;
 }
 
-// Hands every pixel to the region that holds its blob's outer border.
-void collect_pixels(const Blobs& blobs, const std::vector<int>& region_of_label,
-                    std::vector<Region>& regions) {
-  std::uint32_t position = 0;
-  for (int v = 0; v < blobs.labels.rows; ++v) {
-    const int* labels = blobs.labels.ptr<int>(v);
-    for (int u = 0; u < blobs.labels.cols; ++u, ++position) {
-      const int region = labels[u] == 0 ? -1 : region_of_label[static_cast<std::size_t>(labels[u])];
-      if (region >= 0) regions[static_cast<std::size_t>(region)].pixels.push_back(position);
+void append(std::vector<std::uint32_t>& pixels, const Run& run, int first, int end, int width) {
+  for (int u = first; u < end; ++u) pixels.push_back(static_cast<std::uint32_t>(run.v * width + u));
+}
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+// Regions as they are put together: boxes from contours first, pixels from blobs then.
+class Assembly {
+ public:
+  Assembly(const Blobs& blobs, int width)
+      : blobs_(blobs), width_(width), region_of_blob_(blobs.count(), none) {}
+
+  void add(const std::vector<Contour>& contours, DisjointSets& groups) {
+    std::vector<std::size_t> region_of_group(contours.size(), none);
+    for (std::size_t k = 0; k < contours.size(); ++k) {
+      std::size_t& region = region_of_group[groups.find(k)];
+      if (region == none) {
+        region = regions_.size();
+        regions_.emplace_back();
+        blob_around_hole_.push_back(none);
+      }
+      extend(regions_[region].box, cv::boundingRect(contours[k]));
+      const std::size_t blob = blobs_.blob_at(contours[k][0].x, contours[k][0].y);
+      (is_hole(contours[k]) ? blob_around_hole_[region] : region_of_blob_[blob]) =
+          is_hole(contours[k]) ? blob : region;
     }
   }
-}
+
+  // A blob's pixels go to the region that holds its outer border; a region of holes alone takes those of the
+  // blob around within its box.
+  std::vector<Region> with_pixels() && {
+    for (const Run& run : blobs_.runs()) {
+      const std::size_t region = region_of_blob_[run.blob];
+      if (region != none) append(regions_[region].pixels, run, run.first, run.end, width_);
+    }
+    for (std::size_t k = 0; k < regions_.size(); ++k) {
+      if (regions_[k].pixels.empty()) take_pixels_around_hole(regions_[k], blob_around_hole_[k]);
+    }
+    return std::move(regions_);
+  }
+
+ private:
+  void take_pixels_around_hole(Region& region, std::size_t blob) const {
+    const Box& box = region.box;
+    for (const Run& run : blobs_.runs()) {
+      if (run.blob != blob || run.v < box.y || run.v >= box.y + box.height) continue;
+      append(region.pixels, run, std::max(run.first, box.x), std::min(run.end, box.x + box.width), width_);
+    }
+  }
+
+  const Blobs& blobs_;
+  int width_;
+  std::vector<Region> regions_;
+  std::vector<std::size_t> region_of_blob_;
+  std::vector<std::size_t> blob_around_hole_;  // by region
+};
 
 }  // namespace
 
 std::vector<Region> find_regions(const Mask& changed, const RegionOptions& options) {
-  if (changed.empty()) return {};
-  const cv::Mat all = as_mat(changed);
-  const Blobs blobs(all);
-  std::vector<Contour> contours;
-  cv::findContours(options.min_blob_px > 1 ? without_small_blobs(all, blobs, options.min_blob_px) : all,
-                   contours, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
-
-  Groups groups(contours.size());
+  const Blobs blobs(changed);
+  if (blobs.count() == 0) return {};
+  const std::vector<Contour> contours = find_contours(changed, blobs, options.min_blob_px);
+  DisjointSets groups(contours.size());
   if (options.join_px > 0.0)
     Grid(contours, changed.width(), changed.height(), options.join_px).join_near(groups);
-
-  std::vector<Region> regions;
-  std::map<std::size_t, int> region_of_group;
-  std::vector<int> region_of_label(static_cast<std::size_t>(blobs.stats.rows), -1);
-  std::vector<int> hole_label;  // by region: a label whose hole lies in it
-  for (std::size_t k = 0; k < contours.size(); ++k) {
-    const auto [entry, is_new] =
-        region_of_group.try_emplace(groups.find(k), static_cast<int>(regions.size()));
-    if (is_new) {
-      regions.emplace_back();
-      hole_label.push_back(0);
-    }
-    Region& region = regions[static_cast<std::size_t>(entry->second)];
-    region.box = united(region.box, cv::boundingRect(contours[k]));
-    const int label = blobs.at(contours[k][0]);
-    if (is_hole(contours[k])) {
-      hole_label[static_cast<std::size_t>(entry->second)] = label;
-    } else {
-      region_of_label[static_cast<std::size_t>(label)] = entry->second;
-    }
-  }
-  collect_pixels(blobs, region_of_label, regions);
-  for (std::size_t k = 0; k < regions.size(); ++k) {
-    if (regions[k].pixels.empty())
-      regions[k].pixels = pixels_of_blob_in(regions[k].box, hole_label[k], blobs);
-  }
-  std::ranges::sort(regions, [](const Region& a, const Region& b) {
-    return std::tie(a.box.y, a.box.x, a.box.height, a.box.width) <
-           std::tie(b.box.y, b.box.x, b.box.height, b.box.width);
+  Assembly assembly(blobs, changed.width());
+  assembly.add(contours, groups);
+  std::vector<Region> regions = std::move(assembly).with_pixels();
+  std::ranges::sort(regions, {}, [](const Region& region) {
+    return std::tuple(region.box.y, region.box.x, region.box.height, region.box.width);
   });
   return regions;
 }

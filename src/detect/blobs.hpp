@@ -1,0 +1,43 @@
+// Connected pixels of a mask, as runs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// A stretch of set pixels in one row, columns [first, end), that belongs to one blob.
+struct Run {
+  int v = 0;
+  int first = 0;
+  int end = 0;
+  std::size_t blob = 0;
+};
+
+/// The 8-connected blobs of a mask. Built in one pass over the pixels and one over the runs, so that a mask
+/// with little in it costs little more than reading it.
+class Blobs {
+ public:
+  /// @param mask pixels other than 0 are set
+  explicit Blobs(const Mask& mask);
+
+  [[nodiscard]] std::size_t count() const { return areas_.size(); }
+  /// From top to bottom, then from left to right.
+  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+  [[nodiscard]] int area_px(std::size_t blob) const { return areas_[blob]; }
+  /// The blob of a pixel that is set.
+  [[nodiscard]] std::size_t blob_at(int u, int v) const;
+
+ private:
+  void find_runs(const Mask& mask);
+  void connect_runs();
+
+  std::vector<Run> runs_;
+  std::vector<std::size_t> row_starts_;  // of row v, in runs_; one more than rows
+  std::vector<int> areas_;
+};
+
+}  // namespace rva
