@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
+#include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
@@ -20,6 +21,7 @@ struct DetectArguments {
   std::string final;
   std::string out;
   CaptureFlags captures;
+  std::string method{name_of(StaticMethod::gaussian)};
   StaticDetectionOptions detection;
   bool overwrite = false;
   bool json = false;
@@ -44,25 +46,25 @@ void write_color_overlay(const Capture& final, const StaticDetection& detection,
 }
 
 void print_for_a_person(const DetectArguments& arguments, const Findings& findings) {
-  fmt::print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
-             findings.initial_frames, findings.final_frames);
+  print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
+        findings.initial_frames, findings.final_frames);
   if (!findings.findings.empty()) {
-    fmt::print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", "id", "kind", "box x y w h (px)",
-               "area px", "height mm", "distance m", "score");
+    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", "id", "kind", "box x y w h (px)", "area px",
+          "height mm", "distance m", "score");
   }
   for (const Finding& finding : findings.findings) {
     const Box& box = finding.box;
-    fmt::print("{:>4}  {:7}  {:>20}  {:>8}  {:>9.1f}  {:>11.2f}  {:>8.1f}\n", finding.id,
-               finding.kind == ChangeKind::added ? "added" : "removed",
-               fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height), finding.pixels.size(),
-               finding.height_mm.value_or(0.0), finding.position_m ? finding.position_m->z() : 0.0,
-               finding.score.value_or(0.0));
+    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9.1f}  {:>11.2f}  {:>8.1f}\n", finding.id,
+          finding.kind == ChangeKind::added ? "added" : "removed",
+          fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height), finding.pixels.size(),
+          finding.height_mm.value_or(0.0), finding.position_m ? finding.position_m->z() : 0.0,
+          finding.score.value_or(0.0));
   }
   const Coverage& coverage = findings.coverage;
-  fmt::print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
-             100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
-  if (coverage.beyond_clip) fmt::print(", too far {:.1f} %", 100.0 * *coverage.beyond_clip);
-  fmt::print("\n{}\n", arguments.out);
+  print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
+        100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
+  if (coverage.beyond_clip) print(", too far {:.1f} %", 100.0 * *coverage.beyond_clip);
+  print("\n{}\n", arguments.out);
 }
 
 int detect(const DetectArguments& arguments) {
@@ -84,7 +86,7 @@ int detect(const DetectArguments& arguments) {
   out.commit();
 
   if (arguments.json) {
-    fmt::print("{}", json);
+    print("{}", json);
   } else {
     print_for_a_person(arguments, detection.findings);
   }
@@ -100,18 +102,21 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   command.add_option("INITIAL", arguments->initial, "capture before the work")->required();
   command.add_option("FINAL", arguments->final, "capture after the work, from the same place")->required();
   command.add_option("--out", arguments->out, "folder for the result")->required()->type_name("DIR");
-  const std::map<std::string, StaticMethod> methods{{"constant", StaticMethod::constant},
-                                                    {"gaussian", StaticMethod::gaussian}};
-  command.add_option("--method", arguments->detection.method, "constant or gaussian (default)")
-      ->transform(CLI::CheckedTransformer(methods).description(""))
-      ->type_name("METHOD");
+  command.add_option("--method", arguments->method, "how pixels are compared")
+      ->check(CLI::IsMember(
+          {std::string(name_of(StaticMethod::constant)), std::string(name_of(StaticMethod::gaussian))}))
+      ->capture_default_str();
   add_flags(command, arguments->detection);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");
   command.add_flag("--fail-on-detection", arguments->fail_on_detection,
                    "exit with status 3 when something was found");
-  command.callback([arguments, &outcome] { outcome.status = detect(*arguments); });
+  command.callback([arguments, &outcome] {
+    const bool constant = arguments->method == name_of(StaticMethod::constant);
+    arguments->detection.method = constant ? StaticMethod::constant : StaticMethod::gaussian;
+    outcome.status = detect(*arguments);
+  });
 }
 
 }  // namespace rva::cli

@@ -8,7 +8,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
+#include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
+#include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "depth/frame_reader.hpp"
 
@@ -45,7 +47,10 @@ FrameSummary read_all_frames(const Capture& capture) {
       farthest = std::max(farthest, depth);
     }
   });
-  for (std::size_t i = 0; i < capture.color_frames(); ++i) static_cast<void>(capture.color(i));
+  for (std::size_t i = 0; i < capture.color_frames(); ++i) {
+    throw_if_interrupted();
+    static_cast<void>(capture.color(i));
+  }
   summary.fill_rate = static_cast<double>(measured) / static_cast<double>(pixels);
   summary.nearest_m = measured == 0 ? 0.0 : nearest * capture.info().depth_unit_m;
   summary.farthest_m = farthest * capture.info().depth_unit_m;
@@ -98,43 +103,42 @@ void print_camera(const char* name, std::size_t frames, const Intrinsics& camera
   const auto field_deg = [](int pixels, double focal_px) {
     return 2.0 * std::atan(0.5 * pixels / focal_px) * 180.0 / M_PI;
   };
-  fmt::print(
-      "{:<8} {} frame(s) of {}x{}, fx {:.3f} fy {:.3f} cx {:.3f} cy {:.3f}, view {:.0f} x {:.0f} deg\n", name,
-      frames, camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy,
-      field_deg(camera.width, camera.fx), field_deg(camera.height, camera.fy));
+  print("{:<8} {} frame(s) of {}x{}, fx {:.3f} fy {:.3f} cx {:.3f} cy {:.3f}, view {:.0f} x {:.0f} deg\n",
+        name, frames, camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy,
+        field_deg(camera.width, camera.fx), field_deg(camera.height, camera.fy));
 }
 
 void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
   const CaptureInfo& info = capture.info();
-  fmt::print("format   {}\n", info.format);
+  print("format   {}\n", info.format);
   print_camera("depth", capture.depth_frames(), info.depth);
-  fmt::print("         unit {} m, {:.1f} % of pixels measured, {:.3f} to {:.3f} m\n", info.depth_unit_m,
-             100.0 * summary.fill_rate, summary.nearest_m, summary.farthest_m);
+  print("         unit {} m, {:.1f} % of pixels measured, {:.3f} to {:.3f} m\n", info.depth_unit_m,
+        100.0 * summary.fill_rate, summary.nearest_m, summary.farthest_m);
   if (info.color) {
     print_camera("color", capture.color_frames(), *info.color);
   } else {
-    fmt::print("color    {} frame(s), no intrinsics\n", capture.color_frames());
+    print("color    {} frame(s), no intrinsics\n", capture.color_frames());
   }
   if (info.pose) {
-    fmt::print("pose     base {}", printable(info.pose->base.value_or("not stated")));
-    if (info.pose->pan_deg) fmt::print(", pan {} deg", *info.pose->pan_deg);
-    if (info.pose->tilt_deg) fmt::print(", tilt {} deg", *info.pose->tilt_deg);
-    fmt::print("\n");
+    print("pose     base {}", printable(info.pose->base.value_or("not stated")));
+    if (info.pose->pan_deg) print(", pan {} deg", *info.pose->pan_deg);
+    if (info.pose->tilt_deg) print(", tilt {} deg", *info.pose->tilt_deg);
+    print("\n");
   }
   if (info.camera) {
-    fmt::print("camera   {} {}", printable(info.camera->model), printable(info.camera->serial));
-    if (info.camera->baseline_m) fmt::print(", baseline {} m", *info.camera->baseline_m);
-    fmt::print("\n");
+    print("camera   {} {}", printable(info.camera->model), printable(info.camera->serial));
+    if (info.camera->baseline_m) print(", baseline {} m", *info.camera->baseline_m);
+    print("\n");
   }
-  if (!info.captured_at.empty()) fmt::print("taken    {}\n", printable(info.captured_at));
-  fmt::print("sound    every frame was read\n");
+  if (!info.captured_at.empty()) print("taken    {}\n", printable(info.captured_at));
+  print("sound    every frame was read\n");
 }
 
 void show(const InfoArguments& arguments) {
   const auto capture = open_capture(arguments.capture, arguments.captures.options());
   const FrameSummary summary = read_all_frames(*capture);
   if (arguments.json) {
-    fmt::print("{}\n", to_json(*capture, summary).dump(1));
+    print("{}\n", to_json(*capture, summary).dump(1));
   } else {
     print_for_a_person(*capture, summary);
   }

@@ -1,21 +1,24 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 
 #include "cli/commands.hpp"
+#include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/path_text.hpp"
 
 namespace {
 
 using rva::cli::Outcome;
 
-// A result that could not be printed was not delivered: the disk behind a redirection may be full.
-void require_printed() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    throw rva::Error("stdout", "the result cannot be written", "free some space or choose another place");
+// CLI11 would only say that some command is required.
+void require_known_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
   }
+  throw rva::UsageError(rva::printable(argv[1]), "no such command", "see rva --help");
 }
 
 int run(int argc, char** argv) {
@@ -28,14 +31,16 @@ int run(int argc, char** argv) {
   rva::cli::add_noise_command(program, outcome);
   rva::cli::add_info_command(program, outcome);
   rva::cli::add_options_command(program, outcome);
+  require_known_command(program, argc, argv);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const bool asked = error.get_exit_code() == 0;  // --help, --version
     program.exit(error);
+    rva::cli::require_printed();
     return asked ? 0 : rva::cli::status_usage;
   }
-  require_printed();
+  rva::cli::require_printed();
   return outcome.status;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
+#include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
@@ -66,22 +67,22 @@ Mask drift_picture(const Noise& noise) {
 }
 
 void print_row(const char* name, const NoiseBin& bin) {
-  fmt::print("{:>10}  {:>9}  {:>14.2f}  {:>11.2f}  {:>12}\n", name, bin.pixels, bin.median_std_mm,
-             bin.p95_std_mm, bin.subpixel_rms_px ? fmt::format("{:.3f}", *bin.subpixel_rms_px) : "-");
+  print("{:>10}  {:>9}  {:>14.2f}  {:>11.2f}  {:>12}\n", name, bin.pixels, bin.median_std_mm, bin.p95_std_mm,
+        bin.subpixel_rms_px ? fmt::format("{:.3f}", *bin.subpixel_rms_px) : "-");
 }
 
 void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& report) {
-  fmt::print("{} frames, {:.1f} % of pixels measured\n", report.frames, 100.0 * report.fill_rate);
-  fmt::print("{:>10}  {:>9}  {:>14}  {:>11}  {:>12}\n", "distance m", "pixels", "median std mm",
-             "95 % std mm", "sub-pixel px");
+  print("{} frames, {:.1f} % of pixels measured\n", report.frames, 100.0 * report.fill_rate);
+  print("{:>10}  {:>9}  {:>14}  {:>11}  {:>12}\n", "distance m", "pixels", "median std mm", "95 % std mm",
+        "sub-pixel px");
   for (const NoiseBin& bin : report.bins)
     print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
   print_row("all", report.overall);
-  fmt::print(
+  print(
       "Welch's test, first against last {} frames: {:.1f} % of pixels differ (p < {}; {:.1f} % expected if "
       "nothing drifts)\n",
       report.welch_frames, 100.0 * report.welch_rejected, report.alpha, 100.0 * report.alpha);
-  fmt::print("{}\n", arguments.out);
+  print("{}\n", arguments.out);
 }
 
 void measure(const NoiseArguments& arguments) {
@@ -97,7 +98,7 @@ void measure(const NoiseArguments& arguments) {
   write_file(out.path("noise.json"), json);
   out.commit();
   if (arguments.json) {
-    fmt::print("{}", json);
+    print("{}", json);
   } else {
     print_for_a_person(arguments, noise.report);
   }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/printing.hpp"
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
 
@@ -9,18 +10,17 @@ namespace {
 
 template <typename Options>
 void print_table(const char* command) {
-  fmt::print("\n## `{}`\n\n| option | default | range | what it does |\n| --- | --- | --- | --- |\n",
-             command);
+  print("\n## `{}`\n\n| option | default | range | what it does |\n| --- | --- | --- | --- |\n", command);
   Options::describe(Options{}, [](const auto& value, const OptionField& field) {
     const std::string unit = field.unit.empty() ? "" : fmt::format(" {}", field.unit);
-    fmt::print("| `--{}` | {}{} | {} to {}{} | {} |\n", field.name, value, unit, field.min, field.max, unit,
-               field.help);
+    print("| `--{}` | {}{} | {} to {}{} | {} |\n", field.name, value, unit, field.min, field.max, unit,
+          field.help);
   });
 }
 
 // docs/options.md is this text; a test compares the two.
 void print_options() {
-  fmt::print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
+  print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
   print_table<StaticDetectionOptions>("rva detect");
   print_table<NoiseOptions>("rva noise");
 }

@@ -50,7 +50,8 @@ Error cannot_write(const std::filesystem::path& path) {
 
 template <typename Bytes>
 Bytes read_whole(const std::filesystem::path& path) {
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw cannot_read(path);
   if (!S_ISREG(status.st_mode)) throw Error(printable(path), "not a file", "check the path");

@@ -30,6 +30,15 @@ void require_free_target(const fs::path& target, const fs::path& marker, Existin
   }
 }
 
+// Of a folder and its parents, the highest that does not exist; empty where all do.
+fs::path highest_missing(fs::path folder) {
+  std::error_code ignored;
+  fs::path highest;
+  for (; !fs::exists(folder, ignored) && folder.has_relative_path(); folder = folder.parent_path())
+    highest = folder;
+  return highest;
+}
+
 // A folder beside `target` under a name that nobody else has.
 fs::path make_beside(const fs::path& target) {
   std::error_code failure;
@@ -46,23 +55,41 @@ fs::path make_beside(const fs::path& target) {
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& target, const fs::path& marker, Existing existing) {
+  if (target.empty()) throw Error(printable(target), "no folder for the result", "name one");
   require_utf8(target);
   std::error_code failure;
   target_ = fs::absolute(target, failure).lexically_normal();
   if (!target_.has_filename()) target_ = target_.parent_path();  // "OUT/" means OUT
   require_free_target(target_, marker, existing);
+  highest_made_ = highest_missing(target_.parent_path());
   fs::create_directories(target_.parent_path(), failure);
   if (failure) {
+    remove_made_parents();
     throw Error(printable(target_.parent_path()), fmt::format("cannot be made ({})", failure.message()),
                 "check the permissions there or choose another place");
   }
-  staging_ = make_beside(target_);
+  try {
+    staging_ = make_beside(target_);
+  } catch (const Error&) {
+    remove_made_parents();
+    throw;
+  }
 }
 
 OutputFolder::~OutputFolder() {
   if (committed_) return;
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
+  remove_made_parents();
+}
+
+// Only empty folders go; one that somebody else has begun to use stays, with all above it.
+void OutputFolder::remove_made_parents() const {
+  if (highest_made_.empty()) return;
+  std::error_code failure;
+  for (fs::path parent = target_.parent_path();; parent = parent.parent_path()) {
+    if (!fs::remove(parent, failure) || parent == highest_made_) return;
+  }
 }
 
 void OutputFolder::commit() {

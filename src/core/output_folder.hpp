@@ -12,7 +12,8 @@ enum class Existing {
 };
 
 /// A folder that is written beside its target, under a name of its own, and renamed when complete.
-/// Destroyed without commit(), it leaves nothing behind. Not for use by several threads.
+/// Destroyed without commit(), it leaves nothing behind, nor parents that it made. Not for use by several
+/// threads.
 class OutputFolder {
  public:
   /// @param target  the folder to appear at commit(); its parents are made
@@ -32,8 +33,11 @@ class OutputFolder {
   void commit();
 
  private:
+  void remove_made_parents() const;
+
   std::filesystem::path target_;
   std::filesystem::path staging_;
+  std::filesystem::path highest_made_;  // of the target's parents, the first that was not there; may be empty
   bool committed_ = false;
 };
 

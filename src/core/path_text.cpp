@@ -73,6 +73,7 @@ bool is_utf8(std::string_view bytes) {
 
 std::string printable(const std::filesystem::path& path) {
   const std::string& bytes = path.native();
+  if (bytes.empty()) return "''";
   std::string text;
   for (std::size_t at = 0; at < bytes.size();) {
     const std::size_t length = sequence_length(bytes, at);

@@ -38,6 +38,7 @@ Error damaged(const std::string& place, std::string_view reason) {
 
 // A decoder with the header read and judged, ready for spng_decode_image().
 Spng open_png(std::span<const std::byte> png, const std::string& place, spng_ihdr& header) {
+  if (png.empty()) throw damaged(place, "the file is empty");
   Spng decoder(spng_ctx_new(0), spng_ctx_free);
   spng_set_chunk_limits(decoder.get(), 1U << 20U, 1U << 20U);
   spng_set_png_buffer(decoder.get(), png.data(), png.size());
