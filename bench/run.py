@@ -64,7 +64,7 @@ def main():
         folder = pathlib.Path(name)
         subprocess.run([program, '--export', folder], check=True)
         rows, peers = run_ours(program, folder), {}
-        for turn in range(ROUNDS):
+        for _ in range(ROUNDS):
             for peer_name, peer, ms in numpy_rows(folder):
                 peers[peer_name, peer] = min(ms, peers.get((peer_name, peer), ms))
             for row, again in zip(rows, run_ours(program, folder), strict=True):
@@ -76,13 +76,13 @@ def main():
     for row in rows:
         if 'peer_ms' not in row and (row['name'], row['peer']) in peers:
             row['peer_ms'] = peers[row['name'], row['peer']]
-        if 'peer_ms' in row:
-            row['ratio'] = row['peer_ms'] / row['ours_ms']
+    rows = [row for row in rows if 'peer_ms' in row]  # --quick leaves some peers out
+    for row in rows:
+        row['ratio'] = row['peer_ms'] / row['ours_ms']
     out.write_text(json.dumps({'machine': machine(), 'rows': rows}, indent=1) + '\n')
     print(f'{"what":22} {"ours ms":>9}  {"peer":15} {"peer ms":>10} {"ratio":>9}')
     for row in rows:
-        peer_ms = f'{row["peer_ms"]:10.2f} {row["ratio"]:9.2f}' if 'peer_ms' in row else f'{"-":>10} {"-":>9}'
-        print(f'{row["name"]:22} {row["ours_ms"]:9.2f}  {row["peer"]:15} {peer_ms}')
+        print(f'{row["name"]:22} {row["ours_ms"]:9.2f}  {row["peer"]:15} {row["peer_ms"]:10.2f} {row["ratio"]:9.2f}')
     print(out)
 
 

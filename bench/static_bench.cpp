@@ -133,14 +133,21 @@ void bench_live(Json& rows, const std::vector<DepthImage>& frames) {
   rows.push_back(row("live-frame", frame_ms, "budget", 1.0));
 }
 
+// The peer of the counts that the thesis' way can do at all is timed elsewhere; for the largest it is our own
+// time at the count before, which shows how cost grows.
 void bench_regions(Json& rows) {
+  double before_ms = 0.0;
   for (const int blobs : blob_counts) {
     const Mask mask = make_mask(blobs, static_cast<std::uint32_t>(blobs));
     std::vector<Candidate> candidates{{"ours", [&] { sink = sink + find_regions(mask, {}).size(); }}};
     time_interleaved(candidates, rounds);
-    rows.push_back({{"name", fmt::format("regions/{}", blobs)},
-                    {"ours_ms", candidates[0].least_ms},
-                    {"peer", "thesis"}});
+    const std::string name = fmt::format("regions/{}", blobs);
+    if (blobs == blob_counts[std::size(blob_counts) - 1]) {
+      rows.push_back(row(name, candidates[0].least_ms, "ours-at-500", before_ms));
+    } else {
+      rows.push_back({{"name", name}, {"ours_ms", candidates[0].least_ms}, {"peer", "thesis"}});
+    }
+    before_ms = candidates[0].least_ms;
   }
 }
 

@@ -100,7 +100,7 @@ ColorImage with_scale_bar(const ColorImage& image, ColorScale scale, std::string
 
 ColorScale scale_from_zero(const Image<float>& values) {
   std::vector<float> finite = finite_values(values);
-  const float high = finite.empty() ? 0.0F : quantile(finite, 0.99);
+  const float high = finite.empty() ? 0.0F : quantile(finite, 0.95);
   return {0.0F, high > 0.0F ? round_step(high) : 1.0F};
 }
 

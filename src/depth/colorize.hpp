@@ -21,7 +21,8 @@ struct ColorScale {
 /// @param title what the values are, with their unit, written above the bar; ASCII
 [[nodiscard]] ColorImage with_scale_bar(const ColorImage& image, ColorScale scale, std::string_view title);
 
-/// The range from 0 to a round number that all but a hundredth of the values stay below.
+/// The range from 0 to a round number that all but a twentieth of the values stay below: the few at depth
+/// edges are larger by so much that a scale for all would show nothing else.
 [[nodiscard]] ColorScale scale_from_zero(const Image<float>& values);
 
 /// The range between round numbers that all but a hundredth at either end lie in.

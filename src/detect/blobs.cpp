@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cstring>
 
-#include "detect/disjoint_sets.hpp"
-
 namespace rva {
 namespace {
 
@@ -48,28 +46,30 @@ void Blobs::find_runs(const Mask& mask) {
   row_starts_.push_back(runs_.size());
 }
 
-// Two runs of neighbouring rows touch when they overlap or meet at a corner; both rows are walked in step.
 void Blobs::connect_runs() {
   DisjointSets sets(runs_.size());
-  for (std::size_t v = 1; v + 1 < row_starts_.size(); ++v) {
-    std::size_t above = row_starts_[v - 1];
-    std::size_t here = row_starts_[v];
-    while (above < row_starts_[v] && here < row_starts_[v + 1]) {
-      const Run& a = runs_[above];
-      const Run& b = runs_[here];
-      if (a.first <= b.end && b.first <= a.end) sets.join(above, here);
-      if (a.end < b.end) {
-        ++above;
-      } else {
-        ++here;
-      }
-    }
-  }
+  for (std::size_t v = 1; v + 1 < row_starts_.size(); ++v) join_touching_runs(v, sets);
   for (std::size_t k = 0; k < runs_.size(); ++k) {
     const std::size_t first_run = sets.find(k);
     if (first_run == k) areas_.push_back(0);
     runs_[k].blob = first_run == k ? areas_.size() - 1 : runs_[first_run].blob;
     areas_[runs_[k].blob] += runs_[k].end - runs_[k].first;
+  }
+}
+
+// Two runs of neighbouring rows touch when they overlap or meet at a corner; both rows are walked in step.
+void Blobs::join_touching_runs(std::size_t row, DisjointSets& sets) const {
+  std::size_t above = row_starts_[row - 1];
+  std::size_t here = row_starts_[row];
+  while (above < row_starts_[row] && here < row_starts_[row + 1]) {
+    const Run& a = runs_[above];
+    const Run& b = runs_[here];
+    if (a.first <= b.end && b.first <= a.end) sets.join(above, here);
+    if (a.end < b.end) {
+      ++above;
+    } else {
+      ++here;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "depth/image.hpp"
+#include "detect/disjoint_sets.hpp"
 
 namespace rva {
 
@@ -34,6 +35,7 @@ class Blobs {
  private:
   void find_runs(const Mask& mask);
   void connect_runs();
+  void join_touching_runs(std::size_t row, DisjointSets& sets) const;
 
   std::vector<Run> runs_;
   std::vector<std::size_t> row_starts_;  // of row v, in runs_; one more than rows

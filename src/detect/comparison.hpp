@@ -17,6 +17,10 @@ struct Coverage {
 
 /// A pixel for pixel comparison of two captures from one place. All images have the size of the depth image.
 struct Comparison {
+  /// Nothing measured, nothing changed.
+  Comparison(int width, int height)
+      : changed(width, height), initial_m(width, height), final_m(width, height), evidence(width, height) {}
+
   Mask changed;            ///< set where the method says that something came nearer
   Image<float> initial_m;  ///< depth before, metres; 0 where not measured
   Image<float> final_m;    ///< depth after, metres; 0 where not measured

@@ -9,13 +9,7 @@ Comparison compare_constant(const DepthImage& initial, const DepthImage& final, 
   assert(initial.same_size(final));
   const double threshold = options.threshold_m / unit_m;
   const double clip = options.clip_m / unit_m;
-  const int width = final.width();
-  const int height = final.height();
-  Comparison result{Mask(width, height),
-                    Image<float>(width, height),
-                    Image<float>(width, height),
-                    Image<float>(width, height),
-                    {}};
+  Comparison result(final.width(), final.height());
   std::size_t compared = 0;
   std::size_t unseen = 0;
   std::size_t beyond_clip = 0;

@@ -14,13 +14,7 @@ constexpr double rounding_variance = 2.0 / 12.0;
 Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistics& final, double unit_m,
                             const GaussianOptions& options) {
   assert(initial.width() == final.width() && initial.height() == final.height());
-  const int width = final.width();
-  const int height = final.height();
-  Comparison result{Mask(width, height),
-                    Image<float>(width, height),
-                    Image<float>(width, height),
-                    Image<float>(width, height),
-                    {}};
+  Comparison result(final.width(), final.height());
   std::size_t compared = 0;
   std::size_t unseen = 0;
   for (std::size_t i = 0; i < final.size(); ++i) {

@@ -12,11 +12,9 @@ const Intrinsics camera{width, 80, 50.0, 40.0, 49.5, 39.5};
 
 // Two rectangles nearer than a wall at 1 m: one by 100 mm, one by 20 mm.
 Comparison sample() {
-  Comparison comparison{Mask(width, 80),
-                        Image<float>(width, 80, 1.0F),
-                        Image<float>(width, 80, 1.0F),
-                        Image<float>(width, 80),
-                        {0.9, 0.06, 0.04, std::nullopt}};
+  Comparison comparison(width, 80);
+  comparison.initial_m = comparison.final_m = Image<float>(width, 80, 1.0F);
+  comparison.coverage = {0.9, 0.06, 0.04, std::nullopt};
   for (int v = 10; v < 14; ++v) {
     for (int u = 20; u < 30; ++u) {
       comparison.changed(u, v) = mask_set;

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <random>
 #include <set>
@@ -13,42 +14,47 @@
 namespace rva {
 namespace {
 
-// The thesis' way, all pairs of contour points, as plain as can be.
-std::vector<Box> boxes_by_all_pairs(const Mask& changed, const RegionOptions& options) {
+using Contour = std::vector<cv::Point>;
+
+std::vector<Contour> contours_of_large_blobs(const Mask& changed, int min_blob_px) {
   cv::Mat labels;
   cv::Mat stats;
   cv::Mat centroids;
   cv::Mat kept = as_mat(changed).clone();
-  cv::connectedComponentsWithStats(kept, labels, stats, centroids, 8, CV_32S);
-  for (int v = 0; v < kept.rows; ++v) {
-    for (int u = 0; u < kept.cols; ++u) {
-      const int label = labels.at<int>(v, u);
-      if (label > 0 && stats.at<int>(label, cv::CC_STAT_AREA) < options.min_blob_px)
-        kept.at<std::uint8_t>(v, u) = 0;
-    }
+  const int count = cv::connectedComponentsWithStats(kept, labels, stats, centroids, 8, CV_32S);
+  for (int label = 1; label < count; ++label) {
+    if (stats.at<int>(label, cv::CC_STAT_AREA) < min_blob_px) kept.setTo(0, labels == label);
   }
-  std::vector<std::vector<cv::Point>> contours;
+  std::vector<Contour> contours;
   cv::findContours(kept, contours, cv::RETR_LIST, cv::CHAIN_APPROX_SIMPLE);
+  return contours;
+}
+
+bool any_near(const Contour& a, const Contour& b, double join_px) {
+  return std::ranges::any_of(a, [&](const cv::Point& p) {
+    return std::ranges::any_of(b, [&](const cv::Point& q) { return cv::norm(p - q) < join_px; });
+  });
+}
+
+// The thesis' way, all pairs of contour points, as plain as can be.
+std::vector<Box> boxes_by_all_pairs(const Mask& changed, const RegionOptions& options) {
+  const std::vector<Contour> contours = contours_of_large_blobs(changed, options.min_blob_px);
   std::vector<std::size_t> group(contours.size());
-  for (std::size_t k = 0; k < group.size(); ++k) group[k] = k;
-  const auto near = [&](const auto& a, const auto& b) {
-    return std::ranges::any_of(a, [&](const cv::Point& p) {
-      return std::ranges::any_of(b, [&](const cv::Point& q) { return cv::norm(p - q) < options.join_px; });
-    });
-  };
+  std::iota(group.begin(), group.end(), 0U);
   for (std::size_t a = 0; a < contours.size(); ++a) {
     for (std::size_t b = a + 1; b < contours.size(); ++b) {
-      if (group[a] != group[b] && near(contours[a], contours[b]))
-        std::ranges::replace(group, group[b], group[a]);
+      if (any_near(contours[a], contours[b], options.join_px)) {
+        std::ranges::replace(group, std::size_t{group[b]}, std::size_t{group[a]});
+      }
     }
   }
+  std::map<std::size_t, Contour> points;
+  for (std::size_t k = 0; k < contours.size(); ++k) {
+    points[group[k]].insert(points[group[k]].end(), contours[k].begin(), contours[k].end());
+  }
   std::vector<Box> boxes;
-  for (const std::size_t id : std::set(group.begin(), group.end())) {
-    std::vector<cv::Point> points;
-    for (std::size_t k = 0; k < contours.size(); ++k) {
-      if (group[k] == id) points.insert(points.end(), contours[k].begin(), contours[k].end());
-    }
-    const cv::Rect box = cv::boundingRect(points);
+  for (const auto& [id, members] : points) {
+    const cv::Rect box = cv::boundingRect(members);
     boxes.push_back({box.x, box.y, box.width, box.height});
   }
   std::ranges::sort(boxes);

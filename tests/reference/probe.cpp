@@ -6,6 +6,7 @@
 // int32.
 #include <array>
 #include <cstdio>
+#include <stdexcept>
 #include <vector>
 
 #include "depth/depth_statistics.hpp"
@@ -62,9 +63,7 @@ Mask changed(const Header& header, const std::vector<DepthImage>& initial,
   }
 }
 
-}  // namespace
-
-int main() {
+void answer_all() {
   Header header{};
   while (read(header.numbers.data(), header.numbers.size()) &&
          read(header.parameters.data(), header.parameters.size())) {
@@ -80,5 +79,17 @@ int main() {
       const std::array<std::int32_t, 4> box{region.box.x, region.box.y, region.box.width, region.box.height};
       write(box.data(), box.size());
     }
+  }
+}
+
+}  // namespace
+
+int main() {
+  try {
+    answer_all();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "reference_probe: %s\n", error.what());
+    return 1;
   }
 }
