@@ -28,19 +28,18 @@ struct DetectArguments {
   bool fail_on_detection = false;
 };
 
-void warn(const std::string& sentence) { fmt::print(stderr, "rva: warning: {}\n", sentence); }
-
 // Boxes on colour need a colour picture; without one the result simply has no such file.
-void write_color_overlay(const Capture& final, const StaticDetection& detection, const OutputFolder& out) {
+void write_color_overlay(const Capture& final, const StaticDetection& detection, const OutputFolder& out,
+                         std::vector<std::string>& warnings) {
   if (final.color_frames() == 0) {
-    warn("the final capture has no colour image, so there is no overlay.png");
+    warnings.emplace_back("the final capture has no colour image, so there is no overlay.png");
     return;
   }
   const Overlay overlay =
       draw_on_color(final.color(0), detection.findings.findings, detection.final_m, final.info());
   if (overlay.outside > 0) {
-    warn(fmt::format("{} finding(s) lie outside the colour camera's view; depth_overlay.png shows them",
-                     overlay.outside));
+    warnings.push_back(fmt::format(
+        "{} finding(s) lie outside the colour camera's view; depth_overlay.png shows them", overlay.outside));
   }
   write_file(out.path("overlay.png"), encode_png(overlay.picture));
 }
@@ -67,23 +66,37 @@ void print_for_a_person(const DetectArguments& arguments, const Findings& findin
   print("\n{}\n", arguments.out);
 }
 
-int detect(const DetectArguments& arguments) {
+// Options of the other method, given all the same: the person believes that they do something.
+std::vector<std::string> options_without_a_say(const CLI::App& command, const std::string& method) {
+  const auto names = method == name_of(StaticMethod::constant) ? std::vector{"--sigmas", "--frames"}
+                                                               : std::vector{"--threshold", "--clip"};
+  std::vector<std::string> warnings;
+  for (const char* name : names) {
+    if (command.get_option(name)->count() == 0) continue;
+    warnings.push_back(fmt::format("{} has no say in --method {}", name, method));
+  }
+  return warnings;
+}
+
+// Warnings come last, so that a failure is one line.
+int detect(const DetectArguments& arguments, std::vector<std::string> warnings) {
   const CaptureOptions capture_options = arguments.captures.options();
   check_options(arguments.detection);
-  OutputFolder out(arguments.out, "detections.json",
+  OutputFolder out(arguments.out, {"detections.json", "changes.png", "overlay.png", "depth_overlay.png"},
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const auto initial = open_capture(arguments.initial, capture_options);
   const auto final = open_capture(arguments.final, capture_options);
   const StaticDetection detection = detect_static(*initial, *final, arguments.detection, terminal_progress());
-  for (const std::string& warning : detection.warnings) warn(warning);
+  warnings.insert(warnings.end(), detection.warnings.begin(), detection.warnings.end());
 
   const std::string json = to_json(detection.findings);
   write_file(out.path("changes.png"), encode_png(detection.changed));
   write_file(out.path("depth_overlay.png"),
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
-  write_color_overlay(*final, detection, out);
+  write_color_overlay(*final, detection, out, warnings);
   write_file(out.path("detections.json"), json);
   out.commit();
+  for (const std::string& warning : warnings) fmt::print(stderr, "rva: warning: {}\n", warning);
 
   if (arguments.json) {
     print("{}", json);
@@ -112,10 +125,10 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");
   command.add_flag("--fail-on-detection", arguments->fail_on_detection,
                    "exit with status 3 when something was found");
-  command.callback([arguments, &outcome] {
+  command.callback([arguments, &outcome, &command] {
     const bool constant = arguments->method == name_of(StaticMethod::constant);
     arguments->detection.method = constant ? StaticMethod::constant : StaticMethod::gaussian;
-    outcome.status = detect(*arguments);
+    outcome.status = detect(*arguments, options_without_a_say(command, arguments->method));
   });
 }
 

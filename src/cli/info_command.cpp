@@ -28,6 +28,7 @@ struct InfoArguments {
 // What only a look at every frame tells.
 struct FrameSummary {
   double fill_rate = 0.0;
+  double saturated = 0.0;  // share of pixels at the largest value of 16 bits
   double nearest_m = std::numeric_limits<double>::infinity();
   double farthest_m = 0.0;
 };
@@ -36,6 +37,7 @@ FrameSummary read_all_frames(const Capture& capture) {
   FrameSummary summary;
   std::size_t measured = 0;
   std::size_t pixels = 0;
+  std::size_t saturated = 0;
   std::uint16_t nearest = std::numeric_limits<std::uint16_t>::max();
   std::uint16_t farthest = 0;
   for_each_depth_frame(capture, capture.depth_frames(), terminal_progress(), [&](const DepthImage& frame) {
@@ -43,6 +45,7 @@ FrameSummary read_all_frames(const Capture& capture) {
     for (const std::uint16_t depth : frame.pixels()) {
       if (depth == no_depth) continue;
       ++measured;
+      saturated += depth == std::numeric_limits<std::uint16_t>::max() ? 1U : 0U;
       nearest = std::min(nearest, depth);
       farthest = std::max(farthest, depth);
     }
@@ -52,6 +55,7 @@ FrameSummary read_all_frames(const Capture& capture) {
     static_cast<void>(capture.color(i));
   }
   summary.fill_rate = static_cast<double>(measured) / static_cast<double>(pixels);
+  summary.saturated = static_cast<double>(saturated) / static_cast<double>(pixels);
   summary.nearest_m = measured == 0 ? 0.0 : nearest * capture.info().depth_unit_m;
   summary.farthest_m = farthest * capture.info().depth_unit_m;
   return summary;
@@ -126,11 +130,18 @@ void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
     print("\n");
   }
   if (info.camera) {
-    print("camera   {} {}", printable(info.camera->model), printable(info.camera->serial));
+    print("camera   {}", printable(info.camera->model));
+    if (!info.camera->serial.empty()) print(", serial {}", printable(info.camera->serial));
     if (info.camera->baseline_m) print(", baseline {} m", *info.camera->baseline_m);
     print("\n");
   }
   if (!info.captured_at.empty()) print("taken    {}\n", printable(info.captured_at));
+  if (summary.saturated > 0.0) {
+    print(
+        "note     {:.2f} % of pixels read 65535, the largest value; some cameras mean by it that nothing was "
+        "measured\n",
+        100.0 * summary.saturated);
+  }
   print("sound    every frame was read\n");
 }
 

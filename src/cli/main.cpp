@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <new>
+#include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
@@ -35,10 +37,11 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const bool asked = error.get_exit_code() == 0;  // --help, --version
-    program.exit(error);
+    if (error.get_exit_code() != 0)
+      throw rva::UsageError("usage", rva::printable(error.what()), "see --help");
+    program.exit(error);  // prints what --help or --version asked for
     rva::cli::require_printed();
-    return asked ? 0 : rva::cli::status_usage;
+    return 0;
   }
   rva::cli::require_printed();
   return outcome.status;
@@ -58,9 +61,15 @@ int main(int argc, char** argv) {
   } catch (const rva::Error& error) {
     fmt::print(stderr, "rva: {}\n", error.what());
     return rva::cli::status_failed;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "rva: memory: not enough of it; close other programs or use fewer frames\n");
+    return rva::cli::status_failed;
+  } catch (const std::system_error& error) {
+    fmt::print(stderr, "rva: system: {}; close other programs and try again\n", error.code().message());
+    return rva::cli::status_failed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "rva: internal error ({}); please report it with the command that led to it\n",
-               error.what());
+               rva::printable(error.what()));
     return rva::cli::status_failed;
   }
 }

@@ -30,11 +30,10 @@ struct NoiseArguments {
 };
 
 Json to_json(const NoiseBin& bin) {
-  Json json{{"from_m", bin.from_m},
-            {"to_m", bin.to_m},
-            {"pixels", bin.pixels},
-            {"median_std_mm", bin.median_std_mm},
-            {"p95_std_mm", bin.p95_std_mm}};
+  Json json{{"from_m", bin.from_m}, {"to_m", bin.to_m}, {"pixels", bin.pixels}};
+  if (bin.pixels == 0) return json;
+  json["median_std_mm"] = bin.median_std_mm;
+  json["p95_std_mm"] = bin.p95_std_mm;
   if (bin.subpixel_rms_px) json["subpixel_rms_px"] = *bin.subpixel_rms_px;
   return json;
 }
@@ -47,10 +46,9 @@ std::string to_json(const NoiseReport& report) {
             {"overall", to_json(report.overall)}};
   json["by_distance"] = Json::array();
   for (const NoiseBin& bin : report.bins) json["by_distance"].push_back(to_json(bin));
-  json["welch"] = {{"frames", report.welch_frames},
-                   {"alpha", report.alpha},
-                   {"tested_px", report.welch_tested_px},
-                   {"rejected", report.welch_rejected}};
+  json["welch"] = {
+      {"frames", report.welch_frames}, {"alpha", report.alpha}, {"tested_px", report.welch_tested_px}};
+  if (report.welch_tested_px > 0) json["welch"]["rejected"] = report.welch_rejected;
   return json.dump(1) + "\n";
 }
 
@@ -78,6 +76,7 @@ void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& repo
   for (const NoiseBin& bin : report.bins)
     print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
   print_row("all", report.overall);
+  if (report.overall.pixels == 0) print("no pixel was measured twice, so nothing is known of its noise\n");
   print(
       "Welch's test, first against last {} frames: {:.1f} % of pixels differ (p < {}; {:.1f} % expected if "
       "nothing drifts)\n",
@@ -88,7 +87,8 @@ void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& repo
 void measure(const NoiseArguments& arguments) {
   const CaptureOptions capture_options = arguments.captures.options();
   check_options(arguments.noise);
-  OutputFolder out(arguments.out, "noise.json", arguments.overwrite ? Existing::replace : Existing::refuse);
+  OutputFolder out(arguments.out, {"noise.json", "std.png", "drift.png"},
+                   arguments.overwrite ? Existing::replace : Existing::refuse);
   const auto capture = open_capture(arguments.capture, capture_options);
   const Noise noise = measure_noise(*capture, arguments.noise, terminal_progress());
   const ColorScale scale = scale_from_zero(noise.std_mm);

@@ -49,14 +49,14 @@ Error cannot_write(const std::filesystem::path& path) {
 }
 
 template <typename Bytes>
-Bytes read_whole(const std::filesystem::path& path) {
+Bytes read_whole(const std::filesystem::path& path, std::uintmax_t max_bytes) {
   // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0) throw cannot_read(path);
   if (!S_ISREG(status.st_mode)) throw Error(printable(path), "not a file", "check the path");
   const auto size = static_cast<std::uintmax_t>(status.st_size);
-  if (size > max_file_bytes) {
+  if (size > max_bytes) {
     throw Error(printable(path), fmt::format("{} MB is more than a file of this kind can hold", size >> 20U),
                 "check the path");
   }
@@ -77,10 +77,12 @@ Bytes read_whole(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<std::byte> read_file(const std::filesystem::path& path) {
-  return read_whole<std::vector<std::byte>>(path);
+  return read_whole<std::vector<std::byte>>(path, max_file_bytes);
 }
 
-std::string read_text_file(const std::filesystem::path& path) { return read_whole<std::string>(path); }
+std::string read_text_file(const std::filesystem::path& path) {
+  return read_whole<std::string>(path, max_text_bytes);
+}
 
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));

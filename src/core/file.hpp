@@ -18,7 +18,10 @@ inline constexpr std::uintmax_t max_file_bytes = 512ULL << 20U;
 /// @throws Error when the file is missing, unreadable, not a regular file, or larger than max_file_bytes
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path);
 
-/// As read_file(), as text.
+/// Descriptions and lists are small; a parser takes many times the memory of its text.
+inline constexpr std::uintmax_t max_text_bytes = 16ULL << 20U;
+
+/// As read_file(), as text, up to max_text_bytes.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
 
 /// Creates or replaces the file, and returns when its bytes are on the disk (fsync).

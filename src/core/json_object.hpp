@@ -9,7 +9,7 @@
 
 namespace rva {
 
-/// @throws Error naming line and column where the text is not JSON, or holds bytes that are not UTF-8
+/// @throws Error naming the line where the text is not JSON, or holds bytes that are not UTF-8
 [[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& place);
 
 /// An object inside a JSON document that knows where it stands. Keys nobody asks for are ignored.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/path_text.hpp"
@@ -13,21 +15,34 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-void require_free_target(const fs::path& target, const fs::path& marker, Existing existing) {
+bool is_empty_folder(const fs::path& path) {
+  std::error_code failure;
+  return fs::is_directory(fs::symlink_status(path, failure)) && fs::is_empty(path, failure) && !failure;
+}
+
+void require_replaceable(const fs::path& target, const std::vector<std::string>& files) {
   std::error_code ignored;
-  const fs::file_status status = fs::symlink_status(target, ignored);
-  if (!fs::exists(status)) return;
-  const bool folder = fs::is_directory(status);
-  if (folder && fs::is_empty(target, ignored)) return;
+  if (!fs::is_directory(fs::symlink_status(target, ignored)) ||
+      !fs::exists(target / files.front(), ignored)) {
+    throw Error(printable(target),
+                fmt::format("holds no earlier result (no {}), so it is not replaced", files.front()),
+                "choose another folder");
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(target, ignored)) {
+    if (std::ranges::find(files, entry.path().filename().native()) != files.end()) continue;
+    throw Error(printable(entry.path()), "is no part of an earlier result, so the folder is not replaced",
+                "move it away or choose another folder");
+  }
+}
+
+void require_free_target(const fs::path& target, const std::vector<std::string>& files, Existing existing) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(target, ignored)) || is_empty_folder(target)) return;
   if (existing == Existing::refuse) {
     throw Error(printable(target), "is there already",
                 "choose another folder, or give --overwrite to replace an earlier result");
   }
-  if (!folder || !fs::exists(target / marker, ignored)) {
-    throw Error(printable(target),
-                fmt::format("holds no earlier result (no {}), so it is not replaced", marker.native()),
-                "choose another folder");
-  }
+  require_replaceable(target, files);
 }
 
 // Of a folder and its parents, the highest that does not exist; empty where all do.
@@ -54,13 +69,14 @@ fs::path make_beside(const fs::path& target) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& target, const fs::path& marker, Existing existing) {
+OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> files, Existing existing)
+    : files_(std::move(files)), existing_(existing) {
   if (target.empty()) throw Error(printable(target), "no folder for the result", "name one");
   require_utf8(target);
   std::error_code failure;
   target_ = fs::absolute(target, failure).lexically_normal();
   if (!target_.has_filename()) target_ = target_.parent_path();  // "OUT/" means OUT
-  require_free_target(target_, marker, existing);
+  require_free_target(target_, files_, existing_);
   highest_made_ = highest_missing(target_.parent_path());
   fs::create_directories(target_.parent_path(), failure);
   if (failure) {
@@ -93,9 +109,13 @@ void OutputFolder::remove_made_parents() const {
 }
 
 void OutputFolder::commit() {
+  require_free_target(target_, files_, existing_);
   std::error_code failure;
   std::error_code ignored;
-  if (fs::is_directory(target_, ignored) && !fs::is_empty(target_, ignored)) {
+  if (!fs::exists(target_, ignored) || is_empty_folder(target_)) {
+    // Fails, rather than replaces, if somebody has put something there since.
+    fs::rename(staging_, target_, failure);
+  } else {
     // An earlier result steps aside first, and comes back if the new one cannot take its place.
     const fs::path aside = staging_.native() + "-replaced";
     fs::rename(target_, aside, failure);
@@ -107,8 +127,6 @@ void OutputFolder::commit() {
         fs::remove_all(aside, ignored);
       }
     }
-  } else {
-    fs::rename(staging_, target_, failure);
   }
   if (failure) {
     throw Error(printable(target_), fmt::format("cannot be put in place ({})", failure.message()),

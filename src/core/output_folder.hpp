@@ -2,13 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace rva {
 
 /// What to do when the target of an OutputFolder is there already.
 enum class Existing {
   refuse,   ///< throw, unless it is an empty folder
-  replace,  ///< take its place at commit(), if it holds an earlier result of the same kind
+  replace,  ///< take its place at commit(), if it holds an earlier result of the same kind and nothing else
 };
 
 /// A folder that is written beside its target, under a name of its own, and renamed when complete.
@@ -17,9 +19,11 @@ enum class Existing {
 class OutputFolder {
  public:
   /// @param target  the folder to appear at commit(); its parents are made
-  /// @param marker  file that every such result holds; only a folder with it is ever replaced
+  /// @param files   names that such a result may hold, the first of them always; a folder that lacks the
+  /// first
+  ///                or holds another is never replaced
   /// @throws Error  the target exists (see Existing), is not UTF-8, or its parent cannot be written
-  OutputFolder(const std::filesystem::path& target, const std::filesystem::path& marker, Existing existing);
+  OutputFolder(const std::filesystem::path& target, std::vector<std::string> files, Existing existing);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -29,13 +33,16 @@ class OutputFolder {
     return staging_ / name;
   }
 
-  /// Puts the folder in its place. @throws Error and leaves the target as it was.
+  /// Puts the folder in its place, and looks again whether it may. @throws Error and leaves the target as it
+  /// was.
   void commit();
 
  private:
   void remove_made_parents() const;
 
   std::filesystem::path target_;
+  std::vector<std::string> files_;
+  Existing existing_;
   std::filesystem::path staging_;
   std::filesystem::path highest_made_;  // of the target's parents, the first that was not there; may be empty
   bool committed_ = false;

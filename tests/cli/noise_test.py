@@ -162,7 +162,8 @@ class NoiseTest(program.ProgramTest):
         self.frames[:, :, :20] = scene()[:, :20]  # no noise there
         self.noise(self.frames)
         picture = read_image(self.out / 'std.png')
-        self.assertEqual((picture.dtype, picture.ndim, picture.shape[0]), (np.uint8, 3, CAMERA.height))
+        self.assertEqual((picture.dtype, picture.ndim), (np.uint8, 3))
+        self.assertGreaterEqual(picture.shape[0], CAMERA.height)
         self.assertGreater(picture.shape[1], CAMERA.width)
         self.assertFalse(picture[:6, :5].any(), 'black where nothing was measured')
         quiet, loud = picture[20:30, 8:18].reshape(-1, 3), picture[20:30, 30:60].reshape(-1, 3)
@@ -186,7 +187,9 @@ class NoiseTest(program.ProgramTest):
         report = self.noise(np.zeros((4, CAMERA.height, CAMERA.width), np.uint16))
         self.assertEqual((report['fill_rate'], report['overall']['pixels']), (0, 0))
         self.assertEqual(report['by_distance'], [])
-        self.assertEqual((report['welch']['tested_px'], report['welch']['rejected']), (0, 0))
+        self.assertEqual(report['welch']['tested_px'], 0)
+        for unknown in ('median_std_mm', 'p95_std_mm', 'rejected'):
+            self.assertNotIn(unknown, {**report['overall'], **report['welch']})
         self.assertTrue((read_image(self.out / 'drift.png') == GREY).all())
 
     def test_json_prints_the_file(self):

@@ -19,7 +19,7 @@ std::ptrdiff_t entries(const fs::path& folder) {
 
 TEST(OutputFolder, AppearsWholeAtCommit) {
   const test::TemporaryFolder folder;
-  OutputFolder out(folder / "deep" / "out", "marker", Existing::refuse);
+  OutputFolder out(folder / "deep" / "out", {"marker"}, Existing::refuse);
   write_file(out.path("marker"), "1");
   EXPECT_FALSE(fs::exists(folder / "deep" / "out"));
   out.commit();
@@ -30,7 +30,7 @@ TEST(OutputFolder, AppearsWholeAtCommit) {
 TEST(OutputFolder, LeavesNothingWithoutCommit) {
   const test::TemporaryFolder folder;
   {
-    const OutputFolder out(folder / "out", "marker", Existing::refuse);
+    const OutputFolder out(folder / "out", {"marker"}, Existing::refuse);
     write_file(out.path("marker"), "1");
   }
   EXPECT_EQ(entries(folder.path()), 0);
@@ -39,7 +39,7 @@ TEST(OutputFolder, LeavesNothingWithoutCommit) {
 TEST(OutputFolder, TakesAnEmptyFolder) {
   const test::TemporaryFolder folder;
   fs::create_directory(folder / "out");
-  OutputFolder out(folder / "out/", "marker", Existing::refuse);
+  OutputFolder out(folder / "out/", {"marker"}, Existing::refuse);
   write_file(out.path("marker"), "1");
   out.commit();
   EXPECT_TRUE(fs::exists(folder / "out" / "marker"));
@@ -61,7 +61,7 @@ TEST(OutputFolder, RefusesWhatIsThere) {
 TEST(OutputFolder, ReplacesOnlyAnEarlierResult) {
   const test::TemporaryFolder folder;
   for (const char* content : {"first", "second"}) {
-    OutputFolder out(folder / "out", "marker", Existing::replace);
+    OutputFolder out(folder / "out", {"marker", "first", "second"}, Existing::replace);
     write_file(out.path("marker"), content);
     write_file(out.path(content), "");
     out.commit();
@@ -74,20 +74,44 @@ TEST(OutputFolder, ReplacesOnlyAnEarlierResult) {
 TEST(OutputFolder, KeepsTheEarlierResultUntilCommit) {
   const test::TemporaryFolder folder;
   {
-    OutputFolder out(folder / "out", "marker", Existing::replace);
+    OutputFolder out(folder / "out", {"marker"}, Existing::replace);
     write_file(out.path("marker"), "first");
     out.commit();
   }
-  { const OutputFolder out(folder / "out", "marker", Existing::replace); }
+  { const OutputFolder out(folder / "out", {"marker"}, Existing::replace); }
   EXPECT_EQ(read_text_file(folder / "out" / "marker"), "first");
+}
+
+TEST(OutputFolder, KeepsWhatAPersonPutBesideAnEarlierResult) {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  write_file(folder / "out" / "marker", "1");
+  write_file(folder / "out" / "notes.txt", "mine");
+  EXPECT_THROW(OutputFolder(folder / "out", {"marker"}, Existing::replace), Error);
+  EXPECT_EQ(read_text_file(folder / "out" / "notes.txt"), "mine");
+}
+
+TEST(OutputFolder, RefusesAtCommitWhatCameMeanwhile) {
+  for (const Existing existing : {Existing::refuse, Existing::replace}) {
+    const test::TemporaryFolder folder;
+    {
+      OutputFolder out(folder / "out", {"marker"}, existing);
+      write_file(out.path("marker"), "1");
+      fs::create_directory(folder / "out");
+      write_file(folder / "out" / "precious", "mine");
+      EXPECT_THROW(out.commit(), Error);
+    }
+    EXPECT_EQ(read_text_file(folder / "out" / "precious"), "mine");
+    EXPECT_EQ(entries(folder.path()), 1);
+  }
 }
 
 TEST(OutputFolder, RefusesAnUnusableTarget) {
   const test::TemporaryFolder folder;
   write_file(folder / "file", "");
-  EXPECT_THROW(OutputFolder(folder / "file" / "out", "marker", Existing::refuse), Error);
-  EXPECT_THROW(OutputFolder(folder / "\xFF", "marker", Existing::refuse), Error);
-  EXPECT_THROW(OutputFolder("/proc/out", "marker", Existing::refuse), Error);
+  EXPECT_THROW(OutputFolder(folder / "file" / "out", {"marker"}, Existing::refuse), Error);
+  EXPECT_THROW(OutputFolder(folder / "\xFF", {"marker"}, Existing::refuse), Error);
+  EXPECT_THROW(OutputFolder("/proc/out", {"marker"}, Existing::refuse), Error);
 }
 
 }  // namespace
