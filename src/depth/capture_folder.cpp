@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -107,10 +108,18 @@ CaptureInfo parse_capture_json(const std::string& text, const std::string& place
 std::vector<fs::path> image_files(const fs::path& folder, const std::vector<std::string_view>& endings) {
   std::vector<fs::path> files;
   std::error_code failure;
+  if (!fs::exists(folder, failure) && !failure) return files;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
-    if (std::ranges::find(endings, entry->path().extension().native()) != endings.end())
-      files.push_back(entry->path());
+    const fs::path& path = entry->path();
+    std::string ending = path.extension().native();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    const bool hidden = path.filename().native().starts_with('.');  // other systems leave such beside images
+    if (!hidden && std::ranges::find(endings, ending) != endings.end()) files.push_back(path);
+  }
+  if (failure) {
+    throw Error(printable(folder), fmt::format("cannot be read ({})", failure.message()),
+                "check its permissions");
   }
   std::ranges::sort(files);
   return files;
@@ -129,13 +138,14 @@ FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, std::vecto
   require_possible_size(place, this->info().depth);
   if (this->info().color) require_possible_size(place, *this->info().color);
   const double unit_m = this->info().depth_unit_m;
-  if (!(unit_m > 0.0 && unit_m <= 1.0)) {
+  if (!(unit_m >= 1e-7 && unit_m <= 1.0)) {
     throw Error(printable(place), fmt::format("a depth unit of {} m makes no sense", unit_m),
                 "correct the description");
   }
-  if (const auto camera = this->info().camera; camera && camera->baseline_m && !(*camera->baseline_m > 0.0)) {
-    throw Error(printable(place), "camera.baseline_m is not positive",
-                "correct the description or leave it out");
+  const auto baseline_m = this->info().camera ? this->info().camera->baseline_m : std::nullopt;
+  if (baseline_m && !(*baseline_m >= 1e-4 && *baseline_m <= 100.0)) {
+    throw Error(printable(place), fmt::format("a camera baseline of {} m makes no sense", *baseline_m),
+                "correct camera.baseline_m or leave it out");
   }
   if (depth_files_.empty()) throw Error(printable(place), "holds no depth frame", "record the capture again");
 }

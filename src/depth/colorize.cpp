@@ -14,8 +14,6 @@
 namespace rva {
 namespace {
 
-constexpr int bar_labels = 5;
-
 // The next larger (or, for a factor below, smaller) of 1, 2, 2.5, 5 times a power of ten.
 float round_step(float value) {
   const float power = std::pow(10.0F, std::floor(std::log10(value)));
@@ -23,6 +21,15 @@ float round_step(float value) {
     if (factor * power >= value * 0.9999F) return factor * power;
   }
   return 10.0F * power;
+}
+
+// Into how many parts labels divide the bar, so that they are round numbers.
+int bar_intervals(ColorScale scale) {
+  for (const int intervals : {5, 4}) {
+    const float step = (scale.high - scale.low) / static_cast<float>(intervals);
+    if (round_step(step) < step * 1.001F) return intervals;
+  }
+  return 5;
 }
 
 std::vector<float> finite_values(const Image<float>& values) {
@@ -69,9 +76,11 @@ ColorImage with_scale_bar(const ColorImage& image, ColorScale scale, std::string
   const int text_width = static_cast<int>(130.0 * font);
   const int title_height = static_cast<int>(46.0 * font);
   const int bar_top = margin + title_height;
-  const int bar_height = std::max(1, image.height() - bar_top - margin);
+  constexpr int least_bar_height = 60;  // room for the labels beside an image of a few rows
+  const int bar_height = std::max(least_bar_height, image.height() - bar_top - margin);
 
-  ColorImage canvas(image.width() + 2 * margin + bar_width + text_width, image.height(), Rgb{255, 255, 255});
+  ColorImage canvas(image.width() + 2 * margin + bar_width + text_width,
+                    std::max(image.height(), bar_top + bar_height + margin), Rgb{255, 255, 255});
   cv::Mat picture = as_mat(canvas);
   as_mat(image).copyTo(picture(cv::Rect(0, 0, image.width(), image.height())));
 
@@ -88,8 +97,9 @@ ColorImage with_scale_bar(const ColorImage& image, ColorScale scale, std::string
     cv::putText(picture, text, {u, v}, cv::FONT_HERSHEY_SIMPLEX, font, black, 1, cv::LINE_AA);
   };
   write(std::string(title), left, margin + static_cast<int>(22.0 * font));
-  for (int k = 0; k < bar_labels; ++k) {
-    const float share = static_cast<float>(k) / (bar_labels - 1);
+  const int intervals = bar_intervals(scale);
+  for (int k = 0; k <= intervals; ++k) {
+    const float share = static_cast<float>(k) / static_cast<float>(intervals);
     const float value = scale.low + share * (scale.high - scale.low);
     const int v = bar_top + static_cast<int>((1.0F - share) * static_cast<float>(bar_height - 1));
     cv::line(picture, {left + bar_width, v}, {left + bar_width + margin / 2, v}, black, 1);
@@ -109,7 +119,8 @@ ColorScale scale_around(const Image<float>& values) {
   if (finite.empty()) return {};
   const float low = quantile(finite, 0.01);
   const float high = quantile(finite, 0.99);
-  const float step = round_step(std::max(high - low, 1e-3F) / 8.0F);
+  // A thousandth of the value keeps the ends apart in single precision however far the values are.
+  const float step = round_step(std::max({high - low, 1e-3F, 1e-3F * std::abs(high)}) / 8.0F);
   return {std::floor(low / step) * step, std::floor(high / step + 1.0F) * step};
 }
 

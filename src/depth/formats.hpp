@@ -59,7 +59,8 @@ struct TumEntry {
 /// @throws Error naming the line that is not `seconds file`
 [[nodiscard]] std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& place);
 
-/// The files of `folder` whose names end in one of `endings`, by name; empty when there is no such folder.
+/// The files of `folder` whose names end in one of `endings` (in any case; hidden files are left out), by
+/// name; empty when there is no such folder. @throws Error when it cannot be read
 [[nodiscard]] std::vector<std::filesystem::path> image_files(const std::filesystem::path& folder,
                                                              const std::vector<std::string_view>& endings);
 

@@ -115,7 +115,7 @@ Noise measure_noise(const Capture& capture, const NoiseOptions& options, const P
       options.frames == 0 ? available : std::min(available, static_cast<std::size_t>(options.frames));
   if (frames < 4) {
     throw Error("noise", fmt::format("{} frame(s) where four are needed at least", frames),
-                "record more frames; 100 make a good picture");
+                "record more frames or raise --frames; 100 make a good picture");
   }
   const std::size_t welch_frames = std::min(static_cast<std::size_t>(options.welch_frames), frames / 2);
   const Intrinsics& camera = capture.info().depth;

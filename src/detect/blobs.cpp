@@ -74,12 +74,9 @@ void Blobs::join_touching_runs(std::size_t row, DisjointSets& sets) const {
 }
 
 std::size_t Blobs::blob_at(int u, int v) const {
-  const auto row = static_cast<std::size_t>(v);
-  const auto first = runs_.begin() + static_cast<std::ptrdiff_t>(row_starts_[row]);
-  const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(row_starts_[row + 1]);
-  const auto after =
-      std::upper_bound(first, end, u, [](int column, const Run& run) { return column < run.first; });
-  assert(after != first && u < (after - 1)->end);
+  const std::span<const Run> row = runs_of_row(v);
+  const auto after = std::ranges::upper_bound(row, u, {}, &Run::first);
+  assert(after != row.begin() && u < (after - 1)->end);
   return (after - 1)->blob;
 }
 

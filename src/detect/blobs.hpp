@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "depth/image.hpp"
@@ -28,6 +29,10 @@ class Blobs {
   [[nodiscard]] std::size_t count() const { return areas_.size(); }
   /// From top to bottom, then from left to right.
   [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+  [[nodiscard]] std::span<const Run> runs_of_row(int v) const {
+    const auto row = static_cast<std::size_t>(v);
+    return std::span(runs_).subspan(row_starts_[row], row_starts_[row + 1] - row_starts_[row]);
+  }
   [[nodiscard]] int area_px(std::size_t blob) const { return areas_[blob]; }
   /// The blob of a pixel that is set.
   [[nodiscard]] std::size_t blob_at(int u, int v) const;

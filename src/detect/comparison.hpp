@@ -15,6 +15,10 @@ struct Coverage {
   std::optional<double> beyond_clip;  ///< measured, but left out as too far, where a method clips
 };
 
+/// A place where a change of so much would go unseen was as good as not inspected: it is the thesis' constant
+/// threshold, which finds no key and no collar.
+inline constexpr double blind_from_m = 0.05;
+
 /// A pixel for pixel comparison of two captures from one place. All images have the size of the depth image.
 struct Comparison {
   /// Nothing measured, nothing changed.
@@ -26,6 +30,9 @@ struct Comparison {
   Image<float> final_m;    ///< depth after, metres; 0 where not measured
   Image<float> evidence;   ///< how far the pixel exceeds noise, in the method's own unit; 0 where not changed
   Coverage coverage;
+  /// Share of the compared pixels in which a change of blind_from_m would not have been found; 0 where the
+  /// method does not know.
+  double blind = 0.0;
 };
 
 }  // namespace rva

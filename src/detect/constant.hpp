@@ -12,9 +12,10 @@ struct ConstantOptions {
   double clip_m = 2.0;
 
   static void describe(auto&& self, auto&& visit) {
-    visit(self.threshold_m,
-          OptionField{"threshold", "m", 0, 100, "a pixel changed when it came nearer by more than this"});
-    visit(self.clip_m, OptionField{"clip", "m", 0, 1000, "pixels at this distance and beyond are left out"});
+    visit(self.threshold_m, OptionField{"threshold", "m", 0, 100,
+                                        "constant: a pixel changed when it came nearer by more than this"});
+    visit(self.clip_m,
+          OptionField{"clip", "m", 0, 1000, "constant: pixels at this distance and beyond are left out"});
   }
 };
 

@@ -37,7 +37,8 @@ std::pair<int, int> clipped(double low, double high, int length) {
 void draw_box(cv::Mat& picture, const Box& box, int id, const cv::Scalar& color) {
   const int stroke = std::max(1, picture.rows / 300);
   const int gap = stroke + 2;
-  const cv::Rect rectangle(box.x - gap, box.y - gap, box.width + 2 * gap, box.height + 2 * gap);
+  const cv::Rect around(box.x - gap, box.y - gap, box.width + 2 * gap, box.height + 2 * gap);
+  const cv::Rect rectangle = around & cv::Rect(0, 0, picture.cols, picture.rows);
   cv::rectangle(picture, rectangle, black, stroke + 2);
   cv::rectangle(picture, rectangle, color, stroke);
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "detect/comparison.hpp"
@@ -48,7 +49,7 @@ struct Runtime {
 
 struct Findings {
   std::string method;
-  std::vector<std::pair<std::string, double>>
+  std::vector<std::pair<std::string, std::variant<int, double>>>
       parameters;  ///< every option that had a say, by its name in JSON
   std::size_t initial_frames = 0;
   std::size_t final_frames = 0;
@@ -66,7 +67,7 @@ struct Findings {
 [[nodiscard]] std::vector<Finding> measure_regions(std::vector<Region> regions, const Comparison& comparison,
                                                    const Intrinsics& camera);
 
-/// `detections.json` (docs/detections.md), ending in a line feed.
+/// `detections.json` (docs/detection.md), ending in a line feed.
 [[nodiscard]] std::string to_json(const Findings& findings);
 
 }  // namespace rva

@@ -36,7 +36,9 @@ std::string to_json(const Findings& findings) {
   json["version"] = 1;
   json["method"] = findings.method;
   json["parameters"] = Json::object();
-  for (const auto& [name, value] : findings.parameters) json["parameters"][name] = value;
+  for (const auto& [name, value] : findings.parameters) {
+    std::visit([&, &key = name](auto number) { json["parameters"][key] = number; }, value);
+  }
   json["frames"] = {{"initial", findings.initial_frames}, {"final", findings.final_frames}};
   json["final_from_initial"] = to_row_major(findings.final_from_initial);
   json["coverage"] = to_json_value(findings.coverage);

@@ -17,6 +17,7 @@ Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistic
   Comparison result(final.width(), final.height());
   std::size_t compared = 0;
   std::size_t unseen = 0;
+  std::size_t blind = 0;
   for (std::size_t i = 0; i < final.size(); ++i) {
     const bool before = initial.seen(i);
     const bool after = final.seen(i);
@@ -27,10 +28,9 @@ Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistic
     if (after && !before) ++unseen;
     if (!after || !before) continue;
     ++compared;
-    // The deviations cost a root and a division each; where the means do not differ they decide nothing.
-    if (!(mean_f < mean_i)) continue;
     const double std_i = initial.standard_deviation(i);
     const double std_f = final.standard_deviation(i);
+    if (options.sigmas * (std_i + std_f) * unit_m > blind_from_m) ++blind;
     const double t_i = mean_i - options.sigmas * std_i;
     const double t_f = mean_f + options.sigmas * std_f;
     if (t_f < t_i) {
@@ -43,6 +43,7 @@ Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistic
     return static_cast<double>(pixels) / static_cast<double>(final.size());
   };
   result.coverage = {share(compared), share(unseen), share(final.size() - compared - unseen), std::nullopt};
+  if (compared > 0) result.blind = static_cast<double>(blind) / static_cast<double>(compared);
   return result;
 }
 

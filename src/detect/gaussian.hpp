@@ -11,8 +11,8 @@ struct GaussianOptions {
   double sigmas = 3.0;
 
   static void describe(auto&& self, auto&& visit) {
-    visit(self.sigmas,
-          OptionField{"sigmas", "", 0, 1000, "standard deviations between either mean and its threshold"});
+    visit(self.sigmas, OptionField{"sigmas", "", 0, 1000,
+                                   "gaussian: standard deviations between either mean and its threshold"});
   }
 };
 

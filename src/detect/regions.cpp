@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <tuple>
 
 #include "depth/mat_view.hpp"
@@ -139,34 +140,39 @@ class Assembly {
       if (region == none) {
         region = regions_.size();
         regions_.emplace_back();
-        blob_around_hole_.push_back(none);
+        blobs_around_holes_.emplace_back();
       }
       extend(regions_[region].box, cv::boundingRect(contours[k]));
       const std::size_t blob = blobs_.blob_at(contours[k][0].x, contours[k][0].y);
-      (is_hole(contours[k]) ? blob_around_hole_[region] : region_of_blob_[blob]) =
-          is_hole(contours[k]) ? blob : region;
+      if (is_hole(contours[k])) {
+        blobs_around_holes_[region].insert(blob);
+      } else {
+        region_of_blob_[blob] = region;
+      }
     }
   }
 
   // A blob's pixels go to the region that holds its outer border; a region of holes alone takes those of the
-  // blob around within its box.
+  // blobs around within its box.
   std::vector<Region> with_pixels() && {
     for (const Run& run : blobs_.runs()) {
       const std::size_t region = region_of_blob_[run.blob];
       if (region != none) append(regions_[region].pixels, run, run.first, run.end, width_);
     }
     for (std::size_t k = 0; k < regions_.size(); ++k) {
-      if (regions_[k].pixels.empty()) take_pixels_around_hole(regions_[k], blob_around_hole_[k]);
+      if (regions_[k].pixels.empty()) take_pixels_around_holes(regions_[k], blobs_around_holes_[k]);
     }
     return std::move(regions_);
   }
 
  private:
-  void take_pixels_around_hole(Region& region, std::size_t blob) const {
+  void take_pixels_around_holes(Region& region, const std::set<std::size_t>& blobs) const {
     const Box& box = region.box;
-    for (const Run& run : blobs_.runs()) {
-      if (run.blob != blob || run.v < box.y || run.v >= box.y + box.height) continue;
-      append(region.pixels, run, std::max(run.first, box.x), std::min(run.end, box.x + box.width), width_);
+    for (int v = box.y; v < box.y + box.height; ++v) {
+      for (const Run& run : blobs_.runs_of_row(v)) {
+        if (!blobs.contains(run.blob)) continue;
+        append(region.pixels, run, std::max(run.first, box.x), std::min(run.end, box.x + box.width), width_);
+      }
     }
   }
 
@@ -174,7 +180,7 @@ class Assembly {
   int width_;
   std::vector<Region> regions_;
   std::vector<std::size_t> region_of_blob_;
-  std::vector<std::size_t> blob_around_hole_;  // by region
+  std::vector<std::set<std::size_t>> blobs_around_holes_;  // by region
 };
 
 }  // namespace

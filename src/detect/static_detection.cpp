@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "depth/frame_reader.hpp"
 
 namespace rva {
@@ -44,7 +45,10 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
   }
 }
 
-bool differ(const std::optional<double>& a, const std::optional<double>& b) { return a && b && *a != *b; }
+// A millionth of a degree: rounding in files passes, a servo step does not.
+bool differ(const std::optional<double>& a_deg, const std::optional<double>& b_deg) {
+  return a_deg && b_deg && !close(*a_deg, *b_deg, 1e-6);
+}
 
 // What the poses say against a camera that stood still; silent where they say nothing.
 std::optional<std::string> moved(const CaptureInfo& initial, const CaptureInfo& final) {
@@ -64,6 +68,11 @@ std::optional<std::string> moved(const CaptureInfo& initial, const CaptureInfo& 
 std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view side,
                           std::vector<std::string>& warnings) {
   const std::size_t available = capture.depth_frames();
+  if (wanted == 0 && available > DepthStatistics::max_frames) {
+    throw Error(fmt::format("{} capture", side),
+                fmt::format("{} frames are more than can be used", available),
+                fmt::format("give --frames {}", DepthStatistics::max_frames));
+  }
   if (wanted == 0) return available;
   const auto count = static_cast<std::size_t>(wanted);
   if (count > available) {
@@ -71,6 +80,22 @@ std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view s
                                    side, available, count));
   }
   return std::min(available, count);
+}
+
+// What the figures say against believing an empty list of findings.
+void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& warnings) {
+  constexpr double little = 0.5;
+  constexpr double much = 0.05;
+  const double compared = comparison.coverage.compared;
+  if (compared < little) {
+    warnings.push_back(fmt::format("only {:.1f} % of the view could be compared", 100.0 * compared));
+  }
+  if (comparison.blind > much) {
+    warnings.push_back(fmt::format(
+        "in {:.0f} % of what was compared, depth varied so much within a capture that a change of {:.0f} mm "
+        "would not have been found; did something move while it was recorded?",
+        100.0 * comparison.blind, 1000.0 * blind_from_m));
+  }
 }
 
 class Detection {
@@ -91,6 +116,8 @@ class Detection {
         measure_regions(find_regions(comparison.changed, options_.regions), comparison, final_.info().depth);
     findings().runtime.regions_ms = ms_since(regions_start);
     findings().runtime.total_ms = ms_since(start);
+    throw_if_interrupted();
+    warn_of_blindness(comparison, result_.warnings);
     findings().method = name_of(options_.method);
     findings().coverage = comparison.coverage;
     state_parameters(options_.regions);
@@ -105,7 +132,7 @@ class Detection {
   template <typename Options>
   void state_parameters(const Options& options) {
     Options::describe(options, [&](const auto& value, const OptionField& field) {
-      findings().parameters.emplace_back(json_name(field), static_cast<double>(value));
+      findings().parameters.emplace_back(json_name(field), value);
     });
   }
 
@@ -126,9 +153,9 @@ class Detection {
     findings().initial_frames = frames_to_use(initial_, options_.frames, "initial", result_.warnings);
     findings().final_frames = frames_to_use(final_, options_.frames, "final", result_.warnings);
     if (std::min(findings().initial_frames, findings().final_frames) < 2) {
-      throw Error("gaussian",
-                  "one frame has no deviation, and this method needs two of either capture at least",
-                  "record more frames (40 make a good inspection), or use --method constant");
+      throw Error(
+          "gaussian", "one frame has no deviation, and this method needs two of either capture at least",
+          "record more frames or raise --frames (40 make a good inspection), or use --method constant");
     }
     const DepthStatistics before = statistics(initial_, findings().initial_frames);
     const DepthStatistics after = statistics(final_, findings().final_frames);

@@ -31,7 +31,7 @@ struct StaticDetectionOptions {
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
-                                   "frames of either capture to use, from the first; 0 for all"});
+                                   "gaussian: frames of either capture to use, from the first; 0 for all"});
     ConstantOptions::describe(self.constant, visit);
     GaussianOptions::describe(self.gaussian, visit);
     RegionOptions::describe(self.regions, visit);
@@ -48,7 +48,7 @@ struct StaticDetection {
 
 /// @throws Error when the captures differ in size, intrinsics or depth unit, when `gaussian` has fewer than
 /// two
-///         frames of either, or a frame cannot be read; Interrupted
+///         frames of either, or a frame cannot be read; UsageError for options out of range; Interrupted
 [[nodiscard]] StaticDetection detect_static(const Capture& initial, const Capture& final,
                                             const StaticDetectionOptions& options, const Progress& progress);
 

@@ -41,9 +41,10 @@ Eigen::Vector2d inverse_brown(const Eigen::Vector2d& target, const std::array<do
   return point;
 }
 
-void require_positive(double value, const char* field) {
-  if (std::isfinite(value) && value > 0.0) return;
-  throw Error(field, fmt::format("{} is not a positive number", value), "give the camera's intrinsics");
+void require_within(double value, double low, double high, const char* field) {
+  if (value >= low && value <= high) return;  // false for NaN
+  throw Error(field, fmt::format("{} is no {} of a camera (allowed: {} to {})", value, field, low, high),
+              "give the camera's intrinsics");
 }
 
 }  // namespace
@@ -81,17 +82,15 @@ bool Intrinsics::contains(const Eigen::Vector2d& pixel) const {
 }
 
 void Intrinsics::check() const {
-  require_positive(width, "width");
-  require_positive(height, "height");
-  require_positive(fx, "fx");
-  require_positive(fy, "fy");
-  const bool finite = std::isfinite(cx) && std::isfinite(cy);
-  if (!finite) throw Error("cx, cy", "the principal point is not a number", "give the camera's intrinsics");
-  for (const double coefficient : coefficients) {
-    if (!std::isfinite(coefficient)) {
-      throw Error("distortion", "a coefficient is not a number", "give the camera's intrinsics");
-    }
-  }
+  // Wide enough for any camera, narrow enough that nothing computed from them overflows.
+  constexpr double max_px = 1e6;
+  require_within(width, 1, max_px, "width");
+  require_within(height, 1, max_px, "height");
+  require_within(fx, 1e-3, max_px, "fx");
+  require_within(fy, 1e-3, max_px, "fy");
+  require_within(cx, -max_px, max_px, "cx");
+  require_within(cy, -max_px, max_px, "cy");
+  for (const double coefficient : coefficients) require_within(coefficient, -1e6, 1e6, "distortion");
 }
 
 }  // namespace rva

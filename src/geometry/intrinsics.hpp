@@ -43,7 +43,7 @@ struct Intrinsics {
   /// True where the pixel lies on the image.
   [[nodiscard]] bool contains(const Eigen::Vector2d& pixel) const;
 
-  /// @throws Error naming the field that is not positive or not finite
+  /// @throws Error naming the field that no camera can have: not positive, not finite, absurdly large
   void check() const;
 
   bool operator==(const Intrinsics&) const = default;

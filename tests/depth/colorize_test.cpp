@@ -34,6 +34,15 @@ TEST(ScaleBar, StandsBesideTheImage) {
   EXPECT_EQ(with_bar(319, 239), (Rgb{1, 2, 3}));
 }
 
+TEST(ScaleBar, StandsBesideAnImageOfAnySize) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {8, 8}, {64, 17}, {2000, 2}, {3, 900}}) {
+    const ColorImage with_bar = with_scale_bar(ColorImage(width, height, Rgb{1, 2, 3}), {0.0F, 2.0F}, "mm");
+    EXPECT_GE(with_bar.height(), height);
+    EXPECT_GT(with_bar.width(), width);
+    EXPECT_EQ(with_bar(width - 1, height - 1), (Rgb{1, 2, 3}));
+  }
+}
+
 TEST(ColorScale, CoversAlmostAllValuesWithRoundEnds) {
   Image<float> values(1000, 1);
   for (int u = 0; u < 1000; ++u) values(u, 0) = 0.001F * static_cast<float>(u);
@@ -47,7 +56,7 @@ TEST(ColorScale, CoversAlmostAllValuesWithRoundEnds) {
 
 TEST(ColorScale, SurvivesAnEmptyAndAFlatImage) {
   EXPECT_LT(scale_from_zero(Image<float>(3, 3, nan)).low, scale_from_zero(Image<float>(3, 3, nan)).high);
-  for (const float level : {nan, 0.0F, 2.0F}) {
+  for (const float level : {nan, 0.0F, 2.0F, 5e6F}) {
     const ColorScale scale = scale_around(Image<float>(3, 3, level));
     EXPECT_LT(scale.low, scale.high);
   }

@@ -172,6 +172,20 @@ TEST(Regions, AHoleFarFromItsBorderIsARegionAsInTheThesis) {
   EXPECT_EQ(regions[1].pixels.size(), 8U);
 }
 
+// Two blobs, a pixel apart, with a hole each beside the gap: one box for both holes, with pixels of both
+// blobs.
+TEST(Regions, HolesOfTwoBlobsMayShareARegion) {
+  Mask mask(400, 400);
+  fill(mask, {0, 60, 209, 280});
+  fill(mask, {210, 60, 190, 280});
+  mask(200, 150) = mask(218, 150) = 0;
+  const std::vector<Region> regions = find_regions(mask, {});
+  const auto shared = std::ranges::find(regions, Box{199, 149, 21, 3}, &Region::box);
+  ASSERT_NE(shared, regions.end());
+  EXPECT_EQ(shared->pixels.size(), 21U * 3U - 3U - 2U);
+  EXPECT_TRUE(std::ranges::is_sorted(shared->pixels));
+}
+
 TEST(Regions, EmptyAndFullMasks) {
   EXPECT_TRUE(find_regions(Mask(), {}).empty());
   EXPECT_TRUE(find_regions(Mask(50, 40), {}).empty());

@@ -69,6 +69,27 @@ TEST(StaticDetection, SaysWhenFramesAreMissing) {
   EXPECT_EQ(detection.warnings.size(), 2U);
 }
 
+// Something that moves while either capture is recorded hides what else may have changed there.
+TEST(StaticDetection, WarnsWhereItIsBlind) {
+  std::vector<DepthImage> moving = wall(8, false, 14);
+  for (std::size_t k = 0; k < moving.size(); k += 2) {
+    for (int u = 0; u < 20; ++u) {
+      for (int v = 0; v < 60; ++v) moving[k](u, v) = 900;
+    }
+  }
+  const MemoryCapture still = test::capture_of(wall(8, false, 15));
+  EXPECT_EQ(detect_static(still, test::capture_of(moving), {}, {}).warnings.size(), 1U);
+  EXPECT_EQ(detect_static(test::capture_of(moving), still, {}, {}).warnings.size(), 1U);
+  EXPECT_TRUE(detect_static(still, still, {}, {}).warnings.empty());
+}
+
+TEST(StaticDetection, WarnsWhenLittleCouldBeCompared) {
+  const MemoryCapture nothing = test::capture_of(std::vector<DepthImage>(4, DepthImage(80, 60)));
+  const StaticDetection detection = detect_static(nothing, nothing, {}, {});
+  EXPECT_TRUE(detection.findings.findings.empty());
+  EXPECT_EQ(detection.warnings.size(), 1U);
+}
+
 TEST(StaticDetection, OneFrameHasNoDeviation) {
   const MemoryCapture one = test::capture_of(wall(1, false, 9));
   EXPECT_THROW(static_cast<void>(detect_static(one, one, {}, {})), Error);

@@ -72,6 +72,8 @@ TEST(Intrinsics, RefusesWhatIsNoCamera) {
   refused([](Intrinsics& bad) { bad.width = 0; });
   refused([](Intrinsics& bad) { bad.height = -1; });
   refused([](Intrinsics& bad) { bad.fx = 0.0; });
+  refused([](Intrinsics& bad) { bad.fx = 1e-308; });
+  refused([](Intrinsics& bad) { bad.cy = 1e308; });
   refused([](Intrinsics& bad) { bad.fy = std::nan(""); });
   refused([](Intrinsics& bad) { bad.cx = HUGE_VAL; });
   refused([](Intrinsics& bad) { bad.coefficients[2] = std::nan(""); });
