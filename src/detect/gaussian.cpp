@@ -1,5 +1,6 @@
 #include "detect/gaussian.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -8,6 +9,24 @@ namespace {
 
 // Variance of a value that is rounded to a whole number, both sets together.
 constexpr double rounding_variance = 2.0 / 12.0;
+
+// One set's depth of a pixel, in depth units.
+struct Gaussian {
+  double mean;
+  double deviation;
+};
+
+// Equations 3.1 and 3.2.
+bool is_nearer(const Gaussian& final, const Gaussian& initial, double sigmas) {
+  const double t_i = initial.mean - sigmas * initial.deviation;
+  const double t_f = final.mean + sigmas * final.deviation;
+  return t_f < t_i;
+}
+
+double evidence(const Gaussian& final, const Gaussian& initial) {
+  const double variance = initial.deviation * initial.deviation + final.deviation * final.deviation;
+  return (initial.mean - final.mean) / std::sqrt(variance + rounding_variance);
+}
 
 }  // namespace
 
@@ -21,29 +40,24 @@ Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistic
   for (std::size_t i = 0; i < final.size(); ++i) {
     const bool before = initial.seen(i);
     const bool after = final.seen(i);
-    const double mean_i = initial.mean(i);
-    const double mean_f = final.mean(i);
-    if (before) result.initial_m[i] = static_cast<float>(mean_i * unit_m);
-    if (after) result.final_m[i] = static_cast<float>(mean_f * unit_m);
+    const Gaussian initial_i{initial.mean(i), initial.standard_deviation(i)};
+    const Gaussian final_i{final.mean(i), final.standard_deviation(i)};
+    if (before) result.initial_m[i] = static_cast<float>(initial_i.mean * unit_m);
+    if (after) result.final_m[i] = static_cast<float>(final_i.mean * unit_m);
     if (after && !before) ++unseen;
     if (!after || !before) continue;
     ++compared;
-    const double std_i = initial.standard_deviation(i);
-    const double std_f = final.standard_deviation(i);
-    if (options.sigmas * (std_i + std_f) * unit_m > blind_from_m) ++blind;
-    const double t_i = mean_i - options.sigmas * std_i;
-    const double t_f = mean_f + options.sigmas * std_f;
-    if (t_f < t_i) {
+    if (options.sigmas * (initial_i.deviation + final_i.deviation) * unit_m > blind_from_m) ++blind;
+    if (is_nearer(final_i, initial_i, options.sigmas)) {
       result.changed[i] = mask_set;
-      const double deviation = std::sqrt(std_i * std_i + std_f * std_f + rounding_variance);
-      result.evidence[i] = static_cast<float>((mean_i - mean_f) / deviation);
+      result.evidence[i] = static_cast<float>(evidence(final_i, initial_i));
     }
   }
   const auto share = [&](std::size_t pixels) {
     return static_cast<double>(pixels) / static_cast<double>(final.size());
   };
   result.coverage = {share(compared), share(unseen), share(final.size() - compared - unseen), std::nullopt};
-  if (compared > 0) result.blind = static_cast<double>(blind) / static_cast<double>(compared);
+  result.blind = static_cast<double>(blind) / static_cast<double>(std::max<std::size_t>(compared, 1));
   return result;
 }
 

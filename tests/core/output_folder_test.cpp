@@ -51,8 +51,8 @@ TEST(OutputFolder, RefusesWhatIsThere) {
   write_file(folder / "out" / "mine", "keep");
   write_file(folder / "file", "keep");
   for (const Existing existing : {Existing::refuse, Existing::replace}) {
-    EXPECT_THROW(OutputFolder(folder / "out", "marker", existing), Error);
-    EXPECT_THROW(OutputFolder(folder / "file", "marker", existing), Error);
+    EXPECT_THROW((OutputFolder(folder / "out", {"marker"}, existing)), Error);
+    EXPECT_THROW((OutputFolder(folder / "file", {"marker"}, existing)), Error);
   }
   EXPECT_EQ(read_text_file(folder / "out" / "mine"), "keep");
   EXPECT_EQ(entries(folder.path()), 2);
@@ -87,7 +87,7 @@ TEST(OutputFolder, KeepsWhatAPersonPutBesideAnEarlierResult) {
   fs::create_directory(folder / "out");
   write_file(folder / "out" / "marker", "1");
   write_file(folder / "out" / "notes.txt", "mine");
-  EXPECT_THROW(OutputFolder(folder / "out", {"marker"}, Existing::replace), Error);
+  EXPECT_THROW((OutputFolder(folder / "out", {"marker"}, Existing::replace)), Error);
   EXPECT_EQ(read_text_file(folder / "out" / "notes.txt"), "mine");
 }
 
@@ -109,9 +109,9 @@ TEST(OutputFolder, RefusesAtCommitWhatCameMeanwhile) {
 TEST(OutputFolder, RefusesAnUnusableTarget) {
   const test::TemporaryFolder folder;
   write_file(folder / "file", "");
-  EXPECT_THROW(OutputFolder(folder / "file" / "out", {"marker"}, Existing::refuse), Error);
-  EXPECT_THROW(OutputFolder(folder / "\xFF", {"marker"}, Existing::refuse), Error);
-  EXPECT_THROW(OutputFolder("/proc/out", {"marker"}, Existing::refuse), Error);
+  EXPECT_THROW((OutputFolder(folder / "file" / "out", {"marker"}, Existing::refuse)), Error);
+  EXPECT_THROW((OutputFolder(folder / "\xFF", {"marker"}, Existing::refuse)), Error);
+  EXPECT_THROW((OutputFolder("/proc/out", {"marker"}, Existing::refuse)), Error);
 }
 
 }  // namespace
