@@ -22,16 +22,21 @@ bool is_empty_folder(const fs::path& path) {
 
 void require_replaceable(const fs::path& target, const std::vector<std::string>& files) {
   std::error_code ignored;
+  std::error_code failure;
   if (!fs::is_directory(fs::symlink_status(target, ignored)) ||
       !fs::exists(target / files.front(), ignored)) {
     throw Error(printable(target),
                 fmt::format("holds no earlier result (no {}), so it is not replaced", files.front()),
                 "choose another folder");
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(target, ignored)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(target, failure)) {
     if (std::ranges::find(files, entry.path().filename().native()) != files.end()) continue;
     throw Error(printable(entry.path()), "is no part of an earlier result, so the folder is not replaced",
                 "move it away or choose another folder");
+  }
+  if (failure) {
+    throw Error(printable(target), fmt::format("cannot be read ({})", failure.message()),
+                "check its permissions or choose another folder");
   }
 }
 

@@ -14,7 +14,7 @@
 namespace rva {
 namespace {
 
-// The next larger (or, for a factor below, smaller) of 1, 2, 2.5, 5 times a power of ten.
+// The least of 1, 2, 2.5, 5 and 10 times a power of ten that is not below the value.
 float round_step(float value) {
   const float power = std::pow(10.0F, std::floor(std::log10(value)));
   for (const float factor : {1.0F, 2.0F, 2.5F, 5.0F}) {

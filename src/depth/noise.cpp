@@ -57,7 +57,7 @@ void measure_deviation(const DepthStatistics& all, const CaptureInfo& info, doub
     if (all.count(i) < 2) continue;
     const double z_m = all.mean(i) * info.depth_unit_m;
     const double std_m = all.standard_deviation(i) * info.depth_unit_m;
-    // dz = z^2 / (f B) dd: a deviation in depth, seen in disparity (SENSOR: sigma_z = z^2 s / (f B)).
+    // dz = z^2 / (f B) dd: a deviation in depth, seen in disparity.
     const double disparity_std_px = baseline_m ? std_m * info.depth.fx * *baseline_m / (z_m * z_m) : 0.0;
     const auto std_mm = static_cast<float>(std_m * mm_per_m);
     noise.std_mm[i] = std_mm;

@@ -93,7 +93,7 @@ void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& w
   if (comparison.blind > much) {
     warnings.push_back(fmt::format(
         "in {:.0f} % of what was compared, depth varied so much within a capture that a change of {:.0f} mm "
-        "would not have been found; did something move while it was recorded?",
+        "would not have been found: something moved while it was recorded, or edges flickered",
         100.0 * comparison.blind, 1000.0 * blind_from_m));
   }
 }
