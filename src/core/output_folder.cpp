@@ -1,6 +1,7 @@
 #include "core/output_folder.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,22 +21,32 @@ bool is_empty_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, failure)) && fs::is_empty(path, failure) && !failure;
 }
 
+bool is_part(const fs::directory_entry& entry, const fs::path& target,
+             const std::vector<std::string>& files) {
+  const std::string name = entry.path().lexically_relative(target).native();
+  const bool is_folder = entry.symlink_status().type() == fs::file_type::directory;
+  return std::ranges::any_of(files, [&](const std::string& file) {
+    if (is_folder) return file.starts_with(name + "/");
+    return ::fnmatch(file.c_str(), name.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
+  });
+}
+
 void require_replaceable(const fs::path& target, const std::vector<std::string>& files) {
   std::error_code ignored;
-  std::error_code failure;
   if (!fs::is_directory(fs::symlink_status(target, ignored)) ||
       !fs::exists(target / files.front(), ignored)) {
     throw Error(printable(target),
                 fmt::format("holds no earlier result (no {}), so it is not replaced", files.front()),
                 "choose another folder");
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(target, failure)) {
-    if (std::ranges::find(files, entry.path().filename().native()) != files.end()) continue;
-    throw Error(printable(entry.path()), "is no part of an earlier result, so the folder is not replaced",
-                "move it away or choose another folder");
-  }
-  if (failure) {
-    throw Error(printable(target), fmt::format("cannot be read ({})", failure.message()),
+  try {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(target)) {
+      if (is_part(entry, target, files)) continue;
+      throw Error(printable(entry.path()), "is no part of an earlier result, so the folder is not replaced",
+                  "move it away or choose another folder");
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw Error(printable(target), fmt::format("cannot be read ({})", error.code().message()),
                 "check its permissions or choose another folder");
   }
 }

@@ -19,16 +19,16 @@ enum class Existing {
 class OutputFolder {
  public:
   /// @param target  the folder to appear at commit(); its parents are made
-  /// @param files   names that such a result may hold, the first of them always; a folder that lacks the
-  /// first
-  ///                or holds another is never replaced
+  /// @param files   what such a result may hold, the first of them always: paths inside it, in which * and
+  ///                [0-9] stand for parts of a name as in a shell ("depth/*.png"). A folder that lacks the
+  ///                first, or holds anything else at any depth, is never replaced
   /// @throws Error  the target exists (see Existing), is not UTF-8, or its parent cannot be written
   OutputFolder(const std::filesystem::path& target, std::vector<std::string> files, Existing existing);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where to write a file of the result until commit().
+  /// Where to write a file of the result until commit(); of subfolders, the caller makes each.
   [[nodiscard]] std::filesystem::path path(const std::filesystem::path& name) const {
     return staging_ / name;
   }

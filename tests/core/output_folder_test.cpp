@@ -91,6 +91,63 @@ TEST(OutputFolder, KeepsWhatAPersonPutBesideAnEarlierResult) {
   EXPECT_EQ(read_text_file(folder / "out" / "notes.txt"), "mine");
 }
 
+class OutputFolderWithFrames : public testing::Test {
+ protected:
+  OutputFolderWithFrames() {
+    fs::create_directories(folder_ / "out" / "depth");
+    write_file(folder_ / "out" / "marker", "first");
+    write_file(folder_ / "out" / "depth" / "000000.png", "first");
+  }
+
+  void replace() {
+    OutputFolder out(folder_ / "out", {"marker", "depth/[0-9][0-9]*.png"}, Existing::replace);
+    write_file(out.path("marker"), "second");
+    out.commit();
+  }
+
+  void expect_refused() {
+    EXPECT_THROW(replace(), Error);
+    EXPECT_EQ(read_text_file(folder_ / "out" / "depth" / "000000.png"), "first");
+    EXPECT_EQ(entries(folder_.path()), 1);
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(OutputFolderWithFrames, AreReplacedWhole) {
+  replace();
+  EXPECT_EQ(read_text_file(folder_ / "out" / "marker"), "second");
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "depth"));
+  EXPECT_EQ(entries(folder_.path()), 1);
+}
+
+TEST_F(OutputFolderWithFrames, KeepWhatAPersonPutAmongThem) {
+  for (const char* name : {"notes.txt", "mine.png", ".00.png", "000000.png.bak", "0", "00/00.png"}) {
+    const fs::path file = folder_ / "out" / "depth" / name;
+    fs::create_directories(file.parent_path());
+    write_file(file, "mine");
+    expect_refused();
+    EXPECT_EQ(read_text_file(file), "mine");
+    fs::remove(file);
+    if (file.parent_path().filename() != "depth") fs::remove(file.parent_path());
+  }
+  replace();
+}
+
+TEST_F(OutputFolderWithFrames, KeepAnEmptyFolderOrALinkAmongThem) {
+  const fs::path among = folder_ / "out" / "depth" / "more";
+  fs::create_directory(among);
+  expect_refused();
+  fs::remove(among);
+  fs::create_directory_symlink(folder_.path(), among);
+  expect_refused();
+}
+
+TEST_F(OutputFolderWithFrames, KeepAFolderUnderAFilesName) {
+  fs::create_directory(folder_ / "out" / "depth" / "000001.png");
+  expect_refused();
+}
+
 TEST(OutputFolder, RefusesAtCommitWhatCameMeanwhile) {
   for (const Existing existing : {Existing::refuse, Existing::replace}) {
     const test::TemporaryFolder folder;
