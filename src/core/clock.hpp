@@ -1,0 +1,37 @@
+// Time as the work sees it: the machine's, or one that a test turns by hand.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "core/interrupt.hpp"
+
+namespace rva {
+
+/// Both functions may be called from any thread.
+struct Clock {
+  std::function<double()> now_s;                 ///< never goes back; only differences mean something
+  std::function<void(double duration_s)> sleep;  ///< returns when now_s() has advanced by about so much
+};
+
+/// The machine's clock, in seconds since it was started.
+[[nodiscard]] inline Clock steady_clock() {
+  return {[] {
+            const auto since_start = std::chrono::steady_clock::now().time_since_epoch();
+            return std::chrono::duration<double>(since_start).count();
+          },
+          [](double duration_s) { std::this_thread::sleep_for(std::chrono::duration<double>(duration_s)); }};
+}
+
+/// Returns when the clock has reached the time, at once if it has. @throws Interrupted soon after a signal
+inline void wait_until(const Clock& clock, double time_s) {
+  constexpr double longest_sleep_s = 0.05;  // a person who pressed Ctrl-C should not notice it
+  for (double left_s = time_s - clock.now_s(); left_s > 0.0; left_s = time_s - clock.now_s()) {
+    throw_if_interrupted();
+    clock.sleep(std::min(left_s, longest_sleep_s));
+  }
+}
+
+}  // namespace rva
