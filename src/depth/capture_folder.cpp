@@ -64,9 +64,9 @@ Pose parse_pose(const JsonObject& object) {
 }
 
 // Refused before memory is taken for a single image of that size.
-void require_possible_size(const fs::path& place, const Intrinsics& camera) {
+void require_possible_size(const std::string& place, const Intrinsics& camera) {
   if (camera.width <= max_image_pixels / camera.height) return;
-  throw Error(printable(place),
+  throw Error(place,
               fmt::format("states images of {}x{} pixels, larger than any camera of ours gives", camera.width,
                           camera.height),
               "correct the description");
@@ -132,21 +132,24 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder) {
       image_files(folder / "depth", {".png"}), image_files(folder / "color", {".png", ".jpg", ".jpeg"}));
 }
 
+void require_possible(const CaptureInfo& info, const std::string& place) {
+  require_possible_size(place, info.depth);
+  if (info.color) require_possible_size(place, *info.color);
+  if (!(info.depth_unit_m >= 1e-7 && info.depth_unit_m <= 1.0)) {
+    throw Error(place, fmt::format("a depth unit of {} m makes no sense", info.depth_unit_m),
+                "correct the description");
+  }
+  const auto baseline_m = info.camera ? info.camera->baseline_m : std::nullopt;
+  if (baseline_m && !(*baseline_m >= 1e-4 && *baseline_m <= 100.0)) {
+    throw Error(place, fmt::format("a camera baseline of {} m makes no sense", *baseline_m),
+                "correct camera.baseline_m or leave it out");
+  }
+}
+
 FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, std::vector<fs::path> depth_files,
                              std::vector<fs::path> color_files)
     : Capture(std::move(info)), depth_files_(std::move(depth_files)), color_files_(std::move(color_files)) {
-  require_possible_size(place, this->info().depth);
-  if (this->info().color) require_possible_size(place, *this->info().color);
-  const double unit_m = this->info().depth_unit_m;
-  if (!(unit_m >= 1e-7 && unit_m <= 1.0)) {
-    throw Error(printable(place), fmt::format("a depth unit of {} m makes no sense", unit_m),
-                "correct the description");
-  }
-  const auto baseline_m = this->info().camera ? this->info().camera->baseline_m : std::nullopt;
-  if (baseline_m && !(*baseline_m >= 1e-4 && *baseline_m <= 100.0)) {
-    throw Error(printable(place), fmt::format("a camera baseline of {} m makes no sense", *baseline_m),
-                "correct camera.baseline_m or leave it out");
-  }
+  require_possible(this->info(), printable(place));
   if (depth_files_.empty()) throw Error(printable(place), "holds no depth frame", "record the capture again");
 }
 

@@ -47,6 +47,11 @@ class FolderCapture : public Capture {
 /// @throws Error naming the line or the field, `place` in front
 [[nodiscard]] CaptureInfo parse_capture_json(const std::string& text, const std::string& place);
 
+/// Refuses what every field allows by itself and no capture can have: sizes, the unit, the baseline.
+/// @param place what to call it in an error
+/// @throws Error
+void require_possible(const CaptureInfo& info, const std::string& place);
+
 /// As parse_capture_json(), of an Open3D intrinsic file.
 [[nodiscard]] CaptureInfo parse_open3d_json(const std::string& text, const std::string& place);
 

@@ -90,6 +90,8 @@ std::vector<std::byte> encode(int width, int height, std::uint8_t color_type, st
   spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1);
   // A person waits for the result; its size on the disk matters less.
   spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, 1);
+  // Half of the time goes into trying every filter on every row; on depth images this one is as small.
+  spng_set_option(encoder.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_UP);
   spng_ihdr header{};
   header.width = static_cast<std::uint32_t>(width);
   header.height = static_cast<std::uint32_t>(height);

@@ -1,0 +1,127 @@
+#include "depth/capture_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/json_object.hpp"
+#include "core/path_text.hpp"
+#include "depth/formats.hpp"
+#include "depth/image_file.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Null stands for "not known": the merge in capture_json() takes such keys away (RFC 7396).
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+template <typename Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json or_null(const std::optional<Transform>& a_from_b) {
+  return a_from_b ? Json(to_row_major(*a_from_b)) : Json();
+}
+
+Json to_json_value(const Intrinsics& camera) {
+  return {{"width", camera.width},
+          {"height", camera.height},
+          {"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"distortion_model", name_of(camera.distortion)},
+          {"distortion", camera.coefficients}};
+}
+
+Json to_json_value(const Pose& pose) {
+  return {{"base", or_null(pose.base)},
+          {"pan_deg", or_null(pose.pan_deg)},
+          {"tilt_deg", or_null(pose.tilt_deg)},
+          {"world_from_camera", or_null(pose.world_from_camera)}};
+}
+
+Json to_json_value(const CameraInfo& camera) {
+  return {{"model", or_null(camera.model)},
+          {"serial", or_null(camera.serial)},
+          {"baseline_m", or_null(camera.baseline_m)}};
+}
+
+template <typename Pixel>
+void require_size(const fs::path& file, const Image<Pixel>& image, const Intrinsics& stated) {
+  if (image.width() == stated.width && image.height() == stated.height) return;
+  throw Error(printable(file),
+              fmt::format("an image of {}x{} pixels where the capture states {}x{}", image.width(),
+                          image.height(), stated.width, stated.height),
+              "record the capture again");
+}
+
+fs::path frame_file(const fs::path& folder, const char* kind, std::size_t number) {
+  assert(number <= 999999);
+  return folder / kind / fmt::format("{:06}.png", number);
+}
+
+template <typename Pixel>
+void write_image(const fs::path& file, const Image<Pixel>& image) {
+  std::error_code ignored;  // where the folder is missing in the end, write_file() says why
+  fs::create_directory(file.parent_path(), ignored);
+  write_file(file, encode_png(image));
+}
+
+}  // namespace
+
+std::string capture_json(const CaptureInfo& info, const std::string& extra_json_object) {
+  const std::string place = "the capture's extra keys";
+  const nlohmann::json extra = parse_json(extra_json_object, place);
+  static_cast<void>(JsonObject(extra, place));
+  Json known{{"format", "rva-capture"}, {"version", 1}};
+  Json document = known;
+  document.update(Json(extra));
+  known["depth"] = to_json_value(info.depth);
+  known["depth"]["unit_m"] = info.depth_unit_m;
+  known["color"] = info.color ? to_json_value(*info.color) : Json();
+  known["color_from_depth"] = or_null(info.color_from_depth);
+  known["pose"] = info.pose ? to_json_value(*info.pose) : Json();
+  known["camera"] = info.camera ? to_json_value(*info.camera) : Json();
+  known["captured_at"] = or_null(info.captured_at);
+  document.merge_patch(known);
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> capture_files() {
+  const std::string frame = "[0-9][0-9][0-9][0-9][0-9][0-9].png";
+  return {"capture.json", "depth/" + frame, "color/" + frame};
+}
+
+CaptureWriter::CaptureWriter(fs::path folder, const CaptureInfo& info, const std::string& extra_json_object)
+    : folder_(std::move(folder)), info_(info) {
+  const fs::path file = folder_ / "capture.json";
+  const std::string description = capture_json(info, extra_json_object);
+  require_possible(parse_capture_json(description, printable(file)), printable(folder_));
+  write_file(file, description);
+}
+
+void CaptureWriter::write_depth(std::size_t number, const DepthImage& image) const {
+  const fs::path file = frame_file(folder_, "depth", number);
+  require_size(file, image, info_.depth);
+  write_image(file, image);
+}
+
+void CaptureWriter::write_color(std::size_t number, const ColorImage& image) const {
+  const fs::path file = frame_file(folder_, "color", number);
+  if (info_.color) require_size(file, image, *info_.color);
+  write_image(file, image);
+}
+
+}  // namespace rva

@@ -1,0 +1,52 @@
+// Writing a capture folder: our own format (docs/captures.md).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "depth/capture.hpp"
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// The description of a capture folder. parse_capture_json() reads the same back: every number to the last
+/// bit, but transforms as it makes them orthonormal. What `info` does not know is left out, and so are empty
+/// texts; info.format and info.source_json are not written. Bytes that are not UTF-8 become U+FFFD.
+///
+/// @param extra_json_object keys that the format does not define, at any depth, to be kept beside those that
+///                          it does. Keys of the format come from `info` alone, so that an earlier
+///                          info.source_json may be given as it is.
+/// @throws Error when the extra keys are not a JSON object
+[[nodiscard]] std::string capture_json(const CaptureInfo& info, const std::string& extra_json_object = "{}");
+
+/// What a capture folder may hold, for an OutputFolder.
+[[nodiscard]] std::vector<std::string> capture_files();
+
+/// Writes capture.json at once, then frames as they come. The folder is the caller's, as a rule the place
+/// where an OutputFolder is written; half a capture is left there when something throws.
+///
+/// Frames of different numbers may be written on several threads at the same time.
+class CaptureWriter {
+ public:
+  /// @param folder exists
+  /// @throws Error when the description cannot be written, or is one that no capture can have
+  CaptureWriter(std::filesystem::path folder, const CaptureInfo& info,
+                const std::string& extra_json_object = "{}");
+
+  /// @param number of the frame, from 0 to 999999, without gaps in the end: frames are read back in the order
+  ///               of their names
+  /// @param image  in the unit that the description states; 0 is no measurement
+  /// @throws Error when the image is not of the size that the description states, or cannot be written
+  void write_depth(std::size_t number, const DepthImage& image) const;
+
+  /// As write_depth(); any size where the description states none.
+  void write_color(std::size_t number, const ColorImage& image) const;
+
+ private:
+  std::filesystem::path folder_;
+  CaptureInfo info_;
+};
+
+}  // namespace rva
