@@ -1,0 +1,22 @@
+// From a camera to a capture folder.
+#pragma once
+
+#include <cstddef>
+
+#include "camera/camera.hpp"
+#include "core/progress.hpp"
+#include "depth/capture_writer.hpp"
+
+namespace rva {
+
+/// Writes the camera's next `frames` frames, from number 0, each with its colour image where it has one.
+/// Other threads encode and write while the camera goes on; memory holds two frames a core, and where the
+/// disk is slower than the camera, it is the camera that waits or drops. The writer is made of the camera's
+/// info(), and may describe a folder that a failure leaves half full.
+///
+/// @throws Error       of the camera or the disk; when a recording ends before it gave so many frames
+/// @throws UsageError  when frames is 0
+/// @throws Interrupted between two frames
+void record(Camera& camera, std::size_t frames, const CaptureWriter& writer, const Progress& progress);
+
+}  // namespace rva

@@ -1,0 +1,23 @@
+#include "robot/robot_limits.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace rva {
+namespace {
+
+void require_within(double angle_deg, const AxisLimits& limits, const char* axis) {
+  if (angle_deg >= limits.min_deg && angle_deg <= limits.max_deg) return;  // false for NaN
+  throw UsageError(fmt::format("robot's {}", axis), fmt::format("{} deg is out of reach", angle_deg),
+                   fmt::format("give {} to {} deg", limits.min_deg, limits.max_deg));
+}
+
+}  // namespace
+
+void RobotLimits::check(const PanTilt& target) const {
+  require_within(target.pan_deg, pan, "pan");
+  require_within(target.tilt_deg, tilt, "tilt");
+}
+
+}  // namespace rva
