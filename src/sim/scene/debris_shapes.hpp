@@ -1,0 +1,68 @@
+// The shapes behind the debris catalogue. Here, and only here, lengths are millimetres, as drawings state
+// them; make_debris() turns them into metres.
+#pragma once
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "core/random.hpp"
+#include "sim/scene/extrusion.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace rva {
+
+using Parts = std::vector<Part>;
+
+[[nodiscard]] Part part_of(std::string_view material, TriangleMesh mesh);
+[[nodiscard]] TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& by);
+[[nodiscard]] TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& factors);
+/// Counterclockwise about an axis of unit length.
+[[nodiscard]] TriangleMesh turned(const TriangleMesh& mesh, double angle_deg, const Eigen::Vector3d& axis);
+/// lathe() of a profile written in place: corners (r, z).
+[[nodiscard]] TriangleMesh turned_solid(std::initializer_list<Eigen::Vector2d> profile_rz, int segments);
+/// turned_ring() of a loop written in place: corners (r, z), up along the outside, down along the bore.
+[[nodiscard]] TriangleMesh turned_hollow(std::initializer_list<Eigen::Vector2d> loop_rz, int segments);
+/// A regular hexagon's corners. @param across_flats as a spanner measures it
+[[nodiscard]] Outline hexagon(double across_flats);
+/// An arc, both ends included, counterclockwise.
+[[nodiscard]] Outline arc(const Eigen::Vector2d& center, double radius, double from_deg, double to_deg,
+                          int pieces);
+/// A strip of sheet metal or tape. @param normals its thickness runs along them, one for each point, unit
+/// length
+[[nodiscard]] TriangleMesh ribbon(const std::vector<Eigen::Vector3d>& path,
+                                  const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& across,
+                                  double width, double thickness);
+/// Scaled as a whole, so that its largest extent is as given: one size for shapes made at random.
+[[nodiscard]] Parts fitted(Parts parts, double largest_extent);
+
+/// Tools, and what a pocket loses.
+[[nodiscard]] Parts flashlight();
+[[nodiscard]] Parts small_flashlight();
+[[nodiscard]] Parts screwdriver();
+[[nodiscard]] Parts socket();
+[[nodiscard]] Parts wrench();
+[[nodiscard]] Parts drill_bit(double diameter, double length, double flute_length);
+[[nodiscard]] Parts sheet_holder();
+[[nodiscard]] Parts pen();
+[[nodiscard]] Parts key();
+
+/// What holds a wing together.
+[[nodiscard]] Parts swaged_collar(double diameter_in);
+[[nodiscard]] Parts bolt_m6();
+[[nodiscard]] Parts hi_lok();
+[[nodiscard]] Parts nut_m6();
+[[nodiscard]] Parts nut_plate();
+[[nodiscard]] Parts rivet();
+[[nodiscard]] Parts washer_m6();
+
+/// What bends; never twice the same, but for the roll.
+[[nodiscard]] Parts swarf(Random& random);
+[[nodiscard]] Parts wire(Random& random);
+[[nodiscard]] Parts tape_roll();
+[[nodiscard]] Parts tape_strip(Random& random);
+[[nodiscard]] Parts rag(Random& random);
+[[nodiscard]] Parts glove(Random& random);
+
+}  // namespace rva
