@@ -1,0 +1,138 @@
+#include "sim/sensor/color_renderer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "core/random.hpp"
+#include "sim/sensor/surface_row.hpp"
+
+namespace rva {
+
+namespace {
+
+// Room light: a lamp above and behind the near spar, and light from all around.
+const Eigen::Vector3f lamp_m{0.4F, -0.6F, 2.0F};
+constexpr float lamp_share = 0.7F;
+constexpr float around_share = 0.45F;
+constexpr float read_noise = 0.004F;
+constexpr float shot_noise = 0.010F;
+constexpr double gamma = 2.2;
+
+float linear(std::uint8_t value) {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<float>(std::pow(static_cast<double>(i) / 255.0, gamma));
+    return values;
+  }();
+  return table[value];
+}
+
+Eigen::Vector3f color_of(const Material& material) {
+  return {linear(material.color.r), linear(material.color.g), linear(material.color.b)};
+}
+
+class RowPainter {
+ public:
+  RowPainter(const Scene& scene, const RayCaster& caster, const Intrinsics& imager,
+             const Transform& world_from_color, int supersampling)
+      : strength_(static_cast<float>(scene.lighting.visible / (supersampling * supersampling))),
+        imager_(imager),
+        world_from_color_(world_from_color),
+        supersampling_(supersampling),
+        row_(scene, caster, static_cast<std::size_t>(imager.width * supersampling)) {}
+
+  void paint(int v, ColorView& view) {
+    for (int sub = 0; sub < supersampling_; ++sub) {
+      aim(v + offset(sub));
+      row_.cast();
+      row_.find_shadows(lamp_m);
+      for (std::size_t i = 0; i < row_.samples(); ++i) {
+        if (row_.seen(i)) add(i, v, view);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] double offset(int sub) const { return (sub + 0.5) / supersampling_ - 0.5; }
+
+  void aim(double v) {
+    const Eigen::Vector3f origin = world_from_color_.translation().cast<float>();
+    for (std::size_t i = 0; i < row_.samples(); ++i) {
+      const int sample = static_cast<int>(i);
+      const int pixel = sample / supersampling_;
+      const double u = pixel + offset(sample % supersampling_);
+      const Eigen::Vector3d direction = world_from_color_.rotation() * imager_.deproject({u, v}, 1.0);
+      row_.rays()[i] = {origin, direction.cast<float>()};
+    }
+  }
+
+  // Reflection per unit of albedo, then the colour: the gloss of paint and metal takes it on as well.
+  void add(std::size_t i, int v, ColorView& view) const {
+    const SurfacePoint& point = row_.point(i);
+    const Material& material = row_.material(i);
+    float light = around_share * reflected_surroundings(material, row_.grain(i), point);
+    if (row_.lit(i))
+      light += lamp_share * reflected(material, row_.grain(i), point, (lamp_m - point.position).normalized());
+    const Eigen::Vector3f color = strength_ * light * color_of(material);
+    const int u = static_cast<int>(i) / supersampling_;
+    view.red(u, v) += color.x();
+    view.green(u, v) += color.y();
+    view.blue(u, v) += color.z();
+  }
+
+  float strength_;
+  const Intrinsics& imager_;
+  const Transform& world_from_color_;
+  int supersampling_;
+  SurfaceRow row_;
+};
+
+// Gamma as a table: 4096 steps of light are finer than 8 bits anywhere but in the deepest black.
+std::uint8_t encoded(float light) {
+  constexpr std::size_t steps = 4096;
+  static const std::array<std::uint8_t, steps> table = [] {
+    std::array<std::uint8_t, steps> values{};
+    for (std::size_t i = 0; i < steps; ++i)
+      values[i] = static_cast<std::uint8_t>(
+          std::lround(255.0 * std::pow(static_cast<double>(i) / (steps - 1.0), 1.0 / gamma)));
+    return values;
+  }();
+  return table[static_cast<std::size_t>(std::clamp(light, 0.0F, 1.0F) * (steps - 1) + 0.5F)];
+}
+
+}  // namespace
+
+ColorView render_color(const Scene& scene, const RayCaster& rays, const StereoRig& rig,
+                       const Transform& world_from_depth, int supersampling) {
+  const Transform world_from_color = world_from_depth * rig.color_from_depth.inverse();
+  const Image<float> black(rig.color.width, rig.color.height);
+  ColorView view{black, black, black};
+  parallel_bands(rig.color.height, [&](int first, int end) {
+    RowPainter painter(scene, rays, rig.color, world_from_color, supersampling);
+    for (int v = first; v < end; ++v) painter.paint(v, view);
+  });
+  return view;
+}
+
+ColorImage expose_color(const ColorView& view, std::uint64_t seed) {
+  ColorImage image(view.red.width(), view.red.height());
+  parallel_bands(image.height(), [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      Random random(mix(seed, v));
+      // Uniform noise of the right variance: a picture for people, nothing is measured in it.
+      const auto noisy = [&random](float light) {
+        const auto noise = static_cast<float>(random.uniform(-1.732, 1.732));
+        return encoded(light + noise * (read_noise + shot_noise * std::sqrt(light)));
+      };
+      for (int u = 0; u < image.width(); ++u)
+        image(u, v) = {noisy(view.red(u, v)), noisy(view.green(u, v)), noisy(view.blue(u, v))};
+    }
+  });
+  return image;
+}
+
+}  // namespace rva

@@ -1,0 +1,34 @@
+// The projector: a pattern of dots thrown into the scene.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// Light sent into each direction, relative to its mean: dots on a grid, each shifted at random within its
+/// cell so that no two neighbourhoods look alike, with brightnesses of their own, over an even glow.
+///
+/// Directions are given as (x / z, y / z) in the projector's frame, whose axes are those of the depth imager.
+class DotPattern {
+ public:
+  /// Half the projector's field of view, 86 x 57 deg (D400 datasheet), as tangents.
+  static constexpr double half_width = 0.9325;
+  static constexpr double half_height = 0.5430;
+
+  /// @param dots      how many over the whole field; 0 for an even light
+  /// @param dot_share share of the light that is in dots, 0 to 1
+  DotPattern(int dots, double dot_share, std::uint64_t seed);
+
+  /// Relative intensity; 0 outside the field of view.
+  [[nodiscard]] float at(float x, float y) const;
+
+ private:
+  void draw_dot(const Eigen::Vector2d& center, double peak);
+
+  Image<float> table_;  // over the field, `texel` wide
+};
+
+}  // namespace rva

@@ -1,0 +1,23 @@
+// From light to numbers: exposure, shot noise, read noise, 10 bits.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/sensor/block_matching.hpp"
+#include "sim/sensor/infrared_renderer.hpp"
+#include "sim/sensor/speckle.hpp"
+#include "sim/sensor/stereo_sensor_options.hpp"
+
+namespace rva {
+
+/// Electrons per unit of light that the camera's own control would choose for a view: its brighter parts
+/// (95 % of pixels are darker) at a quarter of what saturates, as far as the longest exposure reaches.
+[[nodiscard]] double automatic_exposure(const InfraredView& view, const StereoSensorOptions& options);
+
+/// One exposure of one imager.
+/// @param exposure_e electrons per unit of light in this frame, flicker included
+/// @param seed       of this frame and imager: the same seed gives the same noise
+[[nodiscard]] InfraredImage expose(const InfraredView& view, const Speckle& speckle, double exposure_e,
+                                   const StereoSensorOptions& options, std::uint64_t seed);
+
+}  // namespace rva

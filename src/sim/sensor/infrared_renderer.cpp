@@ -1,0 +1,181 @@
+#include "sim/sensor/infrared_renderer.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "core/random.hpp"
+#include "depth/mat_view.hpp"
+#include "sim/sensor/surface_row.hpp"
+
+namespace rva {
+
+namespace {
+
+// A point source sends its light into all directions of its field; at 1 m along the axis the mean is 1.
+float irradiance(const DotPattern& dots, const Eigen::Vector3f& from_projector, float shift) {
+  const float z = from_projector.z();
+  if (z <= 0.0F) return 0.0F;
+  return dots.at(from_projector.x() / z - shift, from_projector.y() / z) / from_projector.squaredNorm();
+}
+
+void blur(Image<float>& image, double sigma_px) {
+  if (sigma_px <= 0.0) return;
+  cv::Mat pixels = as_mat(image);
+  cv::GaussianBlur(pixels, pixels, cv::Size(0, 0), sigma_px, sigma_px, cv::BORDER_REPLICATE);
+}
+
+}  // namespace
+
+struct InfraredRenderer::Eye {
+  Eigen::Vector3d position_m;  // in the camera's frame
+  Misalignment misalignment;   // of this imager
+  double dots_px = 0.0;        // how far the projector's pattern has moved
+
+  // The pixel of a perfect rig whose light lands on this one.
+  [[nodiscard]] Eigen::Vector2d ideal(const Intrinsics& imager, double u, double v) const {
+    const double from_center = (u - imager.cx) / (imager.width / 2.0);
+    return {u - misalignment.offset_px - misalignment.scale_px * from_center,
+            v - misalignment.row_offset_px - misalignment.row_turn_px * from_center};
+  }
+};
+
+/// Shades the samples of one row of pixels at a time.
+class InfraredRenderer::RowShader {
+ public:
+  RowShader(const InfraredRenderer& renderer, const Eye& eye, const Transform& world_from_camera,
+            int supersampling)
+      : renderer_(renderer),
+        eye_(eye),
+        turn_(world_from_camera.rotation().cast<float>()),
+        origin_((world_from_camera * eye.position_m).cast<float>()),
+        projector_((world_from_camera * renderer.rig_.projector_m).cast<float>()),
+        dots_shift_(static_cast<float>(eye.dots_px / renderer.rig_.imager.fx)),
+        supersampling_(supersampling),
+        row_(renderer.scene_, renderer.rays_,
+             static_cast<std::size_t>(renderer.rig_.imager.width * supersampling)) {}
+
+  /// Adds the mean light of a row of pixels.
+  void shade(int v, float* steady, float* projected) {
+    for (int sub = 0; sub < supersampling_; ++sub) {
+      aim(v + offset(sub));
+      row_.cast();
+      row_.find_shadows(projector_);
+      for (std::size_t i = 0; i < row_.samples(); ++i) projected[pixel_of(i)] += weight() * from_projector(i);
+      for (std::size_t i = 0; i < row_.samples(); ++i) steady[pixel_of(i)] += weight() * from_around(i);
+      for (const Lamp& lamp : renderer_.scene_.lighting.lamps) {
+        row_.find_shadows(lamp.position_m.cast<float>());
+        for (std::size_t i = 0; i < row_.samples(); ++i) steady[pixel_of(i)] += weight() * from_lamp(i, lamp);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] double offset(int sub) const { return (sub + 0.5) / supersampling_ - 0.5; }
+  [[nodiscard]] float weight() const { return 1.0F / static_cast<float>(supersampling_ * supersampling_); }
+  [[nodiscard]] std::size_t pixel_of(std::size_t sample) const {
+    return sample / static_cast<std::size_t>(supersampling_);
+  }
+
+  void aim(double v) {
+    const Intrinsics& imager = renderer_.rig_.imager;
+    for (std::size_t i = 0; i < row_.samples(); ++i) {
+      const double u = static_cast<double>(pixel_of(i)) + offset(static_cast<int>(i) % supersampling_);
+      const Eigen::Vector2d pixel = eye_.ideal(imager, u, v);
+      row_.rays()[i] = {origin_, turn_ * imager.deproject(pixel, 1.0).cast<float>()};
+    }
+  }
+
+  [[nodiscard]] float albedo(std::size_t i) const {
+    return static_cast<float>(row_.material(i).infrared_albedo) * row_.grain(i);
+  }
+
+  [[nodiscard]] float from_projector(std::size_t i) const {
+    if (!row_.lit(i)) return 0.0F;
+    const SurfacePoint& point = row_.point(i);
+    const Eigen::Vector3f to_light = projector_ - point.position;
+    const float light = irradiance(renderer_.dots_, turn_.transpose() * -to_light, dots_shift_);
+    if (light <= 0.0F) return 0.0F;
+    return light * reflected(row_.material(i), albedo(i), point, to_light.normalized());
+  }
+
+  [[nodiscard]] float from_around(std::size_t i) const {
+    const auto light = static_cast<float>(renderer_.scene_.lighting.ambient + renderer_.bounce_);
+    if (!row_.seen(i) || light <= 0.0F) return 0.0F;
+    return light * reflected_surroundings(row_.material(i), albedo(i), row_.point(i));
+  }
+
+  [[nodiscard]] float from_lamp(std::size_t i, const Lamp& lamp) const {
+    if (!row_.lit(i)) return 0.0F;
+    const SurfacePoint& point = row_.point(i);
+    const Eigen::Vector3f to_light = lamp.position_m.cast<float>() - point.position;
+    const float light = static_cast<float>(lamp.strength) / to_light.squaredNorm();
+    return light * reflected(row_.material(i), albedo(i), point, to_light.normalized());
+  }
+
+  const InfraredRenderer& renderer_;
+  const Eye& eye_;
+  Eigen::Matrix3f turn_;  // world from camera
+  Eigen::Vector3f origin_;
+  Eigen::Vector3f projector_;
+  float dots_shift_;
+  int supersampling_;
+  SurfaceRow row_;
+};
+
+InfraredRenderer::InfraredRenderer(const Scene& scene, const RayCaster& rays,
+                                   const StereoSensorOptions& options)
+    : scene_(scene),
+      rays_(rays),
+      rig_(stereo_rig(options)),
+      dots_(options.dots, options.dot_share, mix(options.device, 0xD075)),
+      lens_blur_px_(options.lens_blur_px),
+      bounce_(options.bounce) {}
+
+InfraredView InfraredRenderer::render_eye(const Eye& eye, const Transform& world_from_camera,
+                                          int supersampling) const {
+  InfraredView view{Image<float>(rig_.imager.width, rig_.imager.height),
+                    Image<float>(rig_.imager.width, rig_.imager.height)};
+  parallel_bands(rig_.imager.height, [&](int first, int end) {
+    RowShader shader(*this, eye, world_from_camera, supersampling);
+    for (int v = first; v < end; ++v) shader.shade(v, &view.steady(0, v), &view.projected(0, v));
+  });
+  blur(view.steady, lens_blur_px_);
+  blur(view.projected, lens_blur_px_);
+  return view;
+}
+
+InfraredPair InfraredRenderer::render(const Transform& world_from_camera, const Misalignment& misalignment,
+                                      int supersampling) const {
+  const Eye left{Eigen::Vector3d::Zero(), Misalignment{}, misalignment.dots_px};
+  const Eye right{Eigen::Vector3d(rig_.baseline_m, 0.0, 0.0), misalignment, misalignment.dots_px};
+  return {render_eye(left, world_from_camera, supersampling),
+          render_eye(right, world_from_camera, supersampling)};
+}
+
+TrueView InfraredRenderer::look(const Transform& world_from_camera) const {
+  const int width = rig_.imager.width;
+  TrueView view{Image<float>(width, rig_.imager.height), Image<std::uint16_t>(width, rig_.imager.height)};
+  const Eigen::Vector3f origin = world_from_camera.translation().cast<float>();
+  parallel_bands(rig_.imager.height, [&](int first, int end) {
+    std::vector<Ray> rays(static_cast<std::size_t>(width));
+    std::vector<Hit> hits(rays.size());
+    for (int v = first; v < end; ++v) {
+      for (int u = 0; u < width; ++u) {
+        const Eigen::Vector3d direction = world_from_camera.rotation() * rig_.imager.deproject({u, v}, 1.0);
+        rays[static_cast<std::size_t>(u)] = {origin, direction.cast<float>()};
+      }
+      rays_.cast(rays, hits);
+      for (int u = 0; u < width; ++u) {
+        const Hit& hit = hits[static_cast<std::size_t>(u)];
+        if (hit.object == Hit::none) continue;
+        view.depth_m(u, v) = hit.distance;
+        view.labels(u, v) = static_cast<std::uint16_t>(Scene::label_of(hit.object));
+      }
+    }
+  });
+  return view;
+}
+
+}  // namespace rva

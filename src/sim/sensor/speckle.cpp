@@ -1,0 +1,93 @@
+#include "sim/sensor/speckle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+#include "core/random.hpp"
+
+namespace rva {
+
+namespace {
+
+// Sums of four uniform numbers: near enough to a normal distribution, and quick.
+Image<float> random_field(int width, int height, double deviation, std::uint64_t seed) {
+  Image<float> field(width, height);
+  if (deviation <= 0.0) return field;
+  const auto scale = static_cast<float>(deviation / 65536.0 / std::sqrt(4.0 / 12.0));
+  parallel_bands(height, [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      Random random(mix(seed, v));
+      for (int u = 0; u < width; ++u) {
+        const std::uint64_t bits = random.bits();
+        const auto sum = static_cast<std::int32_t>((bits & 0xFFFF) + ((bits >> 16U) & 0xFFFF) +
+                                                   ((bits >> 32U) & 0xFFFF) + (bits >> 48U));
+        field(u, v) = scale * static_cast<float>(sum - 2 * 65535);
+      }
+    }
+  });
+  return field;
+}
+
+}  // namespace
+
+Speckle::Speckle(int width, int height, const StereoSensorOptions& options, std::uint64_t view_seed,
+                 std::uint64_t capture_seed)
+    : options_(options),
+      width_(width),
+      capture_seed_(capture_seed),
+      fixed_(random_field(width, height, options.speckle, mix(view_seed, 0))),
+      patch_levels_(width / patch_px + 1, height / patch_px + 1) {
+  // The fields belong to the view: two captures of it differ in how they are weighted, not in what they are.
+  if (options.wander > 0.0) {
+    for (int i = 0; i < wander_fields; ++i)
+      wandering_.push_back(
+          random_field(width, height, options.wander / std::sqrt(wander_fields), mix(view_seed, 1 + i)));
+  }
+  if (options.levels > 0.0) {
+    for (int i = 0; i < level_patterns; ++i)
+      patterns_.push_back(random_field(width, height, options.levels, mix(view_seed, 100 + i)));
+  }
+}
+
+void Speckle::start() {
+  Random random(mix(capture_seed_, 0x57A7));
+  for (double& weight : weights_) weight = random.normal();
+  for (std::uint8_t& level : patch_levels_.pixels())
+    level = static_cast<std::uint8_t>(random.bits() % level_patterns);
+}
+
+void Speckle::advance() {
+  if (!started_) {
+    start();
+    started_ = true;
+    return;
+  }
+  ++frame_;
+  Random random(mix(capture_seed_, 0xF4A3, frame_));
+  // First-order autoregression: correlated over `wander_frames`, of unit variance for ever.
+  const double kept = std::exp(-1.0 / options_.wander_frames);
+  for (double& weight : weights_) weight = kept * weight + std::sqrt(1.0 - kept * kept) * random.normal();
+  const double jump = 1.0 / options_.level_frames;
+  for (std::uint8_t& level : patch_levels_.pixels()) {
+    if (random.uniform() < jump)
+      level = static_cast<std::uint8_t>((level + 1 + random.bits() % (level_patterns - 1)) % level_patterns);
+  }
+}
+
+void Speckle::row(int v, float* factor) const {
+  const float* const fixed = &fixed_(0, v);
+  for (int u = 0; u < width_; ++u) factor[u] = 1.0F + fixed[u];
+  for (std::size_t i = 0; i < wandering_.size(); ++i) {
+    const float* const field = &wandering_[i](0, v);
+    const auto weight = static_cast<float>(weights_[i]);
+    for (int u = 0; u < width_; ++u) factor[u] += weight * field[u];
+  }
+  for (int first = 0; first < width_ && !patterns_.empty(); first += patch_px) {
+    const float* const pattern = &patterns_[patch_levels_(first / patch_px, v / patch_px)](0, v);
+    for (int u = first; u < std::min(first + patch_px, width_); ++u) factor[u] += pattern[u];
+  }
+  for (int u = 0; u < width_; ++u) factor[u] = std::max(0.0F, factor[u]);
+}
+
+}  // namespace rva

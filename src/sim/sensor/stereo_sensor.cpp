@@ -1,0 +1,54 @@
+#include "sim/sensor/stereo_sensor.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/random.hpp"
+
+namespace rva {
+
+StereoSensor::StereoSensor(InfraredPair view, const StereoSensorOptions& options, std::uint64_t view_seed,
+                           std::uint64_t capture_seed)
+    : view_(std::move(view)),
+      options_(options),
+      capture_seed_(capture_seed),
+      left_speckle_(view_.left.steady.width(), view_.left.steady.height(), options, mix(view_seed, 1),
+                    mix(capture_seed, 1)),
+      right_speckle_(view_.right.steady.width(), view_.right.steady.height(), options, mix(view_seed, 2),
+                     mix(capture_seed, 2)),
+      exposure_e_(options.exposure > 0.0 ? options.exposure : automatic_exposure(view_.left, options)) {}
+
+StereoFrame StereoSensor::next_frame() {
+  left_speckle_.advance();
+  right_speckle_.advance();
+  const std::uint64_t seed = mix(capture_seed_, 0xE390, frame_++);
+  const double exposure_e = exposure_e_ * std::max(0.0, 1.0 + options_.flicker * Random(seed).normal());
+  StereoFrame frame{expose(view_.left, left_speckle_, exposure_e, options_, mix(seed, 1)),
+                    expose(view_.right, right_speckle_, exposure_e, options_, mix(seed, 2)),
+                    {}};
+  frame.depth = depth_from_disparity(match_stereo(frame.left, frame.right), options_);
+  return frame;
+}
+
+Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right) {
+  return refine_disparity(left, right, match_blocks(left, right, BlockMatchingOptions{}), SubpixelOptions{});
+}
+
+DepthImage depth_from_disparity(const Image<std::uint16_t>& disparity, const StereoSensorOptions& options) {
+  constexpr double greatest = 65535.0;
+  const double steps_per_px = std::ldexp(1.0, SubpixelOptions{}.fraction_bits);
+  const double numerator = options.focal_px * options.baseline_mm / options.depth_unit_mm * steps_per_px;
+  std::vector<std::uint16_t> depth_of(1, no_depth);
+  DepthImage depth(disparity.width(), disparity.height(), no_depth);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    while (depth_of.size() <= disparity[i]) {
+      const double units = std::round(numerator / static_cast<double>(depth_of.size()));
+      depth_of.push_back(units <= greatest ? static_cast<std::uint16_t>(units) : no_depth);
+    }
+    depth[i] = depth_of[disparity[i]];
+  }
+  return depth;
+}
+
+}  // namespace rva

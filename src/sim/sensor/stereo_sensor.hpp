@@ -1,0 +1,49 @@
+// The simulated depth camera's inside: from light to depth images.
+#pragma once
+
+#include <cstdint>
+
+#include "depth/image.hpp"
+#include "sim/sensor/block_matching.hpp"
+#include "sim/sensor/imager.hpp"
+#include "sim/sensor/subpixel.hpp"
+
+namespace rva {
+
+/// What the infrared imagers delivered, and the depth that was computed from it.
+struct StereoFrame {
+  InfraredImage left;
+  InfraredImage right;
+  DepthImage depth;
+};
+
+/// Watches one view: frame after frame of the same light, with the noise of imagers, laser and exposure.
+class StereoSensor {
+ public:
+  /// @param view         light on both imagers
+  /// @param view_seed    of what stays while nothing moves (Speckle)
+  /// @param capture_seed of everything that differs between captures of one view
+  StereoSensor(InfraredPair view, const StereoSensorOptions& options, std::uint64_t view_seed,
+               std::uint64_t capture_seed);
+
+  [[nodiscard]] StereoFrame next_frame();
+
+ private:
+  InfraredPair view_;
+  StereoSensorOptions options_;
+  std::uint64_t capture_seed_;
+  Speckle left_speckle_;
+  Speckle right_speckle_;
+  double exposure_e_;
+  std::uint64_t frame_ = 0;
+};
+
+/// Disparity from a pair of infrared images, 1/32 px; 0 where none was found.
+[[nodiscard]] Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right);
+
+/// z = f B / d, rounded to the depth unit; 0 (no depth) where there is no disparity or the depth exceeds 16
+/// bits.
+[[nodiscard]] DepthImage depth_from_disparity(const Image<std::uint16_t>& disparity,
+                                              const StereoSensorOptions& options);
+
+}  // namespace rva

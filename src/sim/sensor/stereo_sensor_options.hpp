@@ -1,0 +1,76 @@
+// The simulated depth camera's settings: one place for defaults, units and where they come from
+// (docs/simulator.md has the sources and what each does to depth).
+#pragma once
+
+#include <cstdint>
+
+#include "core/options.hpp"
+
+namespace rva {
+
+/// A stereo depth camera with a dot projector. Defaults are a D435's at 848 x 480.
+struct StereoSensorOptions {
+  // Optics
+  double focal_px = 425.0;
+  double baseline_mm = 50.0;
+  double lens_blur_px = 0.6;
+  double misalignment_px = 0.1;
+  int supersampling = 2;
+  // Projector
+  int dots = 5000;
+  double dot_share = 0.8;
+  double bounce = 0.05;
+  // Imager
+  double exposure = 0.0;
+  double full_well_e = 1500.0;
+  double read_noise_e = 6.0;
+  // What makes real noise hard
+  double speckle = 0.12;
+  double wander = 0.05;
+  double wander_frames = 50.0;
+  double levels = 0.04;
+  double level_frames = 150.0;
+  double flicker = 0.01;
+  double drift_px = 0.05;
+  // Answer
+  double depth_unit_mm = 0.1;
+  std::uint64_t device = 1;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.focal_px, OptionField{"focal", "px", 50, 5000, "focal length of both infrared imagers"});
+    visit(self.baseline_mm, OptionField{"baseline", "mm", 1, 1000, "distance between them"});
+    visit(self.lens_blur_px, OptionField{"lens-blur", "px", 0, 5, "standard deviation of the lenses' blur"});
+    visit(self.misalignment_px, OptionField{"misalignment", "px", 0, 5,
+                                            "how far rows of the imagers are apart, at the image's edges"});
+    visit(self.supersampling, OptionField{"supersampling", "", 1, 8, "rays a pixel along each side"});
+    visit(self.dots, OptionField{"dots", "", 0, 100000, "dots of the projector"});
+    visit(self.dot_share,
+          OptionField{"dot-share", "", 0, 1, "share of the projector's light that is in dots"});
+    visit(self.bounce, OptionField{"bounce", "", 0, 10,
+                                   "projector light that arrives from other surfaces, of its mean at 1 m"});
+    visit(self.exposure,
+          OptionField{"exposure", "", 0, 1e6,
+                      "electrons for a white surface in the projector's mean light at 1 m; 0 sets "
+                      "it by the view, as the camera does on its own"});
+    visit(self.full_well_e, OptionField{"full-well", "e", 100, 1e6, "electrons at which a pixel saturates"});
+    visit(self.read_noise_e, OptionField{"read-noise", "e", 0, 1000, "electrons of noise without light"});
+    visit(self.speckle,
+          OptionField{"speckle", "", 0, 1, "contrast of laser speckle that stays while nothing moves"});
+    visit(self.wander, OptionField{"wander", "", 0, 1, "contrast of speckle that wanders slowly"});
+    visit(self.wander_frames, OptionField{"wander-frames", "", 1, 1e6, "frames over which it wanders"});
+    visit(self.levels,
+          OptionField{"levels", "", 0, 1, "contrast of speckle that jumps between three patterns"});
+    visit(self.level_frames,
+          OptionField{"level-frames", "", 1, 1e6, "frames that a pattern holds, on average"});
+    visit(self.flicker,
+          OptionField{"flicker", "", 0, 0.5, "standard deviation of the exposure from frame to frame"});
+    visit(self.drift_px,
+          OptionField{"drift", "px", 0, 5,
+                      "standard deviation of the disparity's offset between captures (temperature)"});
+    visit(self.depth_unit_mm, OptionField{"depth-unit", "mm", 0.01, 10, "one step of the depth image"});
+    visit(self.device, OptionField{"device", "", 0, 1e9,
+                                   "which camera it is: its dots, its speckle and its misalignment"});
+  }
+};
+
+}  // namespace rva
