@@ -19,5 +19,7 @@ void add_detect_command(CLI::App& program, Outcome& outcome);
 void add_info_command(CLI::App& program, Outcome& outcome);
 void add_noise_command(CLI::App& program, Outcome& outcome);
 void add_options_command(CLI::App& program, Outcome& outcome);
+void add_record_command(CLI::App& program, Outcome& outcome);
+void add_simulate_command(CLI::App& program, Outcome& outcome);
 
 }  // namespace rva::cli

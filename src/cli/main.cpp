@@ -32,6 +32,8 @@ int run(int argc, char** argv) {
   rva::cli::add_detect_command(program, outcome);
   rva::cli::add_noise_command(program, outcome);
   rva::cli::add_info_command(program, outcome);
+  rva::cli::add_record_command(program, outcome);
+  rva::cli::add_simulate_command(program, outcome);
   rva::cli::add_options_command(program, outcome);
   require_known_command(program, argc, argv);
   try {

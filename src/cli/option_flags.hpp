@@ -4,15 +4,43 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/options.hpp"
+#include "core/path_text.hpp"
 #include "depth/capture.hpp"
 
 namespace rva::cli {
+
+/// Refuses what is not a number of this type from `low` to `high`. CLI11 alone takes -1 for a very large
+/// count, 1e20 for the largest, and NaN for any number.
+template <typename Number>
+CLI::Validator number_within(Number low, Number high) {
+  const auto problem = [low, high](const std::string& text) {
+    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* const end = text.data() + text.size();
+    Number value{};
+    const auto [rest, failure] = std::from_chars(begin, end, value);
+    if (failure == std::errc{} && rest == end && value >= low && value <= high) return std::string();
+    return fmt::format("{} is not a {}number from {} to {}", printable(text),
+                       std::is_integral_v<Number> ? "whole " : "", low, high);
+  };
+  return {problem, ""};
+}
+
+/// How many frames a capture that is written may have: their names have six digits.
+inline CLI::Validator frame_count() { return number_within<std::size_t>(1, 1'000'000); }
+
+inline CLI::Validator any_seed() {
+  return number_within<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max());
+}
 
 /// A flag for each field of the struct, with its default, unit and sentence from the struct's description.
 template <typename Options>

@@ -4,6 +4,7 @@
 #include "cli/printing.hpp"
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
+#include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva::cli {
 namespace {
@@ -23,6 +24,7 @@ void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
   print_table<StaticDetectionOptions>("rva detect");
   print_table<NoiseOptions>("rva noise");
+  print_table<StereoSensorOptions>("rva simulate");
 }
 
 }  // namespace

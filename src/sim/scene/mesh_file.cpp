@@ -26,9 +26,10 @@ std::string ending_of(const std::filesystem::path& file) {
   if (!ending.empty()) ending.erase(0, 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  constexpr std::array<std::string_view, 3> known{"obj", "stl", "ply"};
+  // Assimp reads PLY as well, but does not come back from some damaged files.
+  constexpr std::array<std::string_view, 2> known{"obj", "stl"};
   if (std::find(known.begin(), known.end(), ending) == known.end())
-    throw Error(printable(file), "not a mesh file that can be read", "use a file .obj, .stl or .ply");
+    throw Error(printable(file), "not a mesh file that can be read", "use a file .obj or .stl");
   return ending;
 }
 

@@ -59,15 +59,17 @@ class RowPainter {
  private:
   [[nodiscard]] double offset(int sub) const { return (sub + 0.5) / supersampling_ - 0.5; }
 
+  // Lenses without distortion: directions along a row are evenly spaced.
   void aim(double v) {
     const Eigen::Vector3f origin = world_from_color_.translation().cast<float>();
-    for (std::size_t i = 0; i < row_.samples(); ++i) {
-      const int sample = static_cast<int>(i);
-      const int pixel = sample / supersampling_;
-      const double u = pixel + offset(sample % supersampling_);
-      const Eigen::Vector3d direction = world_from_color_.rotation() * imager_.deproject({u, v}, 1.0);
-      row_.rays()[i] = {origin, direction.cast<float>()};
-    }
+    const auto direction = [&](double u) {
+      return Eigen::Vector3d(world_from_color_.rotation() * imager_.deproject({u, v}, 1.0));
+    };
+    const Eigen::Vector3f first = direction(offset(0)).cast<float>();
+    const Eigen::Vector3f last = direction(imager_.width - 1 + offset(supersampling_ - 1)).cast<float>();
+    const Eigen::Vector3f step = (last - first) / static_cast<float>(row_.samples() - 1);
+    for (std::size_t i = 0; i < row_.samples(); ++i)
+      row_.rays()[i] = {origin, first + static_cast<float>(i) * step};
   }
 
   // Reflection per unit of albedo, then the colour: the gloss of paint and metal takes it on as well.

@@ -78,13 +78,16 @@ class InfraredRenderer::RowShader {
     return sample / static_cast<std::size_t>(supersampling_);
   }
 
+  // Lenses without distortion: directions along a row are evenly spaced.
   void aim(double v) {
     const Intrinsics& imager = renderer_.rig_.imager;
-    for (std::size_t i = 0; i < row_.samples(); ++i) {
-      const double u = static_cast<double>(pixel_of(i)) + offset(static_cast<int>(i) % supersampling_);
-      const Eigen::Vector2d pixel = eye_.ideal(imager, u, v);
-      row_.rays()[i] = {origin_, turn_ * imager.deproject(pixel, 1.0).cast<float>()};
-    }
+    const auto direction = [&](double u) { return imager.deproject(eye_.ideal(imager, u, v), 1.0); };
+    const Eigen::Vector3f first = turn_ * direction(offset(0)).cast<float>();
+    const Eigen::Vector3f last =
+        turn_ * direction(imager.width - 1 + offset(supersampling_ - 1)).cast<float>();
+    const Eigen::Vector3f step = (last - first) / static_cast<float>(row_.samples() - 1);
+    for (std::size_t i = 0; i < row_.samples(); ++i)
+      row_.rays()[i] = {origin_, first + static_cast<float>(i) * step};
   }
 
   [[nodiscard]] float albedo(std::size_t i) const {

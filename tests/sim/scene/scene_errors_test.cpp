@@ -127,7 +127,7 @@ TEST(SceneErrors, OfMeshes) {
   write_file(folder / "empty.stl", "solid nothing\nendsolid nothing\n");
   write_file(folder / "points.obj", "v 0 0 0\nv 1 0 0\n");
   write_file(folder / "huge.obj", "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nf 1 2 3\n");
-  write_file(folder / "noise.ply", "not a mesh at all");
+  write_file(folder / "noise.stl", "not a mesh at all");
   const auto with = [&](const std::string& file, const std::string& unit = "m") {
     return message_of([&] {
       static_cast<void>(parse_scene(scene_head + "meshes:\n  - name: m\n    file: " + file + "\n    unit: " +
@@ -140,7 +140,7 @@ TEST(SceneErrors, OfMeshes) {
   EXPECT_THAT(with("mesh.step"), AllOf(StartsWith(place), HasSubstr("not a mesh file that can be read")));
   EXPECT_THAT(with("empty.stl"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
   EXPECT_THAT(with("points.obj"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
-  EXPECT_THAT(with("noise.ply"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
+  EXPECT_THAT(with("noise.stl"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
   EXPECT_THAT(with("huge.obj"), AllOf(StartsWith(place), HasSubstr("is larger than 100 m")));
   EXPECT_THAT(with("huge.obj", "ft"), HasSubstr(":6: field meshes[0].unit: unknown unit \"ft\""));
 }

@@ -1,0 +1,23 @@
+#include "cli/camera_uri.hpp"
+
+#include "camera/replay_camera.hpp"
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+#include "sim/scene/scene_file.hpp"
+#include "sim/simulated_camera.hpp"
+
+namespace rva::cli {
+
+std::unique_ptr<Camera> open_camera(const std::string& uri, std::uint64_t seed,
+                                    const CaptureOptions& recording) {
+  const std::size_t colon = uri.find(':');
+  const std::string kind = uri.substr(0, colon);
+  const std::string path = colon == std::string::npos ? "" : uri.substr(colon + 1);
+  if (kind == "sim" && !path.empty())
+    return std::make_unique<SimulatedCamera>(load_scene(path), StereoSensorOptions{}, seed);
+  if (kind == "replay" && !path.empty())
+    return std::make_unique<ReplayCamera>(open_capture(path, recording), ReplayOptions{.paced = false});
+  throw UsageError(printable(uri), "no camera", "give sim:SCENE or replay:PATH");
+}
+
+}  // namespace rva::cli

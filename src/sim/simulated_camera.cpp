@@ -1,0 +1,111 @@
+#include "sim/simulated_camera.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/interrupt.hpp"
+#include "core/random.hpp"
+#include "sim/scene/camera_stand.hpp"
+
+namespace rva {
+
+namespace {
+
+constexpr double frames_per_s = 30.0;
+
+const StereoSensorOptions& checked(const StereoSensorOptions& options) {
+  check_options(options);
+  return options;
+}
+
+// Views that differ by less than the last digits have the same speckle.
+std::uint64_t seed_of(const Transform& world_from_camera, std::uint64_t device) {
+  std::uint64_t seed = device;
+  for (const double number : to_row_major(world_from_camera)) seed = mix(seed, std::llround(number * 1e6));
+  return seed;
+}
+
+}  // namespace
+
+SimulatedCamera::SimulatedCamera(Scene scene, const StereoSensorOptions& options, std::uint64_t seed,
+                                 ColorFrames color_frames, std::function<PanTilt()> joints)
+    : scene_(std::move(scene)),
+      options_(checked(options)),
+      seed_(seed),
+      color_frames_(color_frames),
+      joints_(std::move(joints)),
+      rays_(scene_),
+      infrared_(scene_, rays_, options_),
+      rig_(stereo_rig(options_)) {
+  if (!joints_)
+    joints_ = [pan_tilt = PanTilt{scene_.stand.pan_deg, scene_.stand.tilt_deg}] { return pan_tilt; };
+}
+
+Transform SimulatedCamera::world_from_camera() const {
+  CameraStand stand = scene_.stand;
+  const PanTilt joints = joints_();
+  stand.pan_deg = joints.pan_deg;
+  stand.tilt_deg = joints.tilt_deg;
+  return rva::world_from_camera(stand);
+}
+
+TrueView SimulatedCamera::look() const { return infrared_.look(world_from_camera()); }
+
+CaptureInfo SimulatedCamera::info() const {
+  const PanTilt joints = joints_();
+  CaptureInfo info;
+  info.format = "rva-capture";
+  info.depth = rig_.imager;
+  info.depth_unit_m = options_.depth_unit_mm / 1000.0;
+  if (color_frames_ != ColorFrames::none) {
+    info.color = rig_.color;
+    info.color_from_depth = rig_.color_from_depth;
+  }
+  info.pose = Pose{scene_.stand.base, joints.pan_deg, joints.tilt_deg, world_from_camera()};
+  info.camera = CameraInfo{"RVA simulated stereo camera", "simulated-" + std::to_string(options_.device),
+                           rig_.baseline_m};
+  return info;
+}
+
+void SimulatedCamera::render(const Transform& world_from_camera, bool moving) {
+  StereoSensorOptions options = options_;
+  if (moving) {
+    // A view that lasts one frame has no time to wander or to jump.
+    options.wander = 0.0;
+    options.levels = 0.0;
+    options.supersampling = 1;
+  } else {
+    ++rests_;
+  }
+  const std::uint64_t capture_seed = mix(seed_, moving ? 0 : rests_);
+  InfraredPair pair =
+      infrared_.render(world_from_camera, misalignment_of(options_, capture_seed), options.supersampling);
+  if (color_frames_ != ColorFrames::none)
+    color_ = render_color(scene_, rays_, rig_, world_from_camera, options.supersampling);
+  sensor_ =
+      std::make_unique<StereoSensor>(std::move(pair), options, seed_of(world_from_camera, options_.device),
+                                     moving ? mix(capture_seed, number_) : capture_seed);
+  rendered_ = moving ? Rendered::moving : Rendered::resting;
+  rendered_pose_ = world_from_camera;
+}
+
+std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
+  throw_if_interrupted();
+  const Transform pose = world_from_camera();
+  const bool same = rendered_ != Rendered::nothing && pose.matrix() == rendered_pose_.matrix();
+  const bool moving = rendered_ != Rendered::nothing && !same;
+  if (!same || rendered_ == Rendered::moving) render(pose, moving);
+  StereoFrame stereo = sensor_->next_frame();
+  left_infrared_ = std::move(stereo.left);
+  right_infrared_ = std::move(stereo.right);
+  CameraFrame frame;
+  frame.depth = std::move(stereo.depth);
+  frame.number = number_;
+  frame.time_s = static_cast<double>(number_) / frames_per_s;
+  if (color_frames_ == ColorFrames::all || (color_frames_ == ColorFrames::first && number_ == 0))
+    frame.color = expose_color(color_, mix(seed_, 0xC0104, number_));
+  ++number_;
+  return frame;
+}
+
+}  // namespace rva

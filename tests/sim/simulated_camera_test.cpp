@@ -1,0 +1,91 @@
+#include "sim/simulated_camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/error.hpp"
+#include "tests/sim/simulated_frames.hpp"
+#include "tests/sim/small_scenes.hpp"
+
+namespace rva {
+namespace {
+
+TEST(SimulatedCamera, FramesAreOfTheSeed) {
+  SimulatedCamera camera(test::room_with_wall(1.0), test::quick(), 5, ColorFrames::first);
+  SimulatedCamera same(test::room_with_wall(1.0), test::quick(), 5, ColorFrames::first);
+  SimulatedCamera other(test::room_with_wall(1.0), test::quick(), 6, ColorFrames::first);
+  for (int k = 0; k < 2; ++k) {
+    const CameraFrame frame = *camera.wait_for_frame();
+    const CameraFrame again = *same.wait_for_frame();
+    EXPECT_EQ(frame.depth, again.depth);
+    EXPECT_EQ(frame.color, again.color);
+    EXPECT_EQ(camera.left_infrared(), same.left_infrared());
+    EXPECT_EQ(camera.right_infrared(), same.right_infrared());
+    EXPECT_EQ(frame.color.has_value(), k == 0);
+    if (k > 0) continue;
+    const CameraFrame different = *other.wait_for_frame();
+    EXPECT_NE(frame.depth, different.depth);
+    EXPECT_NE(frame.color, different.color);
+    EXPECT_NE(camera.left_infrared(), other.left_infrared());
+  }
+}
+
+TEST(SimulatedCamera, CountsAndDatesItsFrames) {
+  SimulatedCamera camera(test::room_with_wall(1.0), test::quick(), 1, ColorFrames::none);
+  EXPECT_TRUE(camera.left_infrared().empty());
+  DepthImage last;
+  for (std::uint64_t k = 0; k < 2; ++k) {
+    const CameraFrame frame = *camera.wait_for_frame();
+    EXPECT_EQ(frame.number, k);
+    EXPECT_DOUBLE_EQ(frame.time_s, static_cast<double>(k) / 30.0);
+    EXPECT_FALSE(frame.color);
+    EXPECT_NE(frame.depth, last);
+    EXPECT_NEAR(test::middle_depth_m(frame.depth), 1.0, 0.005);
+    last = frame.depth;
+  }
+}
+
+TEST(SimulatedCamera, SaysWhatItIsAndWhereItStands) {
+  Scene scene = test::room_with_wall(1.0);
+  scene.stand.base = "b7";
+  scene.stand.pan_deg = 12.0;
+  StereoSensorOptions options = test::quick();
+  options.baseline_mm = 60.0;
+  options.depth_unit_mm = 0.5;
+  options.device = 9;
+  const SimulatedCamera camera(scene, options, 1, ColorFrames::first);
+  const CaptureInfo info = camera.info();
+  EXPECT_EQ(info.pose->base, "b7");
+  EXPECT_EQ(info.pose->pan_deg, 12.0);
+  EXPECT_EQ(info.pose->tilt_deg, 0.0);
+  EXPECT_TRUE(info.pose->world_from_camera->isApprox(camera.world_from_camera(), 1e-12));
+  EXPECT_DOUBLE_EQ(info.depth_unit_m, 0.0005);
+  EXPECT_DOUBLE_EQ(*info.camera->baseline_m, 0.06);
+  EXPECT_NE(info.camera->serial.find('9'), std::string::npos);
+  EXPECT_EQ(info.depth.width, 848);
+  EXPECT_TRUE(info.color && info.color_from_depth);
+  EXPECT_FALSE(SimulatedCamera(scene, options, 1, ColorFrames::none).info().color);
+}
+
+TEST(SimulatedCamera, RefusesOptionsOutOfRange) {
+  std::vector<StereoSensorOptions> impossible(5);
+  impossible[0].focal_px = 0.0;
+  impossible[1].supersampling = 0;
+  impossible[2].speckle = std::nan("");
+  impossible[3].depth_unit_mm = -0.1;
+  impossible[4].wander_frames = 0.0;
+  for (const StereoSensorOptions& options : impossible)
+    EXPECT_THROW(SimulatedCamera(test::room_with_wall(1.0), options, 1), UsageError);
+}
+
+TEST(SimulatedCamera, SeesNothingInAnEmptyScene) {
+  SimulatedCamera camera(Scene{}, test::quick(), 1);
+  const CameraFrame frame = *camera.wait_for_frame();
+  EXPECT_EQ(frame.depth, DepthImage(848, 480, no_depth));
+  EXPECT_TRUE(frame.color);
+}
+
+}  // namespace
+}  // namespace rva
