@@ -19,9 +19,9 @@ namespace rva {
 /// Which frames come with a colour image.
 enum class ColorFrames { none, first, all };
 
-/// The camera of SENSOR-like noise behind the interface that every camera has. It is where its robot's joints
-/// are when a frame is asked for. While it moves, each frame is of a view of its own, rendered at one ray a
-/// pixel; as soon as it rests, the view is rendered in full and held.
+/// Behind the interface that every camera has, with the noise of src/sim/sensor. It is where its robot's
+/// joints are when a frame is asked for. While it moves, each frame is of a view of its own, rendered at one
+/// ray a pixel; as soon as it rests, the view is rendered in full and held.
 ///
 /// Frames depend on scene, options, seed and poses alone. There is no end, and nothing waits for a clock:
 /// frame n is dated n / 30 s.
