@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / 'tests/faithfulness'))
 import experiments
 import measures
-from simulation import simulate, wall_scene
+from simulation import BASELINE_M, FOCAL_PX, simulate, wall_scene
 
 SCENES = ROOT / 'data/scenes'
 DISTANCES_M = (0.4, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0)
@@ -42,12 +42,12 @@ def walls(rva, out, work):
         print('wall', {key: round(value, 4) for key, value in rows[-1].items()})
     distance = np.array([row['distance_m'] for row in rows])
     over_space = np.array([row['plane_rms_mm'] for row in rows])
-    over_time = np.array([row['over_time_median_px'] for row in rows]) * 1000 * distance ** 2 / 21.25
+    over_time = np.array([row['over_time_median_px'] for row in rows]) * 1000 * distance ** 2 / (FOCAL_PX * BASELINE_M)
     plt.figure(figsize=(6, 4))
     plt.loglog(distance, over_space, 'o-', label='over the plane, one frame')
     plt.loglog(distance, over_time, 's-', label='one pixel over 40 frames, median')
     for s, style in ((0.032, ':'), (0.08, '--')):
-        plt.loglog(distance, s * 1000 * distance ** 2 / 21.25, 'k' + style, label=f'z² · {s} px / fB')
+        plt.loglog(distance, s * 1000 * distance ** 2 / (FOCAL_PX * BASELINE_M), 'k' + style, label=f'z² · {s} px / fB')
     plt.xlabel('distance, m')
     plt.ylabel('deviation of depth, mm')
     plt.legend()
@@ -67,7 +67,7 @@ def patterns(rva, out, work):
               'between_captures_px': measures.rms(same[0] - same[1]),
               'space_lags_px': space_lags, 'space': measures.neighbour_correlation(capture, space_lags),
               'time_lags': time_lags, 'time': measures.frame_correlation(capture, time_lags),
-              'dot_spacing_mm_at_1m': measures.dot_spacing_px(capture.infrared('left')[measures.MIDDLE]) / 0.425}
+              'dot_spacing_mm_at_1m': measures.dot_spacing_px(capture.infrared('left')[measures.MIDDLE]) / FOCAL_PX * 1000}
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.6))
     axes[0].imshow(same[0], vmin=-0.25, vmax=0.25, cmap='coolwarm')
     axes[0].set_title('fixed error at 1 m, +-0.25 px')

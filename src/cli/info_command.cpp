@@ -13,6 +13,7 @@
 #include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "depth/frame_reader.hpp"
+#include "depth/intrinsics_json.hpp"
 
 namespace rva::cli {
 namespace {
@@ -61,17 +62,6 @@ FrameSummary read_all_frames(const Capture& capture) {
   return summary;
 }
 
-Json to_json(const Intrinsics& camera) {
-  return {{"width", camera.width},
-          {"height", camera.height},
-          {"fx", camera.fx},
-          {"fy", camera.fy},
-          {"cx", camera.cx},
-          {"cy", camera.cy},
-          {"distortion_model", name_of(camera.distortion)},
-          {"distortion", camera.coefficients}};
-}
-
 Json to_json(const Pose& pose) {
   Json json = Json::object();
   if (pose.base) json["base"] = *pose.base;
@@ -87,9 +77,9 @@ Json to_json(const Capture& capture, const FrameSummary& summary) {
             {"sound", true},
             {"depth_frames", capture.depth_frames()},
             {"color_frames", capture.color_frames()}};
-  json["depth"] = to_json(info.depth);
+  json["depth"] = intrinsics_json(info.depth);
   json["depth"]["unit_m"] = info.depth_unit_m;
-  if (info.color) json["color"] = to_json(*info.color);
+  if (info.color) json["color"] = intrinsics_json(*info.color);
   if (info.color_from_depth) json["color_from_depth"] = to_row_major(*info.color_from_depth);
   if (info.pose) json["pose"] = to_json(*info.pose);
   if (info.camera) {

@@ -7,7 +7,9 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
 #include "core/output_folder.hpp"
+#include "core/path_text.hpp"
 #include "depth/capture_writer.hpp"
 
 namespace rva::cli {
@@ -22,7 +24,10 @@ struct RecordArguments {
   bool overwrite = false;
 };
 
-void record_capture(const RecordArguments& arguments) {
+void record_capture(const CLI::App& command, const RecordArguments& arguments) {
+  if (command.count("--seed") > 0 && !arguments.camera.starts_with("sim:"))
+    throw UsageError("--seed", "has no say in " + printable(arguments.camera),
+                     "leave it out; it is for sim:SCENE");
   const CaptureOptions recording = arguments.recording.options();
   OutputFolder out(arguments.out, capture_files(),
                    arguments.overwrite ? Existing::replace : Existing::refuse);
@@ -52,7 +57,7 @@ void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str();
   arguments->recording.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier capture in DIR");
-  command.callback([arguments] { record_capture(*arguments); });
+  command.callback([arguments, &command] { record_capture(command, *arguments); });
 }
 
 }  // namespace rva::cli

@@ -1,5 +1,6 @@
-// Randomness from seeds: the same seed gives the same numbers with every compiler and library, which the
-// standard's distributions do not promise.
+// Randomness from seeds: the same seed gives the same bits and uniform numbers with every compiler and
+// library, which the standard's distributions do not promise. Normal numbers may differ in the last digit
+// where the library's logarithm or cosine does.
 #pragma once
 
 #include <array>

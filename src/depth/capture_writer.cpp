@@ -14,6 +14,7 @@
 #include "core/path_text.hpp"
 #include "depth/formats.hpp"
 #include "depth/image_file.hpp"
+#include "depth/intrinsics_json.hpp"
 
 namespace fs = std::filesystem;
 
@@ -32,17 +33,6 @@ Json or_null(const std::optional<Value>& value) {
 
 Json or_null(const std::optional<Transform>& a_from_b) {
   return a_from_b ? Json(to_row_major(*a_from_b)) : Json();
-}
-
-Json to_json_value(const Intrinsics& camera) {
-  return {{"width", camera.width},
-          {"height", camera.height},
-          {"fx", camera.fx},
-          {"fy", camera.fy},
-          {"cx", camera.cx},
-          {"cy", camera.cy},
-          {"distortion_model", name_of(camera.distortion)},
-          {"distortion", camera.coefficients}};
 }
 
 Json to_json_value(const Pose& pose) {
@@ -88,9 +78,9 @@ std::string capture_json(const CaptureInfo& info, const std::string& extra_json_
   Json known{{"format", "rva-capture"}, {"version", 1}};
   Json document = known;
   document.update(Json(extra));
-  known["depth"] = to_json_value(info.depth);
+  known["depth"] = intrinsics_json(info.depth);
   known["depth"]["unit_m"] = info.depth_unit_m;
-  known["color"] = info.color ? to_json_value(*info.color) : Json();
+  known["color"] = info.color ? intrinsics_json(*info.color) : Json();
   known["color_from_depth"] = or_null(info.color_from_depth);
   known["pose"] = info.pose ? to_json_value(*info.pose) : Json();
   known["camera"] = info.camera ? to_json_value(*info.camera) : Json();

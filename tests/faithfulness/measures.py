@@ -7,6 +7,8 @@ import warnings
 import cv2
 import numpy as np
 
+from simulation import BASELINE_M, FOCAL_PX
+
 # Away from the borders and from the band on the left that the right imager does not see.
 MIDDLE = (slice(60, 420), slice(200, 800))
 WRONG_PX = 1.0  # further away than this is another match, not noise
@@ -54,7 +56,7 @@ def wall_noise(capture, region=MIDDLE):
             'over_time_median_px': float(np.nanmedian(over_time)),
             'over_time_rms_px': float(np.sqrt(np.nanmean(over_time ** 2))),
             'fixed_px': rms(plane_residuals(mean)),
-            'plane_rms_mm': float(np.mean(single)) * 1000 * distance_m ** 2 / 21.25,
+            'plane_rms_mm': float(np.mean(single)) * 1000 * distance_m ** 2 / (FOCAL_PX * BASELINE_M),
             'fill': float(np.isfinite(stack).mean()),
             'wrong': float((np.abs(stack - truth) > WRONG_PX).mean())}
 

@@ -12,7 +12,7 @@ constexpr int small_round = 24;
 
 }  // namespace
 
-// Figure 3.10 gives the diameter of the flange; the rest is in proportion to it, as its picture shows.
+// Figure 3.10 gives the diameter of the flange; the rest, in proportion to it, is assumed.
 Parts swaged_collar(double diameter_in) {
   const double d = diameter_in * mm_per_inch;
   const TriangleMesh collar = turned_hollow({{0.25 * d, 0.00 * d},

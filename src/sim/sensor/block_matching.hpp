@@ -24,9 +24,8 @@ inline constexpr std::uint8_t no_match = 0;
 
 /// Winner takes all over sums of census costs (Zabih and Woodfill, ECCV 1994), checked from right to left.
 /// @param left, right of one size, at least as wide and high as the windows
-/// @return disparity of each pixel of the left image, whole pixels, 1 to search_px, or `no_match`: a point
-/// seen
-///         at column u by the left imager is at u - disparity in the right one
+/// @return disparity of each pixel of the left image, whole pixels, 1 to search_px, or `no_match`: what
+///         the left imager sees at column u, the right one sees at u - disparity
 [[nodiscard]] Image<std::uint8_t> match_blocks(const InfraredImage& left, const InfraredImage& right,
                                                const BlockMatchingOptions& options);
 

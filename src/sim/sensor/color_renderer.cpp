@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/interrupt.hpp"
 #include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "sim/sensor/surface_row.hpp"
@@ -115,7 +116,10 @@ ColorView render_color(const Scene& scene, const RayCaster& rays, const StereoRi
   ColorView view{black, black, black};
   parallel_bands(rig.color.height, [&](int first, int end) {
     RowPainter painter(scene, rays, rig.color, world_from_color, supersampling);
-    for (int v = first; v < end; ++v) painter.paint(v, view);
+    for (int v = first; v < end; ++v) {
+      throw_if_interrupted();
+      painter.paint(v, view);
+    }
   });
   return view;
 }

@@ -18,6 +18,7 @@ struct ColorView {
 };
 
 /// @param supersampling rays a pixel along each side
+/// @throws Interrupted when a person stops the program meanwhile
 [[nodiscard]] ColorView render_color(const Scene& scene, const RayCaster& rays, const StereoRig& rig,
                                      const Transform& world_from_depth, int supersampling);
 

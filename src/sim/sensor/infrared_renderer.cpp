@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/interrupt.hpp"
 #include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "depth/mat_view.hpp"
@@ -142,7 +143,10 @@ InfraredView InfraredRenderer::render_eye(const Eye& eye, const Transform& world
                     Image<float>(rig_.imager.width, rig_.imager.height)};
   parallel_bands(rig_.imager.height, [&](int first, int end) {
     RowShader shader(*this, eye, world_from_camera, supersampling);
-    for (int v = first; v < end; ++v) shader.shade(v, &view.steady(0, v), &view.projected(0, v));
+    for (int v = first; v < end; ++v) {
+      throw_if_interrupted();
+      shader.shade(v, &view.steady(0, v), &view.projected(0, v));
+    }
   });
   blur(view.steady, lens_blur_px_);
   blur(view.projected, lens_blur_px_);

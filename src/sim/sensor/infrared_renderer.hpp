@@ -27,7 +27,8 @@ struct TrueView {
   Image<std::uint16_t> labels;  ///< Scene::label_of(); 0 where there is nothing
 };
 
-/// Renders poses of one scene. Calls are const and use all cores.
+/// Renders poses of one scene. Calls are const and use all cores; render() throws Interrupted when a person
+/// stops the program meanwhile.
 class InfraredRenderer {
  public:
   /// The scene and the caster of its triangles must outlive the renderer.

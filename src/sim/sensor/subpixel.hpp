@@ -18,9 +18,8 @@ struct SubpixelOptions {
 /// Least squares along the row: the shift between the windows, mean brightness apart, at which they agree
 /// best (Lucas and Kanade 1981, with the left image's gradient; the right one interpolated by cubics).
 /// @param whole whole-pixel disparities of `left`, from match_blocks()
-/// @return disparity in 1 / 2^fraction_bits px; 0 where there was no match, the window has too little texture
-/// to
-///         tell, or the answer is more than a pixel away from where it began
+/// @return disparity in 1 / 2^fraction_bits px; 0 where there was no match, the window has too little
+///         texture to tell, or the answer is more than a pixel away from where it began
 [[nodiscard]] Image<std::uint16_t> refine_disparity(const InfraredImage& left, const InfraredImage& right,
                                                     const Image<std::uint8_t>& whole,
                                                     const SubpixelOptions& options);

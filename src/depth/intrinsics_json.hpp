@@ -1,0 +1,22 @@
+// One imager's projection as JSON, wherever we write it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "geometry/intrinsics.hpp"
+
+namespace rva {
+
+/// The keys of capture.json's `depth` and `color` (docs/captures.md), but for the depth unit.
+[[nodiscard]] inline nlohmann::ordered_json intrinsics_json(const Intrinsics& camera) {
+  return {{"width", camera.width},
+          {"height", camera.height},
+          {"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"distortion_model", name_of(camera.distortion)},
+          {"distortion", camera.coefficients}};
+}
+
+}  // namespace rva
