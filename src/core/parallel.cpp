@@ -1,27 +1,38 @@
 #include "core/parallel.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <thread>
 #include <vector>
 
 namespace rva {
 
+namespace {
+
+// More bands than cores, so that a core with easy rows takes over from one with hard ones.
+constexpr int bands_per_core = 4;
+
+}  // namespace
+
 void parallel_bands(int rows, const std::function<void(int, int)>& work) {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int bands = std::clamp(rows, 1, cores);
+  const int bands = std::clamp(rows, 1, cores == 1 ? 1 : bands_per_core * cores);
   std::vector<std::exception_ptr> failures(static_cast<std::size_t>(bands));
-  const auto run = [&](int band) {
-    try {
-      work(rows * band / bands, rows * (band + 1) / bands);
-    } catch (...) {
-      failures[static_cast<std::size_t>(band)] = std::current_exception();
+  std::atomic<int> next = 0;
+  const auto run = [&] {
+    for (int band = next++; band < bands; band = next++) {
+      try {
+        work(rows * band / bands, rows * (band + 1) / bands);
+      } catch (...) {
+        failures[static_cast<std::size_t>(band)] = std::current_exception();
+      }
     }
   };
   {
     std::vector<std::jthread> threads;
-    for (int band = 1; band < bands; ++band) threads.emplace_back(run, band);
-    run(0);
+    for (int thread = 1; thread < std::min(cores, bands); ++thread) threads.emplace_back(run);
+    run();
   }
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);

@@ -67,6 +67,18 @@ CaptureInfo SimulatedCamera::info() const {
   return info;
 }
 
+bool SimulatedCamera::wants_color(bool moving) const {
+  switch (color_frames_) {
+    case ColorFrames::none:
+      return false;
+    case ColorFrames::first:
+      return number_ == 0;
+    case ColorFrames::all:
+      return !moving || number_ % 2 == 0;
+  }
+  return false;
+}
+
 void SimulatedCamera::render(const Transform& world_from_camera, bool moving) {
   StereoSensorOptions options = options_;
   if (moving) {
@@ -80,7 +92,7 @@ void SimulatedCamera::render(const Transform& world_from_camera, bool moving) {
   const std::uint64_t capture_seed = mix(seed_, moving ? 0 : rests_);
   InfraredPair pair =
       infrared_.render(world_from_camera, misalignment_of(options_, capture_seed), options.supersampling);
-  if (color_frames_ != ColorFrames::none)
+  if (wants_color(moving))
     color_ = render_color(scene_, rays_, rig_, world_from_camera, options.supersampling);
   sensor_ =
       std::make_unique<StereoSensor>(std::move(pair), options, seed_of(world_from_camera, options_.device),
@@ -102,8 +114,7 @@ std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
   frame.depth = std::move(stereo.depth);
   frame.number = number_;
   frame.time_s = static_cast<double>(number_) / frames_per_s;
-  if (color_frames_ == ColorFrames::all || (color_frames_ == ColorFrames::first && number_ == 0))
-    frame.color = expose_color(color_, mix(seed_, 0xC0104, number_));
+  if (wants_color(moving)) frame.color = expose_color(color_, mix(seed_, 0xC0104, number_));
   ++number_;
   return frame;
 }

@@ -21,7 +21,8 @@ enum class ColorFrames { none, first, all };
 
 /// Behind the interface that every camera has, with the noise of src/sim/sensor. It is where its robot's
 /// joints are when a frame is asked for. While it moves, each frame is of a view of its own, rendered at one
-/// ray a pixel; as soon as it rests, the view is rendered in full and held.
+/// ray a pixel, and every second one brings a colour image, as a colour imager does that must expose for two
+/// frames; as soon as it rests, the view is rendered in full and held.
 ///
 /// Frames depend on scene, options, seed and poses alone. There is no end, and nothing waits for a clock:
 /// frame n is dated n / 30 s.
@@ -45,6 +46,7 @@ class SimulatedCamera : public Camera {
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
  private:
+  [[nodiscard]] bool wants_color(bool moving) const;
   void render(const Transform& world_from_camera, bool moving);
 
   Scene scene_;

@@ -47,6 +47,25 @@ TEST(SimulatedCamera, CountsAndDatesItsFrames) {
   }
 }
 
+TEST(SimulatedCamera, BringsEverySecondColorImageWhileItMoves) {
+  PanTilt joints;
+  SimulatedCamera camera(test::room_with_wall(1.0), test::quick(), 1, ColorFrames::all,
+                         [&joints] { return joints; });
+  const auto color_after = [&](double pan_deg) {
+    joints.pan_deg += pan_deg;
+    return camera.wait_for_frame()->color;
+  };
+  EXPECT_TRUE(color_after(0.0));
+  EXPECT_FALSE(color_after(0.5));
+  const std::optional<ColorImage> moved = color_after(0.5);
+  ASSERT_TRUE(moved);
+  EXPECT_FALSE(color_after(0.5));
+  const std::optional<ColorImage> rested = color_after(0.0);
+  ASSERT_TRUE(rested);
+  EXPECT_NE(*rested, *moved);
+  EXPECT_TRUE(color_after(0.0)) << "at rest, every frame has one";
+}
+
 TEST(SimulatedCamera, SaysWhatItIsAndWhereItStands) {
   Scene scene = test::room_with_wall(1.0);
   scene.stand.base = "b7";

@@ -14,7 +14,6 @@ namespace rva {
 
 namespace {
 
-constexpr std::size_t packet = 8;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct Origin {
@@ -28,19 +27,19 @@ std::vector<std::size_t> all_objects(const Scene& scene) {
   return objects;
 }
 
-void fill(RTCRay8& packet_of, std::size_t lane, const Ray& ray, float far) {
-  packet_of.org_x[lane] = ray.origin.x();
-  packet_of.org_y[lane] = ray.origin.y();
-  packet_of.org_z[lane] = ray.origin.z();
-  packet_of.dir_x[lane] = ray.direction.x();
-  packet_of.dir_y[lane] = ray.direction.y();
-  packet_of.dir_z[lane] = ray.direction.z();
-  packet_of.tnear[lane] = 0.0F;
-  packet_of.tfar[lane] = far;
-  packet_of.time[lane] = 0.0F;
-  packet_of.mask[lane] = ~0U;
-  packet_of.id[lane] = 0;
-  packet_of.flags[lane] = 0;
+void fill(RTCRay& query, const Ray& ray, float far) {
+  query.org_x = ray.origin.x();
+  query.org_y = ray.origin.y();
+  query.org_z = ray.origin.z();
+  query.dir_x = ray.direction.x();
+  query.dir_y = ray.direction.y();
+  query.dir_z = ray.direction.z();
+  query.tnear = 0.0F;
+  query.tfar = far;
+  query.time = 0.0F;
+  query.mask = ~0U;
+  query.id = 0;
+  query.flags = 0;
 }
 
 RTCIntersectContext coherent_context() {
@@ -106,45 +105,33 @@ RayCaster::~RayCaster() = default;
 void RayCaster::cast(std::span<const Ray> rays, std::span<Hit> hits) const {
   assert(rays.size() == hits.size());
   RTCIntersectContext context = coherent_context();
-  for (std::size_t first = 0; first < rays.size(); first += packet) {
-    const std::size_t lanes = std::min(packet, rays.size() - first);
-    alignas(32) std::array<int, packet> valid{};
-    RTCRayHit8 query;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      valid[lane] = -1;
-      fill(query.ray, lane, rays[first + lane], infinity);
-      query.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  std::vector<RTCRayHit> queries(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    fill(queries[i].ray, rays[i], infinity);
+    queries[i].hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect1M(impl_->tree, &context, queries.data(), static_cast<unsigned>(queries.size()),
+                 sizeof(RTCRayHit));
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const RTCHit& hit = queries[i].hit;
+    if (hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+      hits[i] = {infinity, Hit::none, 0, 0, Eigen::Vector3f::Zero()};
+      continue;
     }
-    rtcIntersect8(valid.data(), impl_->tree, &context, &query);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      Hit& hit = hits[first + lane];
-      const unsigned id = query.hit.geomID[lane];
-      if (id == RTC_INVALID_GEOMETRY_ID) {
-        hit = {infinity, Hit::none, 0, 0, Eigen::Vector3f::Zero()};
-        continue;
-      }
-      const Eigen::Vector3f normal(query.hit.Ng_x[lane], query.hit.Ng_y[lane], query.hit.Ng_z[lane]);
-      hit = {query.ray.tfar[lane], impl_->origins[id].object, impl_->origins[id].part, query.hit.primID[lane],
-             normal.normalized()};
-    }
+    const Eigen::Vector3f normal(hit.Ng_x, hit.Ng_y, hit.Ng_z);
+    hits[i] = {queries[i].ray.tfar, impl_->origins[hit.geomID].object, impl_->origins[hit.geomID].part,
+               hit.primID, normal.normalized()};
   }
 }
 
 void RayCaster::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
   assert(rays.size() == blocked.size());
   RTCIntersectContext context = coherent_context();
-  for (std::size_t first = 0; first < rays.size(); first += packet) {
-    const std::size_t lanes = std::min(packet, rays.size() - first);
-    alignas(32) std::array<int, packet> valid{};
-    RTCRay8 query;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      valid[lane] = -1;
-      fill(query, lane, rays[first + lane], 1.0F);
-    }
-    rtcOccluded8(valid.data(), impl_->tree, &context, &query);
-    // Embree marks what is hidden by a length of minus infinity.
-    for (std::size_t lane = 0; lane < lanes; ++lane) blocked[first + lane] = query.tfar[lane] < 0.0F ? 1 : 0;
-  }
+  std::vector<RTCRay> queries(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) fill(queries[i], rays[i], 1.0F);
+  rtcOccluded1M(impl_->tree, &context, queries.data(), static_cast<unsigned>(queries.size()), sizeof(RTCRay));
+  // Embree marks what is hidden by a length of minus infinity.
+  for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = queries[i].tfar < 0.0F ? 1 : 0;
 }
 
 std::optional<Hit> RayCaster::cast(const Ray& ray) const {

@@ -2,6 +2,8 @@
 #include <array>
 #include <utility>
 
+#include "core/parallel.hpp"
+#include "core/vector_clones.hpp"
 #include "sim/sensor/block_matching.hpp"
 
 namespace rva {
@@ -30,11 +32,20 @@ constexpr int reach_px = 3;
 InfraredImage with_border(const InfraredImage& image) {
   InfraredImage bordered(image.width() + 2 * reach_px, image.height() + 2 * reach_px);
   for (int v = 0; v < bordered.height(); ++v) {
-    const int from_v = std::clamp(v - reach_px, 0, image.height() - 1);
-    for (int u = 0; u < bordered.width(); ++u)
-      bordered(u, v) = image(std::clamp(u - reach_px, 0, image.width() - 1), from_v);
+    const std::uint16_t* const from = &image(0, std::clamp(v - reach_px, 0, image.height() - 1));
+    std::uint16_t* const out = &bordered(0, v);
+    std::fill_n(out, reach_px, from[0]);
+    std::copy_n(from, image.width(), out + reach_px);
+    std::fill_n(out + reach_px + image.width(), reach_px, from[image.width() - 1]);
   }
   return bordered;
+}
+
+RVA_VECTOR_CLONES
+void compare(const std::uint16_t* center, const std::uint16_t* other, int count, int threshold,
+             std::uint16_t bit, std::uint16_t* out) {
+  for (int u = 0; u < count; ++u)
+    out[u] = static_cast<std::uint16_t>(out[u] | (other[u] > center[u] + threshold ? bit : 0));
 }
 
 }  // namespace
@@ -42,16 +53,15 @@ InfraredImage with_border(const InfraredImage& image) {
 Image<std::uint16_t> census(const InfraredImage& image, int threshold) {
   const InfraredImage bordered = with_border(image);
   Image<std::uint16_t> bits(image.width(), image.height());
-  for (int v = 0; v < image.height(); ++v) {
-    const std::uint16_t* const center = &bordered(reach_px, v + reach_px);
-    std::uint16_t* const out = &bits(0, v);
-    for (std::size_t i = 0; i < neighbours.size(); ++i) {
-      const std::uint16_t* const other =
-          &bordered(reach_px + neighbours[i].first, v + reach_px + neighbours[i].second);
-      for (int u = 0; u < image.width(); ++u)
-        out[u] = static_cast<std::uint16_t>(out[u] | ((other[u] > center[u] + threshold ? 1 : 0) << i));
+  parallel_bands(image.height(), [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      for (std::size_t i = 0; i < neighbours.size(); ++i) {
+        const auto [right, down] = neighbours[i];
+        compare(&bordered(reach_px, v + reach_px), &bordered(reach_px + right, v + reach_px + down),
+                image.width(), threshold, static_cast<std::uint16_t>(1U << i), &bits(0, v));
+      }
     }
-  }
+  });
   return bits;
 }
 

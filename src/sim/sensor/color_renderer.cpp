@@ -51,8 +51,9 @@ class RowPainter {
       aim(v + offset(sub));
       row_.cast();
       row_.find_shadows(lamp_m);
-      for (std::size_t i = 0; i < row_.samples(); ++i) {
-        if (row_.seen(i)) add(i, v, view);
+      for (int u = 0; u < imager_.width; ++u) {
+        for (int i = 0; i < supersampling_; ++i)
+          add(static_cast<std::size_t>(u * supersampling_ + i), u, v, view);
       }
     }
   }
@@ -74,14 +75,14 @@ class RowPainter {
   }
 
   // Reflection per unit of albedo, then the colour: the gloss of paint and metal takes it on as well.
-  void add(std::size_t i, int v, ColorView& view) const {
+  void add(std::size_t i, int u, int v, ColorView& view) const {
+    if (!row_.seen(i)) return;
     const SurfacePoint& point = row_.point(i);
     const Material& material = row_.material(i);
     float light = around_share * reflected_surroundings(material, row_.grain(i), point);
     if (row_.lit(i))
       light += lamp_share * reflected(material, row_.grain(i), point, (lamp_m - point.position).normalized());
     const Eigen::Vector3f color = strength_ * light * color_of(material);
-    const int u = static_cast<int>(i) / supersampling_;
     view.red(u, v) += color.x();
     view.green(u, v) += color.y();
     view.blue(u, v) += color.z();

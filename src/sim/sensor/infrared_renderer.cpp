@@ -63,11 +63,11 @@ class InfraredRenderer::RowShader {
       aim(v + offset(sub));
       row_.cast();
       row_.find_shadows(projector_);
-      for (std::size_t i = 0; i < row_.samples(); ++i) projected[pixel_of(i)] += weight() * from_projector(i);
-      for (std::size_t i = 0; i < row_.samples(); ++i) steady[pixel_of(i)] += weight() * from_around(i);
+      add(projected, [&](std::size_t i) { return from_projector(i); });
+      add(steady, [&](std::size_t i) { return from_around(i); });
       for (const Lamp& lamp : renderer_.scene_.lighting.lamps) {
         row_.find_shadows(lamp.position_m.cast<float>());
-        for (std::size_t i = 0; i < row_.samples(); ++i) steady[pixel_of(i)] += weight() * from_lamp(i, lamp);
+        add(steady, [&](std::size_t i) { return from_lamp(i, lamp); });
       }
     }
   }
@@ -75,8 +75,13 @@ class InfraredRenderer::RowShader {
  private:
   [[nodiscard]] double offset(int sub) const { return (sub + 0.5) / supersampling_ - 0.5; }
   [[nodiscard]] float weight() const { return 1.0F / static_cast<float>(supersampling_ * supersampling_); }
-  [[nodiscard]] std::size_t pixel_of(std::size_t sample) const {
-    return sample / static_cast<std::size_t>(supersampling_);
+
+  template <typename Light>
+  void add(float* pixels, Light light_of_sample) const {
+    std::size_t sample = 0;
+    for (int u = 0; u < renderer_.rig_.imager.width; ++u) {
+      for (int sub = 0; sub < supersampling_; ++sub) pixels[u] += weight() * light_of_sample(sample++);
+    }
   }
 
   // Lenses without distortion: directions along a row are evenly spaced.

@@ -46,15 +46,13 @@ class Bordered {
 /// find multiply-and-add in loops as short as a window's row, so it is written out.
 class ProductSums {
  public:
-  explicit ProductSums(const WindowWeights& weights)
-      : low_(load(weights.along.data())), high_(load(weights.along.data() + 8)) {
+  ProductSums() {
     for (__m128i& sum : sums_) sum = _mm_setzero_si128();
   }
-  /// @param weight of the row, at most WindowWeights::greatest: weighted gradients stay within 16 bits
-  void add_row(const std::int16_t* gradient, const std::int16_t* right, std::int16_t weight) {
-    const __m128i row = _mm_set1_epi16(weight);
-    const __m128i low = _mm_mullo_epi16(load(gradient), _mm_mullo_epi16(low_, row));
-    const __m128i high = _mm_mullo_epi16(load(gradient + 8), _mm_mullo_epi16(high_, row));
+  /// @param weights of the row, at most WindowWeights::greatest squared: weighted gradients stay in 16 bits
+  void add_row(const std::int16_t* gradient, const std::int16_t* right, const WindowWeights::Row& weights) {
+    const __m128i low = _mm_mullo_epi16(load(gradient), load(weights.data()));
+    const __m128i high = _mm_mullo_epi16(load(gradient + 8), load(weights.data() + 8));
     for (int shift = 0; shift < shifts; ++shift) {
       const std::int16_t* const shifted = right + 2 - shift;
       __m128i& sum = sums_[static_cast<std::size_t>(shift)];
@@ -76,26 +74,22 @@ class ProductSums {
   static __m128i load(const std::int16_t* from) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
   }
-  __m128i low_;
-  __m128i high_;
   __m128i sums_[shifts];
 };
 #else
 /// As above, for other processors: the same sums.
 class ProductSums {
  public:
-  explicit ProductSums(const WindowWeights& weights) : weights_(weights) {}
-  void add_row(const std::int16_t* gradient, const std::int16_t* right, std::int16_t weight) {
+  void add_row(const std::int16_t* gradient, const std::int16_t* right, const WindowWeights::Row& weights) {
     for (int shift = 0; shift < shifts; ++shift) {
       for (int i = 0; i < WindowWeights::lanes; ++i)
         sums_[static_cast<std::size_t>(shift)] +=
-            weight * weights_.along[static_cast<std::size_t>(i)] * gradient[i] * right[2 - shift + i];
+            weights[static_cast<std::size_t>(i)] * gradient[i] * right[2 - shift + i];
     }
   }
   [[nodiscard]] const std::array<std::int32_t, shifts>& sums() const { return sums_; }
 
  private:
-  const WindowWeights& weights_;
   std::array<std::int32_t, shifts> sums_{};
 };
 #endif
@@ -119,12 +113,12 @@ class WindowPairs {
 
   [[nodiscard]] WindowPair at(int u, int v, int disparity) const {
     WindowPair pair{};
-    ProductSums products(weights_);
+    ProductSums products;
     for (int i = 0; i < weights_.window_px; ++i) {
       const int row = v - weights_.half_px + i;
       products.add_row(gradient_.at(u - weights_.half_px, row),
                        right_.at(u - weights_.half_px - disparity, row),
-                       weights_.along[static_cast<std::size_t>(i)]);
+                       weights_.rows[static_cast<std::size_t>(i)]);
     }
     pair.gradient_right = products.sums();
     for (int shift = 0; shift < shifts; ++shift)

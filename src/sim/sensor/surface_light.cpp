@@ -1,21 +1,21 @@
 #include "sim/sensor/surface_light.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+
+#include "core/vector_clones.hpp"
 
 namespace rva {
 
 namespace {
 
-// A number in [-1, 1) for each corner of a lattice.
-float lattice(std::int32_t x, std::int32_t y, std::int32_t z) {
-  std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8DA6B343U +
-                    static_cast<std::uint32_t>(y) * 0xD8163841U + static_cast<std::uint32_t>(z) * 0xCB1AB31FU;
-  h = (h ^ (h >> 15U)) * 0x2C1B3C6DU;
-  h = (h ^ (h >> 12U)) * 0x297A2D39U;
-  h ^= h >> 15U;
-  return static_cast<float>(h) * 0x1.0p-31F - 1.0F;
+// std::floor is a call where the processor is not known to have an instruction for it.
+int floor_of(float number) {
+  const int whole = static_cast<int>(number);
+  return static_cast<float>(whole) > number ? whole - 1 : whole;
 }
 
 float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
@@ -30,19 +30,41 @@ float power(float base, int exponent) {
   return result;
 }
 
+constexpr std::size_t corners =
+    8;  // of a cell: bit 0 of the index goes along x, bit 1 along y, bit 2 along z
+
+/// A number in [-1, 1) for each corner of a cell of the lattice.
+RVA_VECTOR_CLONES
+void lattice(const Eigen::Vector3i& cell, std::array<float, corners>& values) {
+  constexpr std::uint32_t of_x = 0x8DA6B343U;
+  constexpr std::uint32_t of_y = 0xD8163841U;
+  constexpr std::uint32_t of_z = 0xCB1AB31FU;
+  static constexpr std::array<std::uint32_t, corners> steps{
+      0, of_x, of_y, of_x + of_y, of_z, of_x + of_z, of_y + of_z, of_x + of_y + of_z};
+  const std::uint32_t first = static_cast<std::uint32_t>(cell.x()) * of_x +
+                              static_cast<std::uint32_t>(cell.y()) * of_y +
+                              static_cast<std::uint32_t>(cell.z()) * of_z;
+  for (std::size_t i = 0; i < corners; ++i) {
+    std::uint32_t h = first + steps[i];
+    h = (h ^ (h >> 15U)) * 0x2C1B3C6DU;
+    h = (h ^ (h >> 12U)) * 0x297A2D39U;
+    h ^= h >> 15U;
+    // Half of it is what a vector instruction can convert.
+    values[i] = static_cast<float>(static_cast<std::int32_t>(h >> 1U)) * 0x1.0p-30F - 1.0F;
+  }
+}
+
 // Value noise: lattice values, joined smoothly.
 float noise(const Eigen::Vector3f& p) {
-  const Eigen::Vector3f floor(std::floor(p.x()), std::floor(p.y()), std::floor(p.z()));
-  const auto x = static_cast<std::int32_t>(floor.x());
-  const auto y = static_cast<std::int32_t>(floor.y());
-  const auto z = static_cast<std::int32_t>(floor.z());
-  const float tx = smooth(p.x() - floor.x());
-  const float ty = smooth(p.y() - floor.y());
-  const float tz = smooth(p.z() - floor.z());
-  const auto edge = [&](std::int32_t dy, std::int32_t dz) {
-    return mix_of(lattice(x, y + dy, z + dz), lattice(x + 1, y + dy, z + dz), tx);
-  };
-  return mix_of(mix_of(edge(0, 0), edge(1, 0), ty), mix_of(edge(0, 1), edge(1, 1), ty), tz);
+  const Eigen::Vector3i cell(floor_of(p.x()), floor_of(p.y()), floor_of(p.z()));
+  const Eigen::Vector3f within = p - cell.cast<float>();
+  const float tx = smooth(within.x());
+  const float ty = smooth(within.y());
+  const float tz = smooth(within.z());
+  std::array<float, corners> at{};
+  lattice(cell, at);
+  const auto edge = [&](std::size_t corner) { return mix_of(at[corner], at[corner + 1], tx); };
+  return mix_of(mix_of(edge(0), edge(2), ty), mix_of(edge(4), edge(6), ty), tz);
 }
 
 }  // namespace
@@ -51,7 +73,7 @@ float grain_at(const Material& material, const Eigen::Vector3f& position) {
   if (material.grain <= 0.0) return 1.0F;
   // Values of the field have a standard deviation of about a third.
   const float contrast = 3.0F * static_cast<float>(material.grain);
-  return std::max(0.0F, 1.0F + contrast * noise(position / static_cast<float>(material.grain_m)));
+  return std::max(0.0F, 1.0F + contrast * noise(position * static_cast<float>(1.0 / material.grain_m)));
 }
 
 float reflected(const Material& material, float albedo, const SurfacePoint& point,

@@ -23,6 +23,7 @@ SurfaceRow::SurfaceRow(const Scene& scene, const RayCaster& caster, std::size_t 
       shadow_rays_(samples),
       hits_(samples),
       points_(samples),
+      materials_(samples),
       grains_(samples),
       shaded_(samples) {}
 
@@ -31,7 +32,8 @@ void SurfaceRow::cast() {
   for (std::size_t i = 0; i < samples(); ++i) {
     if (!seen(i)) continue;
     points_[i] = surface_at(rays_[i], hits_[i]);
-    grains_[i] = grain_at(material(i), points_[i].position);
+    materials_[i] = &scene_.objects[hits_[i].object].parts[hits_[i].part].material;
+    grains_[i] = grain_at(*materials_[i], points_[i].position);
   }
 }
 

@@ -30,9 +30,7 @@ class SurfaceRow {
 
   // Of a sample that is seen.
   [[nodiscard]] const SurfacePoint& point(std::size_t i) const { return points_[i]; }
-  [[nodiscard]] const Material& material(std::size_t i) const {
-    return scene_.objects[hits_[i].object].parts[hits_[i].part].material;
-  }
+  [[nodiscard]] const Material& material(std::size_t i) const { return *materials_[i]; }
   [[nodiscard]] float grain(std::size_t i) const { return grains_[i]; }
 
  private:
@@ -42,6 +40,7 @@ class SurfaceRow {
   std::vector<Ray> shadow_rays_;
   std::vector<Hit> hits_;
   std::vector<SurfacePoint> points_;
+  std::vector<const Material*> materials_;
   std::vector<float> grains_;
   std::vector<std::uint8_t> shaded_;
 };

@@ -17,11 +17,16 @@ struct WindowWeights {
   static constexpr int lanes = 16;    ///< numbers of 16 bits in a row of a window; unused ones weigh nothing
   static constexpr int most_px = 11;  ///< so that five shifted windows fit into a row
   static constexpr int greatest = 4;  ///< weight of the middle
+  using Row = std::array<std::int16_t, lanes>;
 
   explicit WindowWeights(int edge_px) : window_px(edge_px), half_px(edge_px / 2) {
     for (int i = 0; i < edge_px; ++i)
       along[static_cast<std::size_t>(i)] =
           static_cast<std::int16_t>(std::min({i + 1, edge_px - i, greatest}));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      for (std::size_t i = 0; i < along.size(); ++i)
+        rows[row][i] = static_cast<std::int16_t>(along[row] * along[i]);
+    }
   }
   /// Of all pixels together.
   [[nodiscard]] std::int32_t total() const {
@@ -32,7 +37,8 @@ struct WindowWeights {
 
   int window_px;
   int half_px;
-  std::array<std::int16_t, lanes> along{};
+  Row along{};
+  std::array<Row, most_px> rows{};  ///< of the whole window
 };
 
 /// Adds weight times from[i] to sums[i].
