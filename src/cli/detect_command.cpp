@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
@@ -16,12 +20,20 @@
 namespace rva::cli {
 namespace {
 
+constexpr std::array static_methods{StaticMethod::constant, StaticMethod::gaussian, StaticMethod::calibrated};
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const StaticMethod method : static_methods) names.emplace_back(name_of(method));
+  return names;
+}
+
 struct DetectArguments {
   std::string initial;
   std::string final;
   std::string out;
   CaptureFlags captures;
-  std::string method{name_of(StaticMethod::gaussian)};
+  std::string method{name_of(StaticDetectionOptions{}.method)};
   StaticDetectionOptions detection;
   bool overwrite = false;
   bool json = false;
@@ -44,7 +56,18 @@ void write_color_overlay(const Capture& final, const StaticDetection& detection,
   write_file(out.path("overlay.png"), encode_png(overlay.picture));
 }
 
-void print_for_a_person(const DetectArguments& arguments, const Findings& findings) {
+void print_levels(const DetectionLevelSummary& summary) {
+  print(
+      "judged {:.1f} % of the view; there, what shows {} pixels wide would have been found from this "
+      "height:\n",
+      100.0 * summary.judged, summary.window_px);
+  for (const DetectionLevels& levels : summary.by_distance)
+    print("{:>9.1f}-{:.1f} m: {:.1f} mm in half of it, {:.1f} mm in nine tenths\n", levels.from_m,
+          levels.to_m, levels.median_mm, levels.p90_mm);
+}
+
+void print_for_a_person(const DetectArguments& arguments, const StaticDetection& detection) {
+  const Findings& findings = detection.findings;
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
         findings.initial_frames, findings.final_frames);
   if (!findings.findings.empty()) {
@@ -63,17 +86,29 @@ void print_for_a_person(const DetectArguments& arguments, const Findings& findin
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
         100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
   if (coverage.beyond_clip) print(", too far {:.1f} %", 100.0 * *coverage.beyond_clip);
-  print("\n{}\n", arguments.out);
+  print("\n");
+  if (detection.level_of_detection) print_levels(detection.level_of_detection->summary);
+  print("{}\n", arguments.out);
 }
 
-// Options of the other method, given all the same: the person believes that they do something.
-std::vector<std::string> options_without_a_say(const CLI::App& command, const std::string& method) {
-  const auto names = method == name_of(StaticMethod::constant) ? std::vector{"--sigmas", "--frames"}
-                                                               : std::vector{"--threshold", "--clip"};
+std::vector<std::string_view> names_without_a_say(StaticMethod method) {
+  switch (method) {
+    case StaticMethod::constant:
+      return {"--sigmas", "--frames", "--false-findings"};
+    case StaticMethod::gaussian:
+      return {"--threshold", "--clip", "--false-findings"};
+    case StaticMethod::calibrated:
+      return {"--threshold", "--clip", "--sigmas"};
+  }
+  return {};
+}
+
+// Options of the other methods, given all the same: the person believes that they do something.
+std::vector<std::string> options_without_a_say(const CLI::App& command, StaticMethod method) {
   std::vector<std::string> warnings;
-  for (const char* name : names) {
-    if (command.get_option(name)->count() == 0) continue;
-    warnings.push_back(fmt::format("{} has no say in --method {}", name, method));
+  for (const std::string_view name : names_without_a_say(method)) {
+    if (command.get_option(std::string(name))->count() == 0) continue;
+    warnings.push_back(fmt::format("{} has no say in --method {}", name, name_of(method)));
   }
   return warnings;
 }
@@ -82,7 +117,9 @@ std::vector<std::string> options_without_a_say(const CLI::App& command, const st
 int detect(const DetectArguments& arguments, std::vector<std::string> warnings) {
   const CaptureOptions capture_options = arguments.captures.options();
   check_options(arguments.detection);
-  OutputFolder out(arguments.out, {"detections.json", "changes.png", "overlay.png", "depth_overlay.png"},
+  OutputFolder out(arguments.out,
+                   {"detections.json", "changes.png", "overlay.png", "depth_overlay.png",
+                    "level_of_detection.png", "level_of_detection.json"},
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const auto initial = open_capture(arguments.initial, capture_options);
   const auto final = open_capture(arguments.final, capture_options);
@@ -94,6 +131,10 @@ int detect(const DetectArguments& arguments, std::vector<std::string> warnings) 
   write_file(out.path("depth_overlay.png"),
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
   write_color_overlay(*final, detection, out, warnings);
+  if (const auto& level = detection.level_of_detection) {
+    write_file(out.path("level_of_detection.png"), encode_png(draw_level_of_detection(level->least_mm)));
+    write_file(out.path("level_of_detection.json"), to_json(level->summary));
+  }
   write_file(out.path("detections.json"), json);
   out.commit();
   for (const std::string& warning : warnings) fmt::print(stderr, "rva: warning: {}\n", warning);
@@ -101,7 +142,7 @@ int detect(const DetectArguments& arguments, std::vector<std::string> warnings) 
   if (arguments.json) {
     print("{}", json);
   } else {
-    print_for_a_person(arguments, detection.findings);
+    print_for_a_person(arguments, detection);
   }
   return arguments.fail_on_detection && !detection.findings.findings.empty() ? status_detected : 0;
 }
@@ -116,8 +157,7 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   command.add_option("FINAL", arguments->final, "capture after the work, from the same place")->required();
   command.add_option("--out", arguments->out, "folder for the result")->required()->type_name("DIR");
   command.add_option("--method", arguments->method, "how pixels are compared")
-      ->check(CLI::IsMember(
-          {std::string(name_of(StaticMethod::constant)), std::string(name_of(StaticMethod::gaussian))}))
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_flags(command, arguments->detection);
   arguments->captures.add_to(command);
@@ -126,9 +166,9 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   command.add_flag("--fail-on-detection", arguments->fail_on_detection,
                    "exit with status 3 when something was found");
   command.callback([arguments, &outcome, &command] {
-    const bool constant = arguments->method == name_of(StaticMethod::constant);
-    arguments->detection.method = constant ? StaticMethod::constant : StaticMethod::gaussian;
-    outcome.status = detect(*arguments, options_without_a_say(command, arguments->method));
+    arguments->detection.method = *std::ranges::find(static_methods, arguments->method,
+                                                     [](StaticMethod method) { return name_of(method); });
+    outcome.status = detect(*arguments, options_without_a_say(command, arguments->detection.method));
   });
 }
 

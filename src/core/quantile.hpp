@@ -8,6 +8,9 @@
 
 namespace rva {
 
+/// A normal distribution's deviation in units of the median of the deviations' sizes.
+inline constexpr double normal_per_median = 1.4826;
+
 /// The value that a share (0 to 1) of the values do not exceed, one of them, the lower where two would do.
 /// Reorders the values; there must be one at least, and none NaN.
 template <typename Value>

@@ -25,10 +25,12 @@ struct Comparison {
   Comparison(int width, int height)
       : changed(width, height), initial_m(width, height), final_m(width, height), evidence(width, height) {}
 
-  Mask changed;            ///< set where the method says that something came nearer
+  Mask changed;            ///< set where the method says that something came nearer, or went away
   Image<float> initial_m;  ///< depth before, metres; 0 where not measured
   Image<float> final_m;    ///< depth after, metres; 0 where not measured
   Image<float> evidence;   ///< how far the pixel exceeds noise, in the method's own unit; 0 where not changed
+  /// Evidence is -log10 of the number of places with as much of it that an unchanged inspection would show.
+  bool evidence_is_rarity = false;
   Coverage coverage;
   /// Share of the compared pixels in which a change of blind_from_m would not have been found; 0 where the
   /// method does not know.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/quantile.hpp"
 
@@ -19,9 +20,11 @@ Finding measure(Region region, const Comparison& comparison, const Intrinsics& c
   std::vector<float> heights_m;
   Eigen::Vector2d sum(0.0, 0.0);
   double evidence = 0.0;
+  float rarest = std::numeric_limits<float>::lowest();
   for (const std::uint32_t i : finding.pixels) {
     sum += Eigen::Vector2d(i % width, i / width);
     evidence += comparison.evidence[i];
+    rarest = std::max(rarest, comparison.evidence[i]);
     depths_m.push_back(comparison.final_m[i]);
     heights_m.push_back(comparison.initial_m[i] - comparison.final_m[i]);
   }
@@ -32,7 +35,14 @@ Finding measure(Region region, const Comparison& comparison, const Intrinsics& c
   finding.size_mm = {finding.box.width * depth_m / camera.fx * mm_per_m,
                      finding.box.height * depth_m / camera.fy * mm_per_m};
   finding.height_mm = quantile(heights_m, 0.5) * mm_per_m;
-  finding.score = evidence / std::sqrt(area);
+  finding.kind = *finding.height_mm < 0.0 ? ChangeKind::removed : ChangeKind::added;
+  if (comparison.evidence_is_rarity) {
+    finding.score = rarest;
+    // None, if places are scattered by chance (Poisson).
+    finding.p_value = -std::expm1(-std::pow(10.0, -static_cast<double>(rarest)));
+  } else {
+    finding.score = evidence / std::sqrt(area);
+  }
   return finding;
 }
 

@@ -61,9 +61,10 @@ struct Findings {
 
 /// Measures each region of a comparison and puts the most suspicious first.
 ///
-/// The score is the mean evidence of the region's pixels times the root of their number: what a sum of
-/// independent evidence comes to in deviations of one pixel. Neighbours are not independent, so it ranks, and
-/// says nothing about probability.
+/// Where evidence is rarity, the score is that of the rarest pixel, and the p-value the probability that an
+/// inspection without any change shows something as rare. Elsewhere the score is the mean evidence of the
+/// region's pixels times the root of their number: what a sum of independent evidence comes to in deviations
+/// of one pixel. Neighbours are not independent, so it ranks, and says nothing about probability.
 [[nodiscard]] std::vector<Finding> measure_regions(std::vector<Region> regions, const Comparison& comparison,
                                                    const Intrinsics& camera);
 

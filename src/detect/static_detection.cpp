@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
@@ -91,11 +92,21 @@ void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& w
     warnings.push_back(fmt::format("only {:.1f} % of the view could be compared", 100.0 * compared));
   }
   if (comparison.blind > much) {
-    warnings.push_back(fmt::format(
-        "in {:.0f} % of what was compared, depth varied so much within a capture that a change of {:.0f} mm "
-        "would not have been found: something moved while it was recorded, or edges flickered",
-        100.0 * comparison.blind, 1000.0 * blind_from_m));
+    warnings.push_back(
+        fmt::format("in {:.0f} % of what was compared, depth varied so much that a change of {:.0f} mm would "
+                    "not have been "
+                    "found: something moved while a capture was recorded, or edges flickered",
+                    100.0 * comparison.blind, 1000.0 * blind_from_m));
   }
+}
+
+// Disparities in true pixels need the baseline; without it the unit is that of a camera with 50 mm.
+double disparity_m_px(const CaptureInfo& info) {
+  constexpr double usual_baseline_m = 0.050;
+  const double baseline_m = info.camera && info.camera->baseline_m.value_or(0.0) > 0.0
+                                ? *info.camera->baseline_m
+                                : usual_baseline_m;
+  return info.depth.fx * baseline_m;
 }
 
 class Detection {
@@ -110,7 +121,7 @@ class Detection {
 
   StaticDetection run() {
     const auto start = Clock::now();
-    Comparison comparison = options_.method == StaticMethod::constant ? constant() : gaussian();
+    Comparison comparison = compare();
     const auto regions_start = Clock::now();
     findings().findings =
         measure_regions(find_regions(comparison.changed, options_.regions), comparison, final_.info().depth);
@@ -136,6 +147,18 @@ class Detection {
     });
   }
 
+  Comparison compare() {
+    switch (options_.method) {
+      case StaticMethod::constant:
+        return constant();
+      case StaticMethod::gaussian:
+        return gaussian();
+      case StaticMethod::calibrated:
+        return calibrated();
+    }
+    throw std::logic_error("a static method without an implementation");
+  }
+
   Comparison constant() {
     const auto load_start = Clock::now();
     const DepthImage before = initial_.depth(0);
@@ -149,9 +172,34 @@ class Detection {
     return comparison;
   }
 
-  Comparison gaussian() {
+  void count_frames() {
     findings().initial_frames = frames_to_use(initial_, options_.frames, "initial", result_.warnings);
     findings().final_frames = frames_to_use(final_, options_.frames, "final", result_.warnings);
+  }
+
+  Comparison calibrated() {
+    count_frames();
+    if (std::min(findings().initial_frames, findings().final_frames) < 2) {
+      result_.warnings.emplace_back(
+          "one frame says nothing about noise over time: what differs between the captures in most places "
+          "was "
+          "taken for noise, and wrong matches may pass for changes (record 10 frames or more)");
+    }
+    const DepthStatistics before = statistics(initial_, findings().initial_frames);
+    const DepthStatistics after = statistics(final_, findings().final_frames);
+    state_parameters(options_.calibrated);
+    const auto detect_start = Clock::now();
+    const CaptureInfo& info = final_.info();
+    CalibratedComparison calibrated =
+        compare_calibrated(before, after, info.depth_unit_m, disparity_m_px(info), options_.calibrated);
+    findings().runtime.detect_ms = ms_since(detect_start);
+    result_.level_of_detection =
+        LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
+    return std::move(calibrated.comparison);
+  }
+
+  Comparison gaussian() {
+    count_frames();
     if (std::min(findings().initial_frames, findings().final_frames) < 2) {
       throw Error(
           "gaussian", "one frame has no deviation, and this method needs two of either capture at least",
@@ -195,7 +243,15 @@ StaticDetection detect_static(const Capture& initial, const Capture& final,
 }
 
 std::string_view name_of(StaticMethod method) {
-  return method == StaticMethod::constant ? "constant" : "gaussian";
+  switch (method) {
+    case StaticMethod::constant:
+      return "constant";
+    case StaticMethod::gaussian:
+      return "gaussian";
+    case StaticMethod::calibrated:
+      return "calibrated";
+  }
+  throw std::logic_error("a static method without a name");
 }
 
 }  // namespace rva

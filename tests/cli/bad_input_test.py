@@ -335,7 +335,7 @@ class BadPair(BadInputTest):
             with self.subTest(name):
                 shutil.rmtree(self.bad, ignore_errors=True)
                 write_capture(self.bad, frames(camera=camera), depth=depth_fields(camera, unit_m))
-                for method in ('constant', 'gaussian'):
+                for method in ('constant', 'gaussian', 'calibrated'):
                     for pair in ([self.good, self.bad], [self.bad, self.good]):
                         self.check_fails('detect', *pair, '--method', method, '--out', self.out,
                                          names=['initial and final', *names])
@@ -343,8 +343,10 @@ class BadPair(BadInputTest):
     def test_gaussian_needs_two_frames(self):
         write_capture(self.bad, frames(1))
         for pair in ([self.good, self.bad], [self.bad, self.good]):
-            self.check_fails('detect', *pair, '--out', self.out, names=['gaussian', 'frame'])
-        self.check_fails('detect', self.good, self.good, '--frames', 1, '--out', self.out, names=['gaussian'])
+            self.check_fails('detect', *pair, '--method', 'gaussian', '--out', self.out,
+                             names=['gaussian', 'frame'])
+        self.check_fails('detect', self.good, self.good, '--method', 'gaussian', '--frames', 1, '--out', self.out,
+                         names=['gaussian'])
 
     def test_noise_needs_four_frames(self):
         write_capture(self.bad, frames(3))
@@ -457,7 +459,7 @@ class BadStdout(BadInputTest):
         write_capture(self.bad, [dots] * FRAMES, pictures=[self.picture()])
         pictures = ['changes.png', 'depth_overlay.png', 'overlay.png']
         many = ['detect', self.good, self.bad, '--method', 'constant', '--join', 0]
-        for arguments in (many, [*many, '--json'], ['detect', self.good, self.good]):
+        for arguments in (many, [*many, '--json'], ['detect', self.good, self.good, '--method', 'gaussian']):
             with self.subTest(arguments=arguments[3:]):
                 self.check_whole_or_nothing(*arguments, files=pictures + ['detections.json'])
         with self.subTest('noise'):

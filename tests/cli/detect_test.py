@@ -2,6 +2,8 @@
 
 usage: detect_test.py RVA
 """
+import json
+
 import numpy as np
 
 import program
@@ -12,6 +14,7 @@ HEIGHT = 60
 FRAMES = 10
 GREEN = (0, 255, 0)
 ORANGE = (200, 100, 50)
+GAUSSIAN = ('--method', 'gaussian')
 
 
 def floor():
@@ -135,7 +138,7 @@ class DetectTest(program.ProgramTest):
                                             self.final_frames[0].astype(float), mask))
 
     def test_gaussian_finds_the_box(self):
-        result = self.detect(*self.pair())
+        result = self.detect(*self.pair(), *GAUSSIAN)
         mask = gaussian_mask(self.initial_frames, self.final_frames)
         np.testing.assert_array_equal(mask, pixels_in(BOX))
         self.check_contract(result)
@@ -148,10 +151,44 @@ class DetectTest(program.ProgramTest):
 
     def test_every_changed_pixel_is_in_changes_png(self):
         self.final_frames = noisy(with_box(floor(), BOX, 7), FRAMES, 1.0, seed=3)
-        self.detect(*self.pair())
+        self.detect(*self.pair(), *GAUSSIAN)
         mask = gaussian_mask(self.initial_frames, self.final_frames)
         self.assertTrue(0 < mask.sum() < pixels_in(BOX).sum(), 'a box so low that noise decides')
         self.check_changes(mask)
+
+    def test_calibrated_is_the_default(self):
+        result = self.detect(*self.pair())
+        self.assertEqual(result['method'], 'calibrated')
+        self.assertEqual(result['parameters'], {'false_findings': 0.05, 'min_blob_px': 0, 'join_px': 30})
+        self.assertAlmostEqual(sum(result['coverage'].values()), 1, places=12)
+        (finding,) = result['detections']
+        self.assertEqual(finding['kind'], 'added')
+        np.testing.assert_allclose(finding['bbox'], BOX, atol=1)
+        self.assertAlmostEqual(finding['height_mm'], HEIGHT, delta=3)
+        self.assertLess(finding['p_value'], 0.05)
+        self.assertAlmostEqual(finding['p_value'], -np.expm1(-10.0 ** -finding['score']))
+        removed = self.detect(*reversed(self.pair()), out=self.folder / 'removed')
+        self.assertEqual([f['kind'] for f in removed['detections']], ['removed'])
+
+    def test_calibrated_says_what_it_could_have_found(self):
+        self.detect(*self.pair())
+        picture = read_image(self.out / 'level_of_detection.png')
+        picture = picture[:CAMERA.height, :CAMERA.width]  # the bar beside it needs more height than so small an image
+        self.assertTrue((picture[:6] == 0).all(), 'nothing is judged at the border')
+        self.assertTrue((picture[10:30, 10:-6] != 0).any(-1).all(), 'everything else is')
+        level = json.loads((self.out / 'level_of_detection.json').read_text())
+        self.assertEqual((level['format'], level['version']), ('rva-level-of-detection', 1))
+        self.assertTrue(0 < level['judged'] < 1)
+        for entry in level['by_distance']:
+            self.assertLess(entry['from_m'], entry['to_m'])
+            self.assertTrue(0 < entry['median_mm'] <= entry['p90_mm'])
+        other = self.folder / 'gaussian'
+        self.detect(*self.pair(), *GAUSSIAN, out=other)
+        self.assertFalse((other / 'level_of_detection.png').exists(), 'it does not know')
+
+    def test_calibrated_says_what_one_frame_lacks(self):
+        done = self.succeed('detect', *self.pair(), '--out', self.out, '--frames', 1)
+        self.assertIn('one frame says nothing about noise over time', done.stderr)
 
     def test_coverage_of_constant_counts_pixels(self):
         self.initial_frames[:, :, 8:12] = 0
@@ -256,7 +293,8 @@ class DetectTest(program.ProgramTest):
         done = self.succeed('detect', *self.pair(pictures=[]), '--out', self.out)
         self.assertRegex(done.stderr, r'\Arva: warning: [^\n]*overlay\.png[^\n]*\n\Z')
         self.assertEqual(sorted(path.name for path in self.out.iterdir()),
-                         ['changes.png', 'depth_overlay.png', 'detections.json'])
+                         ['changes.png', 'depth_overlay.png', 'detections.json', 'level_of_detection.json',
+                          'level_of_detection.png'])
 
     def test_moved_camera_is_warned_about(self):
         initial = self.write('a', self.initial_frames, pose={'base': 'b1', 'pan_deg': 0})
@@ -286,10 +324,10 @@ class DetectTest(program.ProgramTest):
         self.final_frames = self.initial_frames.copy()
         self.final_frames[:3] = with_box(self.final_frames[:3], BOX, HEIGHT)
         initial, final = self.pair()
-        few = self.detect(initial, final, '--frames', 3, out=self.folder / 'few')
+        few = self.detect(initial, final, *GAUSSIAN, '--frames', 3, out=self.folder / 'few')
         self.assertEqual(few['frames'], {'initial': 3, 'final': 3})
         self.assertEqual([tuple(f['bbox']) for f in few['detections']], [BOX])
-        every = self.detect(initial, final, out=self.folder / 'every')
+        every = self.detect(initial, final, *GAUSSIAN, out=self.folder / 'every')
         self.assertEqual(every['detections'], [])
 
     def test_more_frames_than_there_are_is_a_warning(self):
@@ -308,15 +346,15 @@ class DetectTest(program.ProgramTest):
         pair, everything = (20, 10, 21, 7), (20, 10, 35, 24)
         constant = ['--method', 'constant']
         table = {
-            'join, default': ([], {everything}),
-            'join, none': (['--join', 0], {BOX, near, speck}),
-            'join, the distance of the first two': (['--join', 5], {BOX, near, speck}),
-            'join, more than that': (['--join', 5.01], {pair, speck}),
-            'join, the distance of the third': (['--join', 20], {pair, speck}),  # 12 columns, 16 rows
-            'join, more than that too': (['--join', 20.01], {everything}),
-            'min-blob, as large': (['--min-blob', 6], {everything}),
-            'min-blob, larger': (['--min-blob', 7], {pair}),
-            'sigmas, many': (['--sigmas', 100], set()),
+            'join, default': ([*GAUSSIAN], {everything}),
+            'join, none': ([*GAUSSIAN, '--join', 0], {BOX, near, speck}),
+            'join, the distance of the first two': ([*GAUSSIAN, '--join', 5], {BOX, near, speck}),
+            'join, more than that': ([*GAUSSIAN, '--join', 5.01], {pair, speck}),
+            'join, the distance of the third': ([*GAUSSIAN, '--join', 20], {pair, speck}),  # 12 columns, 16 rows
+            'join, more than that too': ([*GAUSSIAN, '--join', 20.01], {everything}),
+            'min-blob, as large': ([*GAUSSIAN, '--min-blob', 6], {everything}),
+            'min-blob, larger': ([*GAUSSIAN, '--min-blob', 7], {pair}),
+            'sigmas, many': ([*GAUSSIAN, '--sigmas', 100], set()),
             'threshold, below': ([*constant, '--threshold', 0.055], {everything}),
             'threshold, above': ([*constant, '--threshold', 0.065], set()),
             'clip, behind': ([*constant, '--clip', 1.5], {everything}),
@@ -330,7 +368,7 @@ class DetectTest(program.ProgramTest):
 
     def test_parameters_state_the_options(self):
         initial, final = self.pair()
-        gaussian = self.detect(initial, final, '--sigmas', 2.5, '--min-blob', 3, '--join', 4,
+        gaussian = self.detect(initial, final, *GAUSSIAN, '--sigmas', 2.5, '--min-blob', 3, '--join', 4,
                                out=self.folder / 'g')
         self.assertEqual(gaussian['parameters'], {'sigmas': 2.5, 'min_blob_px': 3, 'join_px': 4})
         constant = self.detect(initial, final, '--method', 'constant', '--threshold', 0.03, '--clip', 3,
@@ -339,7 +377,7 @@ class DetectTest(program.ProgramTest):
                          {'threshold_m': 0.03, 'clip_m': 3, 'min_blob_px': 0, 'join_px': 30})
 
     def test_small_blobs_stay_in_changes_png(self):
-        result = self.detect(*self.pair(), '--min-blob', 1000)
+        result = self.detect(*self.pair(), *GAUSSIAN, '--min-blob', 1000)
         self.assertEqual(result['detections'], [])
         self.check_changes(pixels_in(BOX))
 

@@ -30,7 +30,8 @@ std::vector<DepthImage> wall(int frames, bool with_box, unsigned seed) {
 TEST(StaticDetection, FindsWhatWasLeft) {
   const MemoryCapture before = test::capture_of(wall(20, false, 1));
   const MemoryCapture after = test::capture_of(wall(20, true, 2));
-  for (const StaticMethod method : {StaticMethod::constant, StaticMethod::gaussian}) {
+  for (const StaticMethod method :
+       {StaticMethod::constant, StaticMethod::gaussian, StaticMethod::calibrated}) {
     StaticDetectionOptions options;
     options.method = method;
     options.constant.threshold_m = 0.02;
@@ -92,10 +93,24 @@ TEST(StaticDetection, WarnsWhenLittleCouldBeCompared) {
 
 TEST(StaticDetection, OneFrameHasNoDeviation) {
   const MemoryCapture one = test::capture_of(wall(1, false, 9));
-  EXPECT_THROW(static_cast<void>(detect_static(one, one, {}, {})), Error);
   StaticDetectionOptions options;
+  options.method = StaticMethod::gaussian;
+  EXPECT_THROW(static_cast<void>(detect_static(one, one, options, {})), Error);
   options.method = StaticMethod::constant;
   EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {})));
+}
+
+TEST(StaticDetection, OnlyCalibratedKnowsWhatItCouldHaveFound) {
+  const MemoryCapture before = test::capture_of(wall(10, false, 16));
+  const MemoryCapture after = test::capture_of(wall(10, true, 17));
+  const StaticDetection calibrated = detect_static(before, after, {}, {});
+  ASSERT_TRUE(calibrated.level_of_detection);
+  EXPECT_LT(*calibrated.findings.findings.at(0).p_value, 0.05);
+  StaticDetectionOptions options;
+  options.method = StaticMethod::gaussian;
+  const StaticDetection gaussian = detect_static(before, after, options, {});
+  EXPECT_FALSE(gaussian.level_of_detection);
+  EXPECT_FALSE(gaussian.findings.findings.at(0).p_value);
 }
 
 TEST(StaticDetection, RefusesAnotherCamera) {

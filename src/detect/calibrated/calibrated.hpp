@@ -1,0 +1,40 @@
+// The method of this program's own: what changed, by a noise that is learnt from the two captures.
+#pragma once
+
+#include "core/options.hpp"
+#include "depth/depth_statistics.hpp"
+#include "detect/calibrated/level_of_detection.hpp"
+#include "detect/comparison.hpp"
+
+namespace rva {
+
+struct CalibratedOptions {
+  double false_findings = 0.05;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.false_findings,
+          OptionField{"false-findings", "", 1e-9, 1000,
+                      "calibrated: findings that an inspection may show on average where nothing changed"});
+  }
+};
+
+struct CalibratedComparison {
+  Comparison comparison;               ///< evidence is -log10 of the expected false findings as strong
+  Image<float> level_of_detection_mm;  ///< NaN where not judged
+  DetectionLevelSummary levels;
+};
+
+/// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 9,
+/// 15 and 31 pixels, and marks what is higher than `false_findings` places of an unchanged image would be,
+/// both nearer and farther (docs/calibrated.md).
+/// @param initial, final one size, one depth unit
+/// @param unit_m         metres of one depth unit
+/// @param camera         of the depth images; where its baseline is not known, any: only drift_px and
+/// fixed_px
+///                       depend on it
+[[nodiscard]] CalibratedComparison compare_calibrated(const DepthStatistics& initial,
+                                                      const DepthStatistics& final, double unit_m,
+                                                      double disparity_m_px,
+                                                      const CalibratedOptions& options);
+
+}  // namespace rva

@@ -1,0 +1,40 @@
+// Two sets of depth images, pixel by pixel, in disparity: there the noise of a stereo camera is as even as it
+// gets, and a millimetre counts for what the camera makes of it at that distance.
+#pragma once
+
+#include "depth/depth_statistics.hpp"
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// Nothing is judged so near to the image's border: a matcher lacks half of its window there.
+inline constexpr int margin_px = 6;
+
+/// All images have the size of the statistics.
+struct DisparityChange {
+  DisparityChange(int width, int height)
+      : before_px(width, height),
+        after_px(width, height),
+        deviation_px(width, height),
+        structure_px(width, height),
+        judged(width, height) {}
+
+  Image<float> before_px;     ///< mean disparity; 0 where the first set did not see the pixel
+  Image<float> after_px;      ///< mean disparity; 0 where the second set did not see the pixel
+  Image<float> deviation_px;  ///< over time, of one frame before less one after; 0 where not judged
+  Image<float> structure_px;  ///< range of disparity within 5 x 5 pixels, of the set in which it is less
+  Mask judged;  ///< set where both sets saw the pixel, within the margin, and its depth does not jump
+
+  /// Above 0, something came nearer. Of a pixel that is judged.
+  [[nodiscard]] float change_px(std::size_t i) const { return after_px[i] - before_px[i]; }
+};
+
+/// A pixel jumps when its deviation over time is more than ten times that of the median pixel: its matches
+/// change between places far apart, and their mean is no depth.
+///
+/// @param initial, final      one size, one depth unit
+/// @param disparity_by_depth  focal length times baseline: disparity in pixels times depth in depth units
+[[nodiscard]] DisparityChange disparity_change(const DepthStatistics& initial, const DepthStatistics& final,
+                                               double disparity_by_depth);
+
+}  // namespace rva

@@ -1,0 +1,95 @@
+#include "detect/calibrated/level_of_detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/quantile.hpp"
+#include "depth/colorize.hpp"
+#include "depth/mat_view.hpp"
+
+namespace rva {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+constexpr double nine_of_ten = 1.2816;  // deviations of a normal distribution
+constexpr double class_m = 0.2;
+constexpr double mm_per_m = 1000.0;
+constexpr std::size_t sampling = 3;  // neighbours are alike
+
+// The evidence of n = w^2 pixels that all change by k deviations is k w; what neighbours agree takes its
+// share.
+double needed_deviations(const DetectionScale& scale) {
+  return (scale.threshold + nine_of_ten) * scale.evidence.agreement / scale.evidence.window_px;
+}
+
+}  // namespace
+
+const DetectionScale& finest_reachable(std::span<const DetectionScale> scales) {
+  const auto reachable = std::ranges::find_if(
+      scales, [](const DetectionScale& scale) { return needed_deviations(scale) <= most_deviations; });
+  return reachable == scales.end() ? scales.back() : *reachable;
+}
+
+Image<float> level_of_detection_mm(const Image<float>& deviation_px, const Image<float>& depth_m,
+                                   const DetectionScale& scale, double disparity_m_px) {
+  Image<float> level_mm(depth_m.width(), depth_m.height(), unknown);
+  const double deviations = needed_deviations(scale);
+  // No height makes up for evidence that a pixel cannot give.
+  if (deviations > most_deviations) return level_mm;
+  Image<float> around_px(depth_m.width(), depth_m.height());
+  cv::Mat around = as_mat(around_px);
+  cv::blur(as_mat(deviation_px), around, cv::Size(scale.evidence.window_px, scale.evidence.window_px));
+  const auto mm_per_px_at_1m = static_cast<float>(mm_per_m * deviations / disparity_m_px);
+  for (std::size_t i = 0; i < depth_m.size(); ++i) {
+    if (scale.evidence.pooled[i] == 0) continue;
+    // A thing among noisier pixels is judged with them.
+    level_mm[i] = mm_per_px_at_1m * std::max(deviation_px[i], around_px[i]) * depth_m[i] * depth_m[i];
+  }
+  return level_mm;
+}
+
+std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm, const Image<float>& depth_m) {
+  std::vector<std::vector<float>> classes;
+  for (std::size_t i = 0; i < level_mm.size(); i += sampling) {
+    if (std::isnan(level_mm[i])) continue;
+    const auto k = static_cast<std::size_t>(static_cast<double>(depth_m[i]) / class_m);
+    if (classes.size() <= k) classes.resize(k + 1);
+    classes[k].push_back(level_mm[i]);
+  }
+  std::vector<DetectionLevels> levels;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    if (classes[k].empty()) continue;
+    const double from_m = class_m * static_cast<double>(k);
+    levels.push_back(
+        {from_m, from_m + class_m, classes[k].size(), quantile(classes[k], 0.5), quantile(classes[k], 0.9)});
+  }
+  return levels;
+}
+
+std::string to_json(const DetectionLevelSummary& summary) {
+  nlohmann::ordered_json json{{"format", "rva-level-of-detection"}, {"version", 1}};
+  json["judged"] = summary.judged;
+  json["window_px"] = summary.window_px;
+  json["drift_px"] = summary.drift_px;
+  json["fixed_px"] = summary.fixed_px;
+  if (summary.effective_frames) json["effective_frames"] = *summary.effective_frames;
+  json["by_distance"] = nlohmann::ordered_json::array();
+  for (const DetectionLevels& levels : summary.by_distance) {
+    json["by_distance"].push_back({{"from_m", levels.from_m},
+                                   {"to_m", levels.to_m},
+                                   {"pixels", levels.pixels},
+                                   {"median_mm", levels.median_mm},
+                                   {"p90_mm", levels.p90_mm}});
+  }
+  return json.dump(1) + "\n";
+}
+
+ColorImage draw_level_of_detection(const Image<float>& level_mm) {
+  const ColorScale scale = scale_from_zero(level_mm);
+  return with_scale_bar(colorize(level_mm, scale), scale, "least mm");
+}
+
+}  // namespace rva

@@ -1,0 +1,146 @@
+#include "detect/calibrated/noise_by_place.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/quantile.hpp"
+
+namespace rva {
+namespace {
+
+// A pixel that varies more than its class may do so because it changes level seldom: of its frames no more
+// than these are then independent.
+constexpr float independent_at_least = 4.0F;
+// Noise differs most where it is greatest: classes are narrower there.
+constexpr std::array<double, 6> class_shares{0.10, 0.30, 0.50, 0.70, 0.85, 0.95};
+constexpr std::size_t levels = class_shares.size() + 1;
+constexpr std::size_t sampling = 5;  // neighbours agree: every fifth pixel tells as much
+constexpr double lean_px = 100.0;    // sampled pixels that the whole image counts for in every class
+
+using Edges = std::array<float, class_shares.size()>;
+
+Edges edges_of(const Image<float>& values, const Mask& judged) {
+  std::vector<float> samples;
+  for (std::size_t i = 0; i < values.size(); i += sampling) {
+    if (judged[i] != 0) samples.push_back(values[i]);
+  }
+  Edges edges{};
+  if (samples.empty()) return edges;
+  std::ranges::transform(class_shares, edges.begin(), [&](double share) { return quantile(samples, share); });
+  return edges;
+}
+
+std::size_t level_of(float value, const Edges& edges) {
+  std::size_t level = 0;
+  for (const float edge : edges) level += value > edge ? 1 : 0;
+  return level;
+}
+
+/// One class of places.
+struct Place {
+  std::vector<float> sizes_px;  // of the changes about the drift
+  double time_variance_px2 = 0.0;
+  double variance_px2 = 0.0;
+};
+
+// Least squares, each class by its number of pixels.
+void explain(const std::vector<Place>& places, NoiseByPlace& noise) {
+  double n = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (const Place& place : places) {
+    const auto weight = static_cast<double>(place.sizes_px.size());
+    n += weight;
+    x += weight * place.time_variance_px2;
+    y += weight * place.variance_px2;
+    xx += weight * place.time_variance_px2 * place.time_variance_px2;
+    xy += weight * place.time_variance_px2 * place.variance_px2;
+  }
+  if (n <= 0.0) return;
+  const double spread = xx - x * x / n;
+  const double slope = spread > 0.0 ? (xy - x * y / n) / spread : 0.0;
+  if (slope > 0.0) noise.effective_frames = 1.0 / slope;
+  noise.fixed_px = std::sqrt(std::max(0.0, (y - std::max(slope, 0.0) * x) / n));
+}
+
+double variance_of(std::vector<float>& sizes_px) {
+  if (sizes_px.empty()) return 0.0;
+  const double deviation_px = normal_per_median * static_cast<double>(quantile(sizes_px, 0.5));
+  return deviation_px * deviation_px;
+}
+
+class Places {
+ public:
+  explicit Places(const DisparityChange& change)
+      : change_(change),
+        time_(edges_of(change.deviation_px, change.judged)),
+        structure_(edges_of(change.structure_px, change.judged)),
+        places_(levels * levels) {}
+
+  [[nodiscard]] std::size_t index_of(std::size_t i) const {
+    return level_of(change_.deviation_px[i], time_) * levels + level_of(change_.structure_px[i], structure_);
+  }
+  [[nodiscard]] Place& at(std::size_t i) { return places_[index_of(i)]; }
+  [[nodiscard]] std::vector<Place>& all() { return places_; }
+
+ private:
+  const DisparityChange& change_;
+  Edges time_;
+  Edges structure_;
+  std::vector<Place> places_;
+};
+
+/// Fills the places, and gives the changes of all together.
+std::vector<float> gather(const DisparityChange& change, const Image<float>& drift_px, Places& places) {
+  std::vector<float> all;
+  for (std::size_t i = 0; i < change.judged.size(); i += sampling) {
+    if (change.judged[i] == 0) continue;
+    const float size_px = std::abs(change.change_px(i) - drift_px[i]);
+    Place& place = places.at(i);
+    place.sizes_px.push_back(size_px);
+    place.time_variance_px2 += static_cast<double>(change.deviation_px[i]) * change.deviation_px[i];
+    all.push_back(size_px);
+  }
+  return all;
+}
+
+}  // namespace
+
+NoiseByPlace noise_by_place(const DisparityChange& change, const Image<float>& drift_px,
+                            const Image<float>& drift_variance_px2, double disparity_by_depth) {
+  NoiseByPlace noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};
+  Places places(change);
+  std::vector<float> all = gather(change, drift_px, places);
+  const double whole_px2 = variance_of(all);
+  std::array<float, levels * levels> variances_px2{};
+  std::array<float, levels * levels> time_variances_px2{};
+  for (std::size_t k = 0; k < variances_px2.size(); ++k) {
+    Place& place = places.all()[k];
+    const auto count = static_cast<double>(place.sizes_px.size());
+    place.variance_px2 = variance_of(place.sizes_px);
+    if (count > 0.0) place.time_variance_px2 /= count;
+    variances_px2[k] =
+        static_cast<float>((count * place.variance_px2 + lean_px * whole_px2) / (count + lean_px));
+    time_variances_px2[k] = static_cast<float>(place.time_variance_px2);
+  }
+  explain(places.all(), noise);
+  // Of a uniform distribution one unit of depth wide; a unit is d^2 / disparity_by_depth.
+  const auto rounding = static_cast<float>(1.0 / (12.0 * disparity_by_depth * disparity_by_depth));
+  const auto fourth = [](float number) { return number * number * number * number; };
+  for (std::size_t i = 0; i < change.judged.size(); ++i) {
+    if (change.judged[i] == 0) continue;
+    const float rounding_px2 = rounding * (fourth(change.before_px[i]) + fourth(change.after_px[i]));
+    const std::size_t place = places.index_of(i);
+    const float excess_px2 =
+        std::max(0.0F, change.deviation_px[i] * change.deviation_px[i] - time_variances_px2[place]);
+    noise.deviation_px[i] = std::sqrt(std::max(variances_px2[place], rounding_px2) +
+                                      excess_px2 / independent_at_least + drift_variance_px2[i]);
+  }
+  return noise;
+}
+
+}  // namespace rva
