@@ -16,6 +16,7 @@ inline constexpr int status_usage = 2;
 inline constexpr int status_detected = 3;
 
 void add_detect_command(CLI::App& program, Outcome& outcome);
+void add_evaluate_command(CLI::App& program, Outcome& outcome);
 void add_info_command(CLI::App& program, Outcome& outcome);
 void add_noise_command(CLI::App& program, Outcome& outcome);
 void add_options_command(CLI::App& program, Outcome& outcome);

@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   program.fallthrough(false);
   Outcome outcome;
   rva::cli::add_detect_command(program, outcome);
+  add_evaluate_command(program, outcome);
   rva::cli::add_noise_command(program, outcome);
   rva::cli::add_info_command(program, outcome);
   rva::cli::add_record_command(program, outcome);

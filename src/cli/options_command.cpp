@@ -4,6 +4,7 @@
 #include "cli/printing.hpp"
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
+#include "evaluate/study.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva::cli {
@@ -25,6 +26,7 @@ void print_options() {
   print_table<StaticDetectionOptions>("rva detect");
   print_table<NoiseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
+  print_table<StudyOptions>("rva evaluate");
 }
 
 }  // namespace

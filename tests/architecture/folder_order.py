@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ['core', 'geometry', 'depth', 'detect', 'cloud', 'map', 'camera', 'robot', 'sim', 'classify', 'inspect',
+ORDER = ['core', 'geometry', 'depth', 'detect', 'cloud', 'map', 'camera', 'robot', 'sim', 'classify', 'inspect', 'evaluate',
          'store', 'server', 'cli']
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

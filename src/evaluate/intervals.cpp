@@ -1,0 +1,34 @@
+#include "evaluate/intervals.hpp"
+
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cassert>
+
+namespace rva {
+namespace {
+
+constexpr double tail = 0.025;
+
+}  // namespace
+
+Interval share_interval(std::size_t successes, std::size_t trials) {
+  assert(successes <= trials);
+  const auto k = static_cast<double>(successes);
+  const auto n = static_cast<double>(trials);
+  Interval interval{0.0, 1.0};
+  if (successes > 0) interval.low = boost::math::ibeta_inv(k, n - k + 1.0, tail);
+  if (successes < trials) interval.high = boost::math::ibeta_inv(k + 1.0, n - k, 1.0 - tail);
+  return interval;
+}
+
+Interval rate_interval(std::size_t count, std::size_t trials) {
+  assert(trials > 0);
+  const auto k = static_cast<double>(count);
+  const auto n = static_cast<double>(trials);
+  Interval interval;
+  if (count > 0) interval.low = boost::math::gamma_p_inv(k, tail) / n;
+  interval.high = boost::math::gamma_p_inv(k + 1.0, 1.0 - tail) / n;
+  return interval;
+}
+
+}  // namespace rva

@@ -1,0 +1,98 @@
+#include "evaluate/judgement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <opencv2/imgproc.hpp>
+
+#include "depth/mat_view.hpp"
+
+namespace rva {
+namespace {
+
+constexpr int found_within_px = 4;
+constexpr int near_px = 15;
+
+Mask grown(Mask mask, int by_px) {
+  cv::Mat pixels = as_mat(mask);
+  cv::dilate(pixels, pixels, cv::Mat::ones(2 * by_px + 1, 2 * by_px + 1, CV_8U));
+  return mask;
+}
+
+Mask mask_of(const std::vector<std::uint32_t>& pixels, int width, int height) {
+  Mask mask(width, height);
+  for (const std::uint32_t i : pixels) mask[i] = mask_set;
+  return mask;
+}
+
+bool touches(const Finding& finding, const Mask& mask) {
+  return std::ranges::any_of(finding.pixels, [&](std::uint32_t i) { return mask[i] != 0; });
+}
+
+// Pixels whose ray meets the object when it is alone in the world.
+int pixels_alone(const SimulatedCamera& camera, std::size_t object) {
+  const RayCaster alone(camera.scene(), std::array{object});
+  const Transform world_from_camera = camera.world_from_camera();
+  const Intrinsics imager = camera.info().depth;
+  const Eigen::Vector3f origin = world_from_camera.translation().cast<float>();
+  std::vector<Ray> rays(static_cast<std::size_t>(imager.width));
+  std::vector<std::uint8_t> met(rays.size());
+  constexpr float far_m = 100.0F;
+  std::ptrdiff_t pixels = 0;
+  for (int v = 0; v < imager.height; ++v) {
+    for (int u = 0; u < imager.width; ++u) {
+      const Eigen::Vector3d direction = world_from_camera.rotation() * imager.deproject({u, v}, 1.0);
+      rays[static_cast<std::size_t>(u)] = {origin, far_m * direction.cast<float>()};
+    }
+    alone.occluded(rays, met);
+    pixels += std::ranges::count(met, 1);
+  }
+  return static_cast<int>(pixels);
+}
+
+}  // namespace
+
+std::vector<Target> visible_targets(const SimulatedCamera& camera) {
+  const TrueView view = camera.look();
+  const std::vector<SceneObject>& objects = camera.scene().objects;
+  std::vector<Target> targets;
+  for (std::size_t object = 0; object < objects.size(); ++object) {
+    if (objects[object].role != Role::debris) continue;
+    Target target{objects[object].kind, 0, 0.0, 0.0, {}};
+    for (std::size_t i = 0; i < view.labels.size(); ++i) {
+      if (view.labels[i] != Scene::label_of(object)) continue;
+      target.pixels.push_back(static_cast<std::uint32_t>(i));
+      target.distance_m += static_cast<double>(view.depth_m[i]);
+    }
+    if (target.pixels.empty()) continue;
+    target.visible_px = static_cast<int>(target.pixels.size());
+    target.distance_m /= target.visible_px;
+    target.unhidden_px = pixels_alone(camera, object);
+    targets.push_back(std::move(target));
+  }
+  return targets;
+}
+
+Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets, int width,
+                int height) {
+  Mask any(width, height);
+  for (const Target& target : targets) {
+    for (const std::uint32_t i : target.pixels) any[i] = mask_set;
+  }
+  const Mask near = grown(std::move(any), near_px);
+  std::vector<const Finding*> pointing;
+  for (const Finding& finding : findings) {
+    const auto inside = std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return near[i] != 0; });
+    if (2 * static_cast<std::size_t>(inside) >= finding.pixels.size()) pointing.push_back(&finding);
+  }
+  Judgement judgement;
+  judgement.false_findings = findings.size() - pointing.size();
+  for (const Target& target : targets) {
+    const Mask around = grown(mask_of(target.pixels, width, height), found_within_px);
+    judgement.found.push_back(
+        std::ranges::any_of(pointing, [&](const Finding* finding) { return touches(*finding, around); }));
+  }
+  return judgement;
+}
+
+}  // namespace rva

@@ -1,0 +1,39 @@
+// Findings held against what is really there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "detect/findings.hpp"
+#include "sim/simulated_camera.hpp"
+
+namespace rva {
+
+/// One piece of debris, as the camera sees it.
+struct Target {
+  std::string kind;
+  int visible_px = 0;
+  double unhidden_px = 0.0;           ///< how many there would be if nothing lay before it
+  double distance_m = 0.0;            ///< mean depth of its visible pixels
+  std::vector<std::uint32_t> pixels;  ///< visible, by position in the rows laid end to end
+
+  /// At least half of it shows, and the camera has a pixel for it.
+  [[nodiscard]] bool is_visible() const { return visible_px > 0 && 2.0 * visible_px >= unhidden_px; }
+};
+
+/// All debris of the camera's scene of which a pixel is visible.
+[[nodiscard]] std::vector<Target> visible_targets(const SimulatedCamera& camera);
+
+struct Judgement {
+  std::vector<bool> found;  ///< of each target
+  std::size_t false_findings = 0;
+};
+
+/// A finding points at debris when at least half of its pixels lie within 15 pixels of a target: there may be
+/// the target's shadow, or what it hides of the place before. Any other finding is false. A target is found
+/// when a finding that points at debris has a pixel within 4 pixels of it: half of the matcher's window, by
+/// which it blurs what it shows.
+[[nodiscard]] Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets,
+                              int width, int height);
+
+}  // namespace rva

@@ -1,0 +1,35 @@
+// What a study says, for a person and for a program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluate/study.hpp"
+
+namespace rva {
+
+/// Counts over all inspections, of one detector at one number of frames.
+struct Tally {
+  int frames = 0;
+  Detector detector;
+  std::size_t inspections = 0;
+  std::size_t false_when_clean = 0;
+  std::size_t false_with_debris = 0;
+  std::size_t found = 0;
+  std::size_t targets = 0;  ///< visible ones
+  std::size_t small_found = 0;
+  std::size_t small_targets = 0;  ///< visible collars of 0.27 in within 1 m
+  std::size_t all_found = 0;      ///< inspections in which every visible target was found
+};
+
+/// One for each detector and number of frames, in the order of the results.
+[[nodiscard]] std::vector<Tally> tally(const std::vector<Inspection>& inspections);
+
+/// A table with intervals of 95 %.
+[[nodiscard]] std::string to_table(const std::vector<Tally>& tallies);
+
+/// `evaluation.json` (docs/calibrated.md), ending in a line feed: every inspection and every tally.
+[[nodiscard]] std::string to_json(const std::vector<Inspection>& inspections,
+                                  const std::vector<Tally>& tallies);
+
+}  // namespace rva

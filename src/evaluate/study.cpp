@@ -1,0 +1,122 @@
+#include "evaluate/study.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "detect/calibrated/calibrated.hpp"
+#include "detect/constant.hpp"
+#include "detect/gaussian.hpp"
+#include "evaluate/random_wing.hpp"
+
+namespace rva {
+namespace {
+
+// Blobs that the matcher's window tears apart are one finding; those a hand's breadth apart are not, so that
+// a method that marks everything does not find everything.
+constexpr double join_px = 9.0;
+
+/// A capture as far as it has been taken.
+class Take {
+ public:
+  Take(Scene scene, std::uint64_t seed)
+      : camera_(std::move(scene), StereoSensorOptions{}, seed, ColorFrames::none),
+        statistics_(camera_.info().depth.width, camera_.info().depth.height) {}
+
+  void up_to(int frames) {
+    while (statistics_.frames() < static_cast<std::size_t>(frames)) {
+      DepthImage depth = camera_.wait_for_frame()->depth;
+      statistics_.add(depth);
+      if (first_.empty()) first_ = std::move(depth);
+    }
+  }
+
+  [[nodiscard]] const SimulatedCamera& camera() const { return camera_; }
+  [[nodiscard]] const DepthStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const DepthImage& first() const { return first_; }
+
+ private:
+  SimulatedCamera camera_;
+  DepthStatistics statistics_;
+  DepthImage first_;
+};
+
+Comparison compare(const Detector& detector, const Take& before, const Take& after) {
+  const CaptureInfo info = after.camera().info();
+  if (detector.method == "constant")
+    return compare_constant(before.first(), after.first(), info.depth_unit_m,
+                            {.threshold_m = detector.setting});
+  if (detector.method == "gaussian")
+    return compare_gaussian(before.statistics(), after.statistics(), info.depth_unit_m,
+                            {.sigmas = detector.setting});
+  return compare_calibrated(before.statistics(), after.statistics(), info.depth_unit_m,
+                            info.depth.fx * info.camera->baseline_m.value(),
+                            {.false_findings = detector.setting})
+      .comparison;
+}
+
+std::vector<Finding> find(const Detector& detector, const Take& before, const Take& after) {
+  const Comparison comparison = compare(detector, before, after);
+  return measure_regions(find_regions(comparison.changed, {.join_px = join_px}), comparison,
+                         after.camera().info().depth);
+}
+
+Scene without_debris(Scene scene) {
+  std::erase_if(scene.objects, [](const SceneObject& object) { return object.role == Role::debris; });
+  return scene;
+}
+
+Inspection inspect(const StudyOptions& options, const std::optional<Scene>& scene, std::uint64_t seed,
+                   const std::vector<Detector>& detectors) {
+  Scene after = scene ? *scene : random_wing(seed);
+  if (!scene) drop_debris(after, seed);
+  Take before(without_debris(after), mix(seed, 1));
+  Take unchanged(without_debris(after), mix(seed, 2));
+  Take changed(std::move(after), mix(seed, 3));
+  Inspection inspection{seed, visible_targets(changed.camera()), {}};
+  for (const int frames : options.frames) {
+    for (Take* take : {&before, &unchanged, &changed}) take->up_to(frames);
+    for (const Detector& detector : detectors) {
+      const Judgement judgement = judge(find(detector, before, changed), inspection.targets,
+                                        before.statistics().width(), before.statistics().height());
+      inspection.results.push_back({frames, detector, find(detector, before, unchanged).size(),
+                                    judgement.false_findings, judgement.found});
+    }
+  }
+  return inspection;
+}
+
+void check(const StudyOptions& options) {
+  check_options(options);
+  const bool ascending = std::ranges::is_sorted(options.frames, std::less_equal{});
+  const bool in_range = !options.frames.empty() && options.frames.front() >= 2 &&
+                        options.frames.back() <= static_cast<int>(DepthStatistics::max_frames);
+  if (!ascending || !in_range)
+    throw UsageError("--frames", "needs numbers from 2 on, each larger than the one before",
+                     "give for example 10,20,40");
+}
+
+}  // namespace
+
+std::vector<Detector> detectors_to_compare() {
+  std::vector<Detector> detectors;
+  for (const double threshold_m : {0.005, 0.01, 0.02, 0.05}) detectors.push_back({"constant", threshold_m});
+  for (const double sigmas : {1.0, 2.0, 3.0, 4.0}) detectors.push_back({"gaussian", sigmas});
+  for (const double allowed : {0.001, 0.05, 0.5, 5.0}) detectors.push_back({"calibrated", allowed});
+  return detectors;
+}
+
+std::vector<Inspection> run_study(const StudyOptions& options, const std::optional<Scene>& scene,
+                                  const Progress& progress) {
+  check(options);
+  const std::vector<Detector> detectors = detectors_to_compare();
+  std::vector<Inspection> inspections;
+  const auto total = static_cast<std::size_t>(options.inspections);
+  for (std::size_t i = 0; i < total; ++i) {
+    inspections.push_back(inspect(options, scene, options.first_seed + i, detectors));
+    if (progress) progress("inspections", i + 1, total);
+  }
+  return inspections;
+}
+
+}  // namespace rva

@@ -1,0 +1,59 @@
+// How reliably the static methods detect: many simulated inspections, with and without debris.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/options.hpp"
+#include "core/progress.hpp"
+#include "evaluate/judgement.hpp"
+
+namespace rva {
+
+/// A method at one setting.
+struct Detector {
+  std::string method;    ///< "constant", "gaussian", "calibrated"
+  double setting = 0.0;  ///< threshold in metres; sigmas; allowed false findings
+};
+
+/// Each method over the settings that a person would choose between.
+[[nodiscard]] std::vector<Detector> detectors_to_compare();
+
+struct StudyOptions {
+  int inspections = 20;
+  std::uint64_t first_seed = 1;
+  std::vector<int> frames{10, 20, 40};  ///< ascending; of either capture
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.inspections,
+          OptionField{"inspections", "", 1, 100000, "simulated inspections, each without and with debris"});
+    visit(self.first_seed,
+          OptionField{"first-seed", "", 0, 1e15, "seed of the first inspection; the next ones follow"});
+  }
+};
+
+/// What one detector made of one inspection at one number of frames.
+struct Result {
+  int frames = 0;
+  Detector detector;
+  std::size_t false_when_clean = 0;   ///< findings where nothing changed
+  std::size_t false_with_debris = 0;  ///< findings far from all debris
+  std::vector<bool> found;            ///< of each target of the inspection
+};
+
+struct Inspection {
+  std::uint64_t seed = 0;
+  std::vector<Target> targets;
+  std::vector<Result> results;
+};
+
+/// Runs one inspection after the other: a capture before, another one in which nothing changed, and one with
+/// debris, of one place, each with noise of its own.
+/// @param scene its debris is left behind; without one, wings and debris are drawn by chance
+/// @throws UsageError for options out of range; Error of the scene; Interrupted
+[[nodiscard]] std::vector<Inspection> run_study(const StudyOptions& options,
+                                                const std::optional<Scene>& scene, const Progress& progress);
+
+}  // namespace rva

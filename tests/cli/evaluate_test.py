@@ -1,0 +1,51 @@
+"""`rva evaluate` from end to end.
+
+usage: evaluate_test.py RVA
+"""
+import json
+
+import program
+from simulations import TOOLS
+
+
+class EvaluateTest(program.ProgramTest):
+    def evaluate(self, *options):
+        done = self.succeed('evaluate', '--out', self.out, '--inspections', 1, '--frames', '2,3', *options)
+        return done, json.loads((self.out / 'evaluation.json').read_text())
+
+    def test_a_scene_of_ones_own(self):
+        done, report = self.evaluate('--scene', TOOLS, '--first-seed', 5)
+        self.assertEqual((report['format'], report['version']), ('rva-evaluation', 1))
+        (inspection,) = report['inspections']
+        self.assertEqual(inspection['seed'], 5)
+        self.assertEqual(sorted(target['kind'] for target in inspection['targets']),
+                         ['flashlight', 'key', 'screwdriver'])
+        self.assertEqual({tally['frames'] for tally in report['tallies']}, {2, 3})
+        self.assertEqual({tally['method'] for tally in report['tallies']}, {'constant', 'gaussian', 'calibrated'})
+        for tally in report['tallies']:
+            low, high = tally['found_share_95']
+            self.assertLessEqual(low, tally['found'] / tally['targets'])
+            self.assertLessEqual(tally['found'] / tally['targets'], high)
+        best = [tally for tally in report['tallies'] if tally['method'] == 'calibrated' and tally['setting'] == 0.05]
+        self.assertTrue(all(tally['found'] >= 2 for tally in best), 'a flashlight and a screwdriver are plain')
+        self.assertEqual(len(done.stdout.splitlines()), len(report['tallies']) + 2)
+
+    def test_same_seeds_same_figures(self):
+        _, report = self.evaluate('--scene', TOOLS)
+        _, again = self.evaluate('--scene', TOOLS, '--overwrite')
+        self.assertEqual(report, again)
+
+    def test_bad_input(self):
+        out = ['--out', self.out]
+        for options, names in ((['--frames', '10,5'], ['--frames']), (['--frames', '1'], ['--frames']),
+                               (['--inspections', 0], ['--inspections'])):
+            with self.subTest(options):
+                done = self.rva('evaluate', *out, *options)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.check_line(done.stderr, names)
+                self.assertFalse(self.out.exists())
+        self.check_fails('evaluate', *out, '--scene', self.folder / 'none.yaml', names=['none.yaml'])
+
+
+if __name__ == '__main__':
+    program.main()

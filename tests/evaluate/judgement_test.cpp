@@ -1,0 +1,62 @@
+#include "evaluate/judgement.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rva {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr int width = 100;
+constexpr int height = 80;
+
+std::vector<std::uint32_t> square(int left, int top, int side) {
+  std::vector<std::uint32_t> pixels;
+  for (int v = top; v < top + side; ++v) {
+    for (int u = left; u < left + side; ++u) pixels.push_back(static_cast<std::uint32_t>(v * width + u));
+  }
+  return pixels;
+}
+
+Finding finding(int left, int top, int side) {
+  Finding finding;
+  finding.pixels = square(left, top, side);
+  return finding;
+}
+
+std::vector<Target> one_target() { return {{"key", 25, 25.0, 0.5, square(40, 40, 5)}}; }
+
+TEST(Judgement, WithinHalfAWindowIsFound) {
+  const std::vector<Finding> at_edge{finding(48, 40, 3)};
+  EXPECT_THAT(judge(at_edge, one_target(), width, height).found, ElementsAre(true));
+  const std::vector<Finding> beyond{finding(49, 40, 3)};
+  const Judgement shadow = judge(beyond, one_target(), width, height);
+  EXPECT_THAT(shadow.found, ElementsAre(false));
+  EXPECT_EQ(shadow.false_findings, 0) << "near enough to be its shadow";
+}
+
+TEST(Judgement, FarFromAllDebrisIsFalse) {
+  const Judgement judgement = judge({finding(70, 40, 3), finding(42, 42, 2)}, one_target(), width, height);
+  EXPECT_EQ(judgement.false_findings, 1);
+  EXPECT_THAT(judgement.found, ElementsAre(true));
+}
+
+TEST(Judgement, AFindingThatMarksEverythingPointsAtNothing) {
+  const Judgement judgement = judge({finding(0, 0, 80)}, one_target(), width, height);
+  EXPECT_EQ(judgement.false_findings, 1);
+  EXPECT_THAT(judgement.found, ElementsAre(false));
+}
+
+TEST(Judgement, WithoutTargetsAllIsFalse) {
+  EXPECT_EQ(judge({finding(70, 40, 3)}, {}, width, height).false_findings, 1);
+}
+
+TEST(Target, HalfHiddenIsVisible) {
+  EXPECT_TRUE((Target{"key", 5, 10.0, 0.5, {}}.is_visible()));
+  EXPECT_FALSE((Target{"key", 4, 10.0, 0.5, {}}.is_visible()));
+  EXPECT_FALSE((Target{"key", 0, 0.0, 0.5, {}}.is_visible()));
+}
+
+}  // namespace
+}  // namespace rva

@@ -1,0 +1,60 @@
+#include "evaluate/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace rva {
+namespace {
+
+Inspection inspection(std::uint64_t seed, bool small_found, std::size_t false_when_clean) {
+  Inspection inspection;
+  inspection.seed = seed;
+  inspection.targets = {{"collar-0.27", 9, 9.0, 0.9, {1}},
+                        {"key", 100, 100.0, 0.5, {2}},
+                        {"collar-0.27", 2, 9.0, 0.5, {3}},   // hidden
+                        {"collar-0.27", 9, 9.0, 1.1, {4}}};  // too far to count as small
+  inspection.results = {{10, {"gaussian", 3.0}, false_when_clean, 1, {small_found, true, true, true}}};
+  return inspection;
+}
+
+TEST(Tally, CountsWhatIsVisible) {
+  const std::vector<Tally> tallies = tally({inspection(1, true, 0), inspection(2, false, 3)});
+  ASSERT_EQ(tallies.size(), 1);
+  const Tally& sum = tallies[0];
+  EXPECT_EQ(sum.inspections, 2);
+  EXPECT_EQ(sum.false_when_clean, 3);
+  EXPECT_EQ(sum.false_with_debris, 2);
+  EXPECT_EQ(sum.targets, 6) << "three of four, twice";
+  EXPECT_EQ(sum.found, 5);
+  EXPECT_EQ(sum.small_targets, 2);
+  EXPECT_EQ(sum.small_found, 1);
+  EXPECT_EQ(sum.all_found, 1);
+}
+
+TEST(Report, SaysTheSameToAPersonAndToAProgram) {
+  const std::vector<Inspection> inspections{inspection(7, true, 0), inspection(8, false, 3)};
+  const std::vector<Tally> tallies = tally(inspections);
+  EXPECT_THAT(to_table(tallies), testing::HasSubstr("1.5 (0.31-4.4)"));
+  EXPECT_THAT(to_table(tallies), testing::HasSubstr("5/6 83 % (36-100)"));
+  const auto json = nlohmann::json::parse(to_json(inspections, tallies));
+  EXPECT_EQ(json["format"], "rva-evaluation");
+  EXPECT_EQ(json["tallies"][0]["found"], 5);
+  EXPECT_EQ(json["inspections"][1]["seed"], 8);
+  EXPECT_EQ(json["inspections"][1]["results"][0]["found"][0], false);
+  EXPECT_EQ(json["inspections"][1]["targets"][2]["visible_px"], 2);
+}
+
+TEST(Study, RefusesFramesThatDoNotGrow) {
+  for (const std::vector<int>& frames : {std::vector<int>{}, {1, 10}, {10, 10}, {40, 10}, {10, 100000}}) {
+    StudyOptions options;
+    options.frames = frames;
+    EXPECT_THROW((void)run_study(options, std::nullopt, {}), UsageError);
+  }
+}
+
+}  // namespace
+}  // namespace rva
