@@ -32,8 +32,8 @@ struct Comparison {
   /// Evidence is -log10 of the number of places with as much of it that an unchanged inspection would show.
   bool evidence_is_rarity = false;
   Coverage coverage;
-  /// Share of the compared pixels in which a change of blind_from_m would not have been found; 0 where the
-  /// method does not know.
+  /// Share of the compared pixels in which a change of blind_from_m would not have been found, or which could
+  /// not be judged; 0 where the method does not know.
   double blind = 0.0;
 };
 

@@ -177,17 +177,16 @@ Coverage coverage_of(const DisparityChange& change) {
           share(change.judged.size() - compared - unseen, change.judged), std::nullopt};
 }
 
-// Share of the compared pixels where a change of blind_from_m would not have been found. The margin is
-// another matter: it is the same in every view.
+// Share of the compared pixels that could not be judged. The margin is another matter: it is the same in
+// every view; and what is far is told by its level of detection.
 double blind_share(const DisparityChange& change, const Image<float>& level_mm) {
   std::size_t compared = 0;
   std::size_t blind = 0;
-  constexpr auto blind_from_mm = static_cast<float>(1000.0 * blind_from_m);
   for (int v = margin_px; v < level_mm.height() - margin_px; ++v) {
     for (int u = margin_px; u < level_mm.width() - margin_px; ++u) {
       const bool both = change.after_px(u, v) > 0.0F && change.before_px(u, v) > 0.0F;
       compared += both ? 1 : 0;
-      blind += both && !(level_mm(u, v) <= blind_from_mm) ? 1 : 0;
+      blind += both && std::isnan(level_mm(u, v)) ? 1 : 0;
     }
   }
   return static_cast<double>(blind) / static_cast<double>(std::max<std::size_t>(compared, 1));
