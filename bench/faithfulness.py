@@ -159,9 +159,10 @@ def plot_frame_counts(out, rows):
     counts = [[row['false'] for row in rows
                if row['scene'] == 'three-tools' and row['method'].startswith('gaussian') and row['frames'] == n]
               for n in FRAME_COUNTS]
-    left.errorbar(FRAME_COUNTS, [np.mean(c) for c in counts], yerr=[np.std(c) for c in counts], fmt='o-', color='C0')
+    low, median, high = np.percentile(counts, (25, 50, 75), axis=1)
+    left.errorbar(FRAME_COUNTS, median, yerr=(median - low, high - median), fmt='o-', color='C0')
     left.set_xlabel('depth images a side')
-    left.set_ylabel('false blobs in the colour view', color='C0')
+    left.set_ylabel('false blobs in the colour view, median and quartiles', color='C0')
     times = [np.median([row['statistics_ms'] for row in rows
                         if row['method'].startswith('gaussian') and row['frames'] == n]) for n in FRAME_COUNTS]
     right = left.twinx()
