@@ -32,9 +32,10 @@ Image<float> evidence_of(const DisparityChange& change, const Image<float>& drif
                          const Image<float>& deviation_px) {
   Image<float> evidence(change.judged.width(), change.judged.height());
   constexpr auto most = static_cast<float>(most_deviations);
+  constexpr float least_px = 1e-6F;  // no division by zero where nothing was judged
   for (std::size_t i = 0; i < evidence.size(); ++i) {
-    if (deviation_px[i] <= 0.0F) continue;
-    evidence[i] = std::clamp((change.change_px(i) - drift_px[i]) / deviation_px[i], -most, most);
+    const float deviations = (change.change_px(i) - drift_px[i]) / std::max(deviation_px[i], least_px);
+    evidence[i] = deviation_px[i] > 0.0F ? std::min(std::max(deviations, -most), most) : 0.0F;
   }
   return evidence;
 }
@@ -84,18 +85,24 @@ std::optional<Sighting> sighting(const Scale& scale, float sign) {
   const PooledEvidence& evidence = scale.detection.evidence;
   Sighting seen{Mask(evidence.pooled.width(), evidence.pooled.height()),
                 Image<float>(evidence.pooled.width(), evidence.pooled.height(), common)};
-  bool any = false;
-  for (std::size_t i = 0; i < seen.around.size(); ++i) {
-    const double deviations = static_cast<double>(sign * evidence.deviations[i]);
-    if (deviations <= scale.detection.threshold) continue;
-    any = true;
-    seen.around[i] = mask_set;
-    seen.rarity[i] = static_cast<float>(-std::log10(looks) - scale.tail.log10_expected_above(deviations));
+  cv::Rect where;
+  for (int v = 0; v < seen.around.height(); ++v) {
+    for (int u = 0; u < seen.around.width(); ++u) {
+      const double deviations = static_cast<double>(sign * evidence.deviations(u, v));
+      if (deviations <= scale.detection.threshold) continue;
+      where |= cv::Rect(u, v, 1, 1);
+      seen.around(u, v) = mask_set;
+      seen.rarity(u, v) =
+          static_cast<float>(-std::log10(looks) - scale.tail.log10_expected_above(deviations));
+    }
   }
-  if (!any) return std::nullopt;
+  if (where.empty()) return std::nullopt;
+  const int half = evidence.window_px / 2;
+  where = cv::Rect(where.x - half, where.y - half, where.width + 2 * half, where.height + 2 * half) &
+          cv::Rect(0, 0, seen.around.width(), seen.around.height());
   const cv::Mat window = cv::Mat::ones(evidence.window_px, evidence.window_px, CV_8U);
-  cv::Mat around = as_mat(seen.around);
-  cv::Mat rarity = as_mat(seen.rarity);
+  cv::Mat around = as_mat(seen.around)(where);
+  cv::Mat rarity = as_mat(seen.rarity)(where);
   cv::dilate(around, around, window);
   cv::dilate(rarity, rarity, window);
   return seen;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/quantile.hpp"
@@ -32,10 +33,23 @@ Edges edges_of(const Image<float>& values, const Mask& judged) {
   return edges;
 }
 
-std::size_t level_of(float value, const Edges& edges) {
-  std::size_t level = 0;
+int level_of(float value, const Edges& edges) {
+  int level = 0;
   for (const float edge : edges) level += value > edge ? 1 : 0;
   return level;
+}
+
+/// The class of each pixel.
+Image<std::uint8_t> classes_of(const DisparityChange& change) {
+  const Edges time = edges_of(change.deviation_px, change.judged);
+  const Edges structure = edges_of(change.structure_px, change.judged);
+  Image<std::uint8_t> classes(change.judged.width(), change.judged.height());
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const int place = level_of(change.deviation_px[i], time) * static_cast<int>(levels) +
+                      level_of(change.structure_px[i], structure);
+    classes[i] = static_cast<std::uint8_t>(place);
+  }
+  return classes;
 }
 
 /// One class of places.
@@ -73,34 +87,14 @@ double variance_of(std::vector<float>& sizes_px) {
   return deviation_px * deviation_px;
 }
 
-class Places {
- public:
-  explicit Places(const DisparityChange& change)
-      : change_(change),
-        time_(edges_of(change.deviation_px, change.judged)),
-        structure_(edges_of(change.structure_px, change.judged)),
-        places_(levels * levels) {}
-
-  [[nodiscard]] std::size_t index_of(std::size_t i) const {
-    return level_of(change_.deviation_px[i], time_) * levels + level_of(change_.structure_px[i], structure_);
-  }
-  [[nodiscard]] Place& at(std::size_t i) { return places_[index_of(i)]; }
-  [[nodiscard]] std::vector<Place>& all() { return places_; }
-
- private:
-  const DisparityChange& change_;
-  Edges time_;
-  Edges structure_;
-  std::vector<Place> places_;
-};
-
 /// Fills the places, and gives the changes of all together.
-std::vector<float> gather(const DisparityChange& change, const Image<float>& drift_px, Places& places) {
+std::vector<float> gather(const DisparityChange& change, const Image<float>& drift_px,
+                          const Image<std::uint8_t>& classes, std::vector<Place>& places) {
   std::vector<float> all;
   for (std::size_t i = 0; i < change.judged.size(); i += sampling) {
     if (change.judged[i] == 0) continue;
     const float size_px = std::abs(change.change_px(i) - drift_px[i]);
-    Place& place = places.at(i);
+    Place& place = places[classes[i]];
     place.sizes_px.push_back(size_px);
     place.time_variance_px2 += static_cast<double>(change.deviation_px[i]) * change.deviation_px[i];
     all.push_back(size_px);
@@ -113,13 +107,14 @@ std::vector<float> gather(const DisparityChange& change, const Image<float>& dri
 NoiseByPlace noise_by_place(const DisparityChange& change, const Image<float>& drift_px,
                             const Image<float>& drift_variance_px2, double disparity_by_depth) {
   NoiseByPlace noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};
-  Places places(change);
-  std::vector<float> all = gather(change, drift_px, places);
+  const Image<std::uint8_t> classes = classes_of(change);
+  std::vector<Place> places(levels * levels);
+  std::vector<float> all = gather(change, drift_px, classes, places);
   const double whole_px2 = variance_of(all);
   std::array<float, levels * levels> variances_px2{};
   std::array<float, levels * levels> time_variances_px2{};
   for (std::size_t k = 0; k < variances_px2.size(); ++k) {
-    Place& place = places.all()[k];
+    Place& place = places[k];
     const auto count = static_cast<double>(place.sizes_px.size());
     place.variance_px2 = variance_of(place.sizes_px);
     if (count > 0.0) place.time_variance_px2 /= count;
@@ -127,18 +122,17 @@ NoiseByPlace noise_by_place(const DisparityChange& change, const Image<float>& d
         static_cast<float>((count * place.variance_px2 + lean_px * whole_px2) / (count + lean_px));
     time_variances_px2[k] = static_cast<float>(place.time_variance_px2);
   }
-  explain(places.all(), noise);
+  explain(places, noise);
   // Of a uniform distribution one unit of depth wide; a unit is d^2 / disparity_by_depth.
   const auto rounding = static_cast<float>(1.0 / (12.0 * disparity_by_depth * disparity_by_depth));
   const auto fourth = [](float number) { return number * number * number * number; };
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    if (change.judged[i] == 0) continue;
     const float rounding_px2 = rounding * (fourth(change.before_px[i]) + fourth(change.after_px[i]));
-    const std::size_t place = places.index_of(i);
-    const float excess_px2 =
-        std::max(0.0F, change.deviation_px[i] * change.deviation_px[i] - time_variances_px2[place]);
-    noise.deviation_px[i] = std::sqrt(std::max(variances_px2[place], rounding_px2) +
-                                      excess_px2 / independent_at_least + drift_variance_px2[i]);
+    const float time_px2 = change.deviation_px[i] * change.deviation_px[i];
+    const float excess_px2 = std::max(0.0F, time_px2 - time_variances_px2[classes[i]]);
+    const float variance_px2 = std::max(variances_px2[classes[i]], rounding_px2) +
+                               excess_px2 / independent_at_least + drift_variance_px2[i];
+    noise.deviation_px[i] = change.judged[i] != 0 ? std::sqrt(variance_px2) : 0.0F;
   }
   return noise;
 }

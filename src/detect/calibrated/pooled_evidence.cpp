@@ -1,6 +1,8 @@
 #include "detect/calibrated/pooled_evidence.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -19,13 +21,8 @@ cv::Mat window_sums(const cv::Mat& values, int window_px) {
   return sums;
 }
 
-double robust_deviation(const PooledEvidence& evidence) {
-  std::vector<float> sizes;
-  for (std::size_t i = 0; i < evidence.pooled.size(); i += sampling) {
-    if (evidence.pooled[i] != 0) sizes.push_back(std::abs(evidence.deviations[i]));
-  }
-  return sizes.empty() ? 0.0 : normal_per_median * static_cast<double>(quantile(sizes, 0.5));
-}
+// Sum over a window in deviations of independent pixels.
+float in_deviations(float sum, float pixels) { return sum / std::sqrt(std::max(pixels, 1.0F)); }
 
 }  // namespace
 
@@ -34,21 +31,23 @@ PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window
                         Mask(evidence.width(), evidence.height()), 1.0};
   const cv::Mat sums = window_sums(as_mat(evidence), window_px);
   const cv::Mat counts = window_sums(as_mat(judged), window_px);
-  const float least = 0.5F * static_cast<float>(window_px * window_px);
-  for (int v = 0; v < evidence.height(); ++v) {
-    const float* const sum = sums.ptr<float>(v);
-    const float* const count = counts.ptr<float>(v);
-    for (int u = 0; u < evidence.width(); ++u) {
-      const float pixels = count[u] / mask_set;
-      if (judged(u, v) == 0 || pixels < least) continue;
-      result.pooled(u, v) = mask_set;
-      result.deviations(u, v) = sum[u] / std::sqrt(pixels);
-    }
+  const auto* const sum = sums.ptr<float>();
+  const auto* const count = counts.ptr<float>();
+  const float least = 0.5F * static_cast<float>(mask_set * window_px * window_px);
+  for (std::size_t i = 0; i < judged.size(); ++i)
+    result.pooled[i] = count[i] >= least ? judged[i] : std::uint8_t{0};
+
+  std::vector<float> sizes;
+  for (std::size_t i = 0; i < judged.size(); i += sampling) {
+    if (result.pooled[i] != 0) sizes.push_back(std::abs(in_deviations(sum[i], count[i] / mask_set)));
   }
-  const double deviation = robust_deviation(result);
-  if (deviation <= 0.0) return result;
-  result.agreement = deviation;
-  for (float& value : result.deviations.pixels()) value /= static_cast<float>(deviation);
+  const float deviation = sizes.empty() ? 0.0F : static_cast<float>(normal_per_median) * quantile(sizes, 0.5);
+  if (deviation > 0.0F) result.agreement = static_cast<double>(deviation);
+  const auto scale = static_cast<float>(1.0 / result.agreement);
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    const float value = scale * in_deviations(sum[i], count[i] / mask_set);
+    result.deviations[i] = result.pooled[i] != 0 ? value : 0.0F;
+  }
   return result;
 }
 
