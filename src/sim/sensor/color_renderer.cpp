@@ -51,9 +51,9 @@ class RowPainter {
       aim(v + offset(sub));
       row_.cast();
       row_.find_shadows(lamp_m);
+      std::size_t sample = 0;
       for (int u = 0; u < imager_.width; ++u) {
-        for (int i = 0; i < supersampling_; ++i)
-          add(static_cast<std::size_t>(u * supersampling_ + i), u, v, view);
+        for (int i = 0; i < supersampling_; ++i) add(sample++, u, v, view);
       }
     }
   }
