@@ -162,7 +162,7 @@ def plot_frame_counts(out, rows):
     low, median, high = np.percentile(counts, (25, 50, 75), axis=1)
     left.errorbar(FRAME_COUNTS, median, yerr=(median - low, high - median), fmt='o-', color='C0')
     left.set_xlabel('depth images a side')
-    left.set_ylabel('false blobs in the colour view, median and quartiles', color='C0')
+    left.set_ylabel('false blobs, median and quartiles', color='C0')
     times = [np.median([row['statistics_ms'] for row in rows
                         if row['method'].startswith('gaussian') and row['frames'] == n]) for n in FRAME_COUNTS]
     right = left.twinx()

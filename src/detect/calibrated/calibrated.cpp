@@ -175,10 +175,8 @@ Coverage coverage_of(const DisparityChange& change) {
   std::size_t compared = 0;
   std::size_t unseen = 0;
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    const std::size_t after = change.after_px[i] > 0.0F ? 1 : 0;
-    const std::size_t before = change.before_px[i] > 0.0F ? 1 : 0;
-    compared += after & before;
-    unseen += after & ~before & 1;
+    if (change.after_px[i] <= 0.0F) continue;
+    ++(change.before_px[i] > 0.0F ? compared : unseen);
   }
   return {share(compared, change.judged), share(unseen, change.judged),
           share(change.judged.size() - compared - unseen, change.judged), std::nullopt};

@@ -29,7 +29,7 @@ struct CalibratedComparison {
 /// both nearer and farther (docs/calibrated.md).
 /// @param initial, final one size, one depth unit
 /// @param unit_m         metres of one depth unit
-/// @param camera         of the depth images; where its baseline is not known, any: only drift_px and
+/// @param disparity_m_px focal length times baseline; where that is not known, any: only drift_px and
 /// fixed_px
 ///                       depend on it
 [[nodiscard]] CalibratedComparison compare_calibrated(const DepthStatistics& initial,

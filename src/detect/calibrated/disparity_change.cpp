@@ -67,10 +67,9 @@ void leave_out_margin(DisparityChange& change) {
   const int width = change.judged.width();
   const int height = change.judged.height();
   for (int v = 0; v < height; ++v) {
-    const bool in_rows = v >= margin_px && v < height - margin_px;
     for (int u = 0; u < width; ++u) {
-      if (in_rows && u == margin_px) u = std::max(u, width - margin_px);
-      if (u < width) leave_out(change, static_cast<std::size_t>(&change.judged(u, v) - change.judged.data()));
+      const bool inside = v >= margin_px && v < height - margin_px && u >= margin_px && u < width - margin_px;
+      if (!inside) leave_out(change, static_cast<std::size_t>(&change.judged(u, v) - change.judged.data()));
     }
   }
 }

@@ -1,6 +1,5 @@
 #include "detect/calibrated/drift.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
@@ -56,10 +55,10 @@ Blocks block_medians(const DisparityChange& change, const Drift& drift) {
   return blocks;
 }
 
-double robust_deviation(const Eigen::VectorXd& residuals) {
+double deviation_of(const Eigen::VectorXd& residuals) {
   std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));
   std::ranges::transform(residuals, sizes.begin(), [](double residual) { return std::abs(residual); });
-  return normal_per_median * quantile(sizes, 0.5);
+  return robust_deviation(sizes);
 }
 
 // 95 % as good as least squares where nothing changed.
@@ -143,7 +142,7 @@ Drift fit_drift(const DisparityChange& change) {
   constexpr int rounds = 15;
   for (int round = 0; round < rounds; ++round) {
     const Eigen::VectorXd residuals = blocks.change_px - blocks.terms * coefficients_px;
-    deviation = robust_deviation(residuals);
+    deviation = deviation_of(residuals);
     if (deviation <= 0.0) break;
     weights = biweights(residuals, deviation);
     const Eigen::VectorXd roots = weights.cwiseSqrt();

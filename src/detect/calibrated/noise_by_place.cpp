@@ -83,7 +83,7 @@ void explain(const std::vector<Place>& places, NoiseByPlace& noise) {
 
 double variance_of(std::vector<float>& sizes_px) {
   if (sizes_px.empty()) return 0.0;
-  const double deviation_px = normal_per_median * static_cast<double>(quantile(sizes_px, 0.5));
+  const double deviation_px = static_cast<double>(robust_deviation(sizes_px));
   return deviation_px * deviation_px;
 }
 

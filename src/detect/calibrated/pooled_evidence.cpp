@@ -41,7 +41,7 @@ PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window
   for (std::size_t i = 0; i < judged.size(); i += sampling) {
     if (result.pooled[i] != 0) sizes.push_back(std::abs(in_deviations(sum[i], count[i] / mask_set)));
   }
-  const float deviation = sizes.empty() ? 0.0F : static_cast<float>(normal_per_median) * quantile(sizes, 0.5);
+  const float deviation = sizes.empty() ? 0.0F : robust_deviation(sizes);
   if (deviation > 0.0F) result.agreement = static_cast<double>(deviation);
   const auto scale = static_cast<float>(1.0 / result.agreement);
   for (std::size_t i = 0; i < judged.size(); ++i) {
