@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,11 @@ void print_levels(const DetectionLevelSummary& summary) {
           levels.to_m, levels.median_mm, levels.p90_mm);
 }
 
+// What a method cannot give is not faked.
+std::string or_none(const char* format, std::optional<double> number) {
+  return number ? fmt::format(fmt::runtime(format), *number) : "-";
+}
+
 void print_for_a_person(const DetectArguments& arguments, const StaticDetection& detection) {
   const Findings& findings = detection.findings;
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
@@ -76,11 +82,12 @@ void print_for_a_person(const DetectArguments& arguments, const StaticDetection&
   }
   for (const Finding& finding : findings.findings) {
     const Box& box = finding.box;
-    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9.1f}  {:>11.2f}  {:>8.1f}\n", finding.id,
+    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", finding.id,
           finding.kind == ChangeKind::added ? "added" : "removed",
           fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height), finding.pixels.size(),
-          finding.height_mm.value_or(0.0), finding.position_m ? finding.position_m->z() : 0.0,
-          finding.score.value_or(0.0));
+          or_none("{:.1f}", finding.height_mm),
+          or_none("{:.2f}", finding.position_m ? std::optional(finding.position_m->z()) : std::nullopt),
+          or_none("{:.1f}", finding.score));
   }
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",

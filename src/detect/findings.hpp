@@ -19,8 +19,8 @@
 namespace rva {
 
 enum class ChangeKind {
-  added,    ///< nearer than before
-  removed,  ///< farther than before
+  added,    ///< nearer than before; or its depth went missing, as behind glass and on bare metal
+  removed,  ///< farther than before; or depth appeared where there was none
 };
 
 /// One changed place. Pixels are of the final depth image, positions in the final depth camera's frame.
@@ -29,12 +29,14 @@ struct Finding {
   int id = 0;  ///< from 1, most suspicious first
   ChangeKind kind = ChangeKind::added;
   Box box;
-  std::vector<std::uint32_t> pixels;             ///< changed pixels, by position in the rows laid end to end
-  Eigen::Vector2d centroid{0, 0};                ///< mean of the pixels
-  std::optional<Eigen::Vector3d> position_m;     ///< the centroid at the region's median depth
+  std::vector<std::uint32_t> pixels;  ///< changed pixels, by position in the rows laid end to end
+  Eigen::Vector2d centroid{0, 0};     ///< mean of the pixels
+  std::optional<Eigen::Vector3d>
+      position_m;  ///< the centroid at the region's median depth, before where there is none after
   std::optional<std::array<double, 2>> size_mm;  ///< the box's width and height at that depth
-  std::optional<double> height_mm;               ///< median change of depth over the region, along z
-  std::optional<double> score;                   ///< larger is more suspicious; comparable within a method
+  std::optional<double>
+      height_mm;  ///< median change of depth over the region, along z; where half of it has both
+  std::optional<double> score;  ///< larger is more suspicious; comparable within a method
   std::optional<double> p_value;
 };
 

@@ -44,6 +44,25 @@ TEST(Findings, AreMeasuredInTheCamerasFrame) {
   EXPECT_NEAR(*second.height_mm, 100.0, 1e-3);
 }
 
+TEST(Findings, WithoutDepthAfterwardsTheyHaveNoHeight) {
+  Comparison lost = sample();
+  for (int v = 10; v < 13; ++v) {
+    for (int u = 20; u < 30; ++u) lost.final_m(u, v) = 0.0F;
+  }
+  const Finding went = measure_regions(find_regions(lost.changed, {}), lost, camera)[1];
+  EXPECT_FALSE(went.height_mm);
+  EXPECT_EQ(went.kind, ChangeKind::added);
+  EXPECT_FLOAT_EQ(static_cast<float>(went.position_m->z()), 1.0F) << "three rows of four, as before";
+  std::swap(lost.initial_m, lost.final_m);
+  const Finding came = measure_regions(find_regions(lost.changed, {}), lost, camera)[1];
+  EXPECT_FALSE(came.height_mm);
+  EXPECT_EQ(came.kind, ChangeKind::removed);
+  lost.initial_m = lost.final_m = Image<float>(width, 80);
+  const Finding nowhere = measure_regions(find_regions(lost.changed, {}), lost, camera)[1];
+  EXPECT_FALSE(nowhere.position_m);
+  EXPECT_FALSE(nowhere.size_mm);
+}
+
 TEST(Findings, MostSuspiciousComesFirst) {
   const Comparison comparison = sample();
   const std::vector<Finding> findings =

@@ -3,6 +3,7 @@
 
 #include "core/options.hpp"
 #include "depth/depth_statistics.hpp"
+#include "detect/calibrated/disparity_change.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
 #include "detect/comparison.hpp"
 
@@ -24,7 +25,7 @@ struct CalibratedComparison {
   DetectionLevelSummary levels;
 };
 
-/// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 9,
+/// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 7,
 /// 15 and 31 pixels, and marks what is higher than `false_findings` places of an unchanged image would be,
 /// both nearer and farther (docs/calibrated.md).
 /// @param initial, final one size, one depth unit
@@ -35,6 +36,12 @@ struct CalibratedComparison {
 [[nodiscard]] CalibratedComparison compare_calibrated(const DepthStatistics& initial,
                                                       const DepthStatistics& final, double unit_m,
                                                       double disparity_m_px,
+                                                      const CalibratedOptions& options);
+
+/// The same, of a change in disparity that is known already.
+/// @param disparity_by_depth as for disparity_change()
+[[nodiscard]] CalibratedComparison compare_calibrated(const DisparityChange& change,
+                                                      double disparity_by_depth, double disparity_m_px,
                                                       const CalibratedOptions& options);
 
 }  // namespace rva

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "core/quantile.hpp"
-#include "depth/mat_view.hpp"
 
 namespace rva {
 namespace {
 
-constexpr int structure_window_px = 5;
 constexpr float jump = 10.0F;  // in deviations of the median pixel
 constexpr float nothing = 0.0F;
 
@@ -21,42 +17,34 @@ constexpr float nothing = 0.0F;
 class Converter {
  public:
   Converter(const DepthStatistics& depth, double disparity_by_depth)
-      : depth_(depth), disparity_by_depth_(disparity_by_depth), share_of_(depth.frames() + 1) {
+      : depth_(depth),
+        disparity_by_depth_(static_cast<float>(disparity_by_depth)),
+        share_of_frames_(depth.frames() == 0 ? 0.0F : 1.0F / static_cast<float>(depth.frames())),
+        share_of_(depth.frames() + 1) {
     for (std::size_t count = 1; count < share_of_.size(); ++count)
-      share_of_[count] = 1.0 / static_cast<double>(count);
+      share_of_[count] = 1.0F / static_cast<float>(count);
+  }
+
+  [[nodiscard]] float share_seen(std::size_t i) const {
+    return static_cast<float>(depth_.count(i)) * share_of_frames_;
   }
 
   // dd / dz = -d / z.
   void convert(std::size_t i, float& disparity_px, float& variance_px2) const {
     if (!depth_.seen(i)) return;
-    const double share = share_of_[depth_.count(i)];
-    const double mean = static_cast<double>(depth_.sum(i)) * share;
-    const double disparity = disparity_by_depth_ / mean;
-    const double slope = disparity * disparity / disparity_by_depth_ * share;
-    disparity_px = static_cast<float>(disparity);
-    variance_px2 += static_cast<float>(static_cast<double>(depth_.scaled_variance(i)) * slope * slope);
+    const float share = share_of_[depth_.count(i)];
+    const float by_mean = 1.0F / (static_cast<float>(depth_.sum(i)) * share);
+    const float slope = disparity_by_depth_ * by_mean * by_mean * share;
+    disparity_px = disparity_by_depth_ * by_mean;
+    variance_px2 += static_cast<float>(depth_.scaled_variance(i)) * slope * slope;
   }
 
  private:
   const DepthStatistics& depth_;
-  double disparity_by_depth_;
-  std::vector<double> share_of_;
+  float disparity_by_depth_;
+  float share_of_frames_;
+  std::vector<float> share_of_;
 };
-
-// Range within the window; pixels without a disparity do not count.
-Image<float> local_range(const Image<float>& disparity_px) {
-  constexpr float far = std::numeric_limits<float>::max();
-  Image<float> least = disparity_px;
-  for (float& pixel : least.pixels()) pixel = pixel > nothing ? pixel : far;
-  Image<float> range(disparity_px.width(), disparity_px.height());
-  const cv::Mat window = cv::Mat::ones(structure_window_px, structure_window_px, CV_8U);
-  cv::Mat range_pixels = as_mat(range);
-  cv::dilate(as_mat(disparity_px), range_pixels, window);
-  cv::Mat least_pixels = as_mat(least);
-  cv::erode(least_pixels, least_pixels, window);
-  for (std::size_t i = 0; i < range.size(); ++i) range[i] -= std::min(least[i], range[i]);
-  return range;
-}
 
 void leave_out(DisparityChange& change, std::size_t i) {
   change.judged[i] = 0;
@@ -69,13 +57,15 @@ void leave_out_margin(DisparityChange& change) {
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
       const bool inside = v >= margin_px && v < height - margin_px && u >= margin_px && u < width - margin_px;
-      if (!inside) leave_out(change, static_cast<std::size_t>(&change.judged(u, v) - change.judged.data()));
+      if (inside) continue;
+      leave_out(change, static_cast<std::size_t>(&change.judged(u, v) - change.judged.data()));
+      change.lost(u, v) = nothing;
     }
   }
 }
 
 void leave_out_jumps(DisparityChange& change) {
-  constexpr std::size_t sampling = 7;
+  constexpr std::size_t sampling = 17;
   std::vector<float> deviations_px;
   for (std::size_t i = 0; i < change.judged.size(); i += sampling) {
     if (change.judged[i] != 0) deviations_px.push_back(change.deviation_px[i]);
@@ -94,9 +84,11 @@ DisparityChange disparity_change(const DepthStatistics& initial, const DepthStat
                                  double disparity_by_depth) {
   assert(initial.width() == final.width() && initial.height() == final.height());
   DisparityChange change(final.width(), final.height());
+  change.frames = std::min(initial.frames(), final.frames());
   const Converter before(initial, disparity_by_depth);
   const Converter after(final, disparity_by_depth);
   for (std::size_t i = 0; i < final.size(); ++i) {
+    if (change.frames > 0) change.lost[i] = before.share_seen(i) - after.share_seen(i);
     float variance_px2 = 0.0F;
     before.convert(i, change.before_px[i], variance_px2);
     after.convert(i, change.after_px[i], variance_px2);
@@ -106,10 +98,6 @@ DisparityChange disparity_change(const DepthStatistics& initial, const DepthStat
   }
   leave_out_margin(change);
   leave_out_jumps(change);
-  change.structure_px = local_range(change.before_px);
-  const Image<float> structure_after = local_range(change.after_px);
-  for (std::size_t i = 0; i < final.size(); ++i)
-    change.structure_px[i] = std::min(change.structure_px[i], structure_after[i]);
   return change;
 }
 

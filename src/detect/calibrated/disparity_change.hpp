@@ -16,14 +16,18 @@ struct DisparityChange {
       : before_px(width, height),
         after_px(width, height),
         deviation_px(width, height),
-        structure_px(width, height),
-        judged(width, height) {}
+        judged(width, height),
+        lost(width, height) {}
 
+  std::size_t frames = 1;     ///< of the set that has fewer
   Image<float> before_px;     ///< mean disparity; 0 where the first set did not see the pixel
   Image<float> after_px;      ///< mean disparity; 0 where the second set did not see the pixel
   Image<float> deviation_px;  ///< over time, of one frame before less one after; 0 where not judged
-  Image<float> structure_px;  ///< range of disparity within 5 x 5 pixels, of the set in which it is less
   Mask judged;  ///< set where both sets saw the pixel, within the margin, and its depth does not jump
+
+  /// Share of the frames with a depth, before less after, -1 to 1; 0 in the margin. Above 0, depth went
+  /// missing.
+  Image<float> lost;
 
   /// Above 0, something came nearer. Of a pixel that is judged.
   [[nodiscard]] float change_px(std::size_t i) const { return after_px[i] - before_px[i]; }

@@ -3,36 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/quantile.hpp"
-
 namespace rva {
 namespace {
 
-constexpr double end = 2.0 * FalseAlarmTail::onset;
-constexpr double usual_slope = 1.2;
+constexpr double end = 7.0;
+constexpr double length = end - FalseAlarmTail::onset;
 constexpr double usual_peaks = 10.0;
 
-// The slope of an exponential distribution that is cut off at `length`, by its median: 1 - exp(-slope median)
-// is half of 1 - exp(-slope length). It falls from 2 ln 2 / length or more towards 0 as the median nears the
-// middle.
-double slope_of(double median, double length) {
-  if (median >= 0.5 * length) return 0.0;
+// The most probable slope of an exponential distribution that is cut off at `length`, by the likelihood of
+// `count` excesses of such a sum and of as many usual ones as are believed in.
+double most_probable_slope(double count, double sum, double usual_slope) {
+  const auto rises_at = [&](double slope) {
+    const double cut_off = count > 0.0 ? count * length / std::expm1(slope * length) : 0.0;
+    return (count + usual_peaks) / slope > sum + usual_peaks / usual_slope + cut_off;
+  };
   double low = 0.0;
-  double high = M_LN2 / median;
+  double high = (count + usual_peaks) / (sum + usual_peaks / usual_slope);
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i) {
     const double slope = 0.5 * (low + high);
-    const bool too_steep = std::expm1(-slope * median) < 0.5 * std::expm1(-slope * length);
-    (too_steep ? high : low) = slope;
+    (rises_at(slope) ? low : high) = slope;
   }
-  return low;
+  return high;
 }
 
 }  // namespace
 
 double FalseAlarmTail::log10_expected_above(double height) const {
-  const double fallen = slope_ * (std::pow(std::max(height, onset), shape_) - std::pow(onset, shape_));
-  return std::log10(places_) - fallen / M_LN10;
+  const double excess = std::max(height, onset) - onset;
+  return std::log10(places_) - peaks_ * std::log1p(slope_ * excess / peaks_) / M_LN10;
 }
 
 double FalseAlarmTail::expected_above(double height) const {
@@ -41,21 +40,21 @@ double FalseAlarmTail::expected_above(double height) const {
 
 double FalseAlarmTail::height_of(double expected) const {
   const double fallen = std::max(0.0, std::log(places_ / expected));
-  return std::pow(std::pow(onset, shape_) + fallen / slope_, 1.0 / shape_);
+  return onset + std::expm1(fallen / peaks_) * peaks_ / slope_;
 }
 
-FalseAlarmTail fit_tail(const std::vector<float>& peaks, double shape) {
-  const double origin = std::pow(FalseAlarmTail::onset, shape);
-  const double length = std::pow(end, shape) - origin;
-  std::vector<double> excesses;
+FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope) {
+  double count = 0.0;
+  double sum = 0.0;
   for (const float peak : peaks) {
-    if (peak > FalseAlarmTail::onset && peak < end) excesses.push_back(std::pow(peak, shape) - origin);
+    const double excess = static_cast<double>(peak) - FalseAlarmTail::onset;
+    if (excess <= 0.0 || excess >= length) continue;
+    count += 1.0;
+    sum += excess;
   }
-  const auto count = static_cast<double>(excesses.size());
-  const double learnt = excesses.empty() ? 0.0 : slope_of(quantile(excesses, 0.5), length);
-  const double slope = (count * learnt + usual_peaks * usual_slope) / (count + usual_peaks);
+  const double slope = most_probable_slope(count, sum, usual_slope);
   const double beyond_too = count / -std::expm1(-slope * length);
-  return {std::max(beyond_too, 1.0) / 2.0, slope, shape};
+  return {std::max(beyond_too, 1.0) / 2.0, slope, count + usual_peaks};
 }
 
 }  // namespace rva

@@ -5,14 +5,18 @@
 
 namespace rva {
 
-/// Expected number of places above a height: rate of places above `onset`, which falls off as
-/// exp(-slope (height^shape - onset^shape)) (peaks over threshold, Pickands 1975; a Weibull tail).
+/// Expected number of places above a height. Places above `onset` fall off exponentially (peaks over
+/// threshold, Pickands 1975), with a slope that is known from few peaks only: averaged over what it may be
+/// (a gamma distribution), places = N (1 + slope x / peaks)^-peaks for an excess x, which is exponential for
+/// many peaks and heavier for few.
 class FalseAlarmTail {
  public:
   static constexpr double onset = 3.0;  ///< in deviations; higher, few are left to learn from
 
-  FalseAlarmTail(double places_above_onset, double slope, double shape)
-      : places_(places_above_onset), slope_(slope), shape_(shape) {}
+  /// @param places above the onset
+  /// @param slope  per deviation
+  /// @param peaks  that the slope was learnt from
+  FalseAlarmTail(double places, double slope, double peaks) : places_(places), slope_(slope), peaks_(peaks) {}
 
   /// From `onset` on; below it, the number at it.
   [[nodiscard]] double expected_above(double height) const;
@@ -24,15 +28,14 @@ class FalseAlarmTail {
  private:
   double places_;
   double slope_;
-  double shape_;
+  double peaks_;
 };
 
-/// Fits to the peaks of an image most of which is unchanged. Only what lies between `onset` and twice that
-/// has a say: the peaks of changes lie beyond, for the most part. The slope comes from the median there, so
-/// that the rims of large changes count little; where few peaks are that high it leans on 1.2, a usual one,
-/// as if that had been learnt from ten peaks.
-/// @param peaks greatest evidence of each block of the image, in deviations, of both signs
+/// Fits to the peaks of an image most of which is unchanged, by maximum likelihood. Only what lies between
+/// `onset` and 7 has a say: the peaks of changes lie beyond, for the most part.
+/// @param peaks       greatest evidence of each block of the image, in deviations, of both signs
+/// @param usual_slope counts as much as one that was learnt from ten peaks
 /// @return of one sign: half of the peaks
-[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, double shape);
+[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope);
 
 }  // namespace rva

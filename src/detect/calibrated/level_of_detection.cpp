@@ -21,32 +21,38 @@ constexpr std::size_t sampling = 3;  // neighbours are alike
 
 // The evidence of n = w^2 pixels that all change by k deviations is k w; what neighbours agree takes its
 // share.
-double needed_deviations(const DetectionScale& scale) {
-  return (scale.threshold + nine_of_ten) * scale.evidence.agreement / scale.evidence.window_px;
+double needed_deviations(const Scale& scale, double threshold) {
+  return (threshold + nine_of_ten) * scale.evidence.agreement / scale.evidence.window_px;
 }
 
 }  // namespace
 
-const DetectionScale& finest_reachable(std::span<const DetectionScale> scales) {
-  const auto reachable = std::ranges::find_if(
-      scales, [](const DetectionScale& scale) { return needed_deviations(scale) <= most_deviations; });
+const Scale& finest_reachable(std::span<const Scale> scales) {
+  const auto reachable = std::ranges::find_if(scales, [](const Scale& scale) {
+    return needed_deviations(scale, scale.thresholds.sure) <= most_deviations;
+  });
   return reachable == scales.end() ? scales.back() : *reachable;
 }
 
-Image<float> level_of_detection_mm(const Image<float>& deviation_px, const Image<float>& depth_m,
-                                   const DetectionScale& scale, double disparity_m_px) {
+Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
+                                   const Image<float>& depth_m, const Scale& scale, double disparity_m_px) {
   Image<float> level_mm(depth_m.width(), depth_m.height(), unknown);
-  const double deviations = needed_deviations(scale);
-  // No height makes up for evidence that a pixel cannot give.
-  if (deviations > most_deviations) return level_mm;
+  // No height makes up for evidence that a pixel cannot give: there the level is unknown.
+  const auto mm_per_px_at_1m = [&](double threshold) {
+    const double deviations = needed_deviations(scale, threshold);
+    return deviations > most_deviations ? unknown
+                                        : static_cast<float>(mm_per_m * deviations / disparity_m_px);
+  };
+  const float sure_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.sure);
+  const float unsure_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.unsure);
   Image<float> around_px(depth_m.width(), depth_m.height());
   cv::Mat around = as_mat(around_px);
   cv::blur(as_mat(deviation_px), around, cv::Size(scale.evidence.window_px, scale.evidence.window_px));
-  const auto mm_per_px_at_1m = static_cast<float>(mm_per_m * deviations / disparity_m_px);
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
     if (scale.evidence.pooled[i] == 0) continue;
     // A thing among noisier pixels is judged with them.
-    level_mm[i] = mm_per_px_at_1m * std::max(deviation_px[i], around_px[i]) * depth_m[i] * depth_m[i];
+    const float scaled = unsure[i] != 0 ? unsure_mm_per_px_at_1m : sure_mm_per_px_at_1m;
+    level_mm[i] = scaled * std::max(deviation_px[i], around_px[i]) * depth_m[i] * depth_m[i];
   }
   return level_mm;
 }

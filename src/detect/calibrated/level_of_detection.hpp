@@ -7,31 +7,27 @@
 #include <vector>
 
 #include "depth/image.hpp"
-#include "detect/calibrated/pooled_evidence.hpp"
+#include "detect/calibrated/scale.hpp"
 
 namespace rva {
 
-/// One scale of pooling and what it asks for.
-struct DetectionScale {
-  PooledEvidence evidence;
-  double threshold = 0.0;  ///< in deviations of the pooled evidence
-};
-
 /// Evidence of a single pixel counts up to so many deviations: one wild pixel is no change.
-inline constexpr double most_deviations = 8.0;
+inline constexpr double most_deviations = 20.0;
 
-/// The finest scale whose threshold a change of any height can reach; else the last.
-[[nodiscard]] const DetectionScale& finest_reachable(std::span<const DetectionScale> scales);
+/// The finest scale whose threshold a change of any height can reach where the matcher is sure; else the
+/// last.
+[[nodiscard]] const Scale& finest_reachable(std::span<const Scale> scales);
 
 /// The least height of a thing that would have been found at a pixel in nine of ten inspections like this
 /// one, millimetres along z; NaN where nothing could be judged. The thing shows in the depth image as wide as
 /// the scale's window: a matcher with windows of its own shows nothing much smaller, and some things smaller
 /// than that not at all (docs/calibrated.md).
+/// @param unsure         as of unsure_places()
 /// @param deviation_px   of an unchanged pixel's disparity; 0 where not judged
 /// @param depth_m        0 where not measured
 /// @param disparity_m_px focal length times baseline: disparity in pixels times depth in metres
-[[nodiscard]] Image<float> level_of_detection_mm(const Image<float>& deviation_px,
-                                                 const Image<float>& depth_m, const DetectionScale& scale,
+[[nodiscard]] Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
+                                                 const Image<float>& depth_m, const Scale& scale,
                                                  double disparity_m_px);
 
 struct DetectionLevels {

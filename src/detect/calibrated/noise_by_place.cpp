@@ -16,9 +16,9 @@ namespace {
 constexpr float independent_at_least = 4.0F;
 // Noise differs most where it is greatest: classes are narrower there.
 constexpr std::array<double, 6> class_shares{0.10, 0.30, 0.50, 0.70, 0.85, 0.95};
-constexpr std::size_t levels = class_shares.size() + 1;
-constexpr std::size_t sampling = 5;  // neighbours agree: every fifth pixel tells as much
-constexpr double lean_px = 100.0;    // sampled pixels that the whole image counts for in every class
+constexpr std::size_t class_count = 2 * (class_shares.size() + 1);  // each sure and unsure
+constexpr std::size_t sampling = 11;  // neighbours agree: a few pixels tell as much
+constexpr double lean_px = 50.0;      // sampled pixels that the whole image counts for in every class
 
 using Edges = std::array<float, class_shares.size()>;
 
@@ -40,13 +40,11 @@ int level_of(float value, const Edges& edges) {
 }
 
 /// The class of each pixel.
-Image<std::uint8_t> classes_of(const DisparityChange& change) {
-  const Edges time = edges_of(change.deviation_px, change.judged);
-  const Edges structure = edges_of(change.structure_px, change.judged);
+Image<std::uint8_t> classes_of(const DisparityChange& change, const Mask& unsure) {
+  const Edges edges = edges_of(change.deviation_px, change.judged);
   Image<std::uint8_t> classes(change.judged.width(), change.judged.height());
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const int place = level_of(change.deviation_px[i], time) * static_cast<int>(levels) +
-                      level_of(change.structure_px[i], structure);
+    const int place = 2 * level_of(change.deviation_px[i], edges) + (unsure[i] != 0 ? 1 : 0);
     classes[i] = static_cast<std::uint8_t>(place);
   }
   return classes;
@@ -104,15 +102,15 @@ std::vector<float> gather(const DisparityChange& change, const Image<float>& dri
 
 }  // namespace
 
-NoiseByPlace noise_by_place(const DisparityChange& change, const Image<float>& drift_px,
+NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure, const Image<float>& drift_px,
                             const Image<float>& drift_variance_px2, double disparity_by_depth) {
   NoiseByPlace noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};
-  const Image<std::uint8_t> classes = classes_of(change);
-  std::vector<Place> places(levels * levels);
+  const Image<std::uint8_t> classes = classes_of(change, unsure);
+  std::vector<Place> places(class_count);
   std::vector<float> all = gather(change, drift_px, classes, places);
   const double whole_px2 = variance_of(all);
-  std::array<float, levels * levels> variances_px2{};
-  std::array<float, levels * levels> time_variances_px2{};
+  std::array<float, class_count> variances_px2{};
+  std::array<float, class_count> time_variances_px2{};
   for (std::size_t k = 0; k < variances_px2.size(); ++k) {
     Place& place = places[k];
     const auto count = static_cast<double>(place.sizes_px.size());

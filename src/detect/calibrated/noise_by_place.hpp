@@ -15,7 +15,7 @@ struct NoiseByPlace {
   double fixed_px = 0.0;  ///< what no number of frames would average away
 };
 
-/// Pixels that vary alike over time and lie in equally rough surroundings are of one class, 49 in all. The
+/// Pixels that vary alike over time, in sure or in unsure places, are of one class, 14 in all. The
 /// deviation of a class is the median size of its change about the drift, as that of a normal distribution:
 /// what changed is in the minority, and cannot pass for noise. Classes of few pixels lean on the whole
 /// image. Rounding of depth sets the least deviation. Added are the uncertainty of the drift and, where a
@@ -24,9 +24,11 @@ struct NoiseByPlace {
 ///
 /// Effective frames and fixed part: the line variance = fixed^2 + deviation over time^2 / frames through the
 /// classes.
+/// @param unsure               as of unsure_places()
 /// @param drift_px, drift_variance_px2 of every pixel
 /// @param disparity_by_depth           as for disparity_change()
-[[nodiscard]] NoiseByPlace noise_by_place(const DisparityChange& change, const Image<float>& drift_px,
+[[nodiscard]] NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure,
+                                          const Image<float>& drift_px,
                                           const Image<float>& drift_variance_px2, double disparity_by_depth);
 
 }  // namespace rva

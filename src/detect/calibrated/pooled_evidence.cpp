@@ -12,42 +12,68 @@
 namespace rva {
 namespace {
 
-constexpr std::size_t sampling = 7;  // sums over windows hardly differ from pixel to pixel
+constexpr std::size_t sampling = 17;  // sums over windows hardly differ from pixel to pixel
+// Evidence is summed as integers: exactly, and twice as fast.
+constexpr double steps_per_deviation = 1024.0;
 
 cv::Mat window_sums(const cv::Mat& values, int window_px) {
   cv::Mat sums;
-  cv::boxFilter(values, sums, CV_32F, cv::Size(window_px, window_px), cv::Point(-1, -1), false,
+  cv::boxFilter(values, sums, CV_32S, cv::Size(window_px, window_px), cv::Point(-1, -1), false,
                 cv::BORDER_CONSTANT);
   return sums;
 }
 
-// Sum over a window in deviations of independent pixels.
-float in_deviations(float sum, float pixels) { return sum / std::sqrt(std::max(pixels, 1.0F)); }
+cv::Mat in_steps(const Image<float>& evidence) {
+  cv::Mat steps;
+  as_mat(evidence).convertTo(steps, CV_16S, steps_per_deviation);
+  return steps;
+}
+
+/// Sums over windows in deviations of independent pixels.
+class Sums {
+ public:
+  Sums(const Image<float>& evidence, const Mask& judged, int window_px)
+      : sums_(window_sums(in_steps(evidence), window_px)), counts_(window_sums(as_mat(judged), window_px)) {
+    const int most = window_px * window_px;
+    by_count_.push_back(0.0F);
+    for (int count = 1; count <= most; ++count)
+      by_count_.push_back(static_cast<float>(1.0 / (steps_per_deviation * std::sqrt(count))));
+  }
+
+  [[nodiscard]] int pixels(std::size_t i) const { return counts_.ptr<int>()[i] / mask_set; }
+  [[nodiscard]] float deviations(std::size_t i) const {
+    return static_cast<float>(sums_.ptr<int>()[i]) * by_count_[static_cast<std::size_t>(pixels(i))];
+  }
+
+ private:
+  cv::Mat sums_;
+  cv::Mat counts_;
+  std::vector<float> by_count_;  // 1 / square root of the number of pixels
+};
+
+double agreement_of(const Sums& sums, const Mask& pooled) {
+  std::vector<float> sizes;
+  for (std::size_t i = 0; i < pooled.size(); i += sampling) {
+    if (pooled[i] != 0) sizes.push_back(std::abs(sums.deviations(i)));
+  }
+  const float deviation = sizes.empty() ? 0.0F : robust_deviation(sizes);
+  return deviation > 0.0F ? static_cast<double>(deviation) : 1.0;
+}
 
 }  // namespace
 
-PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px) {
+PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px,
+                    std::optional<double> agreement) {
   PooledEvidence result{window_px, Image<float>(evidence.width(), evidence.height()),
                         Mask(evidence.width(), evidence.height()), 1.0};
-  const cv::Mat sums = window_sums(as_mat(evidence), window_px);
-  const cv::Mat counts = window_sums(as_mat(judged), window_px);
-  const auto* const sum = sums.ptr<float>();
-  const auto* const count = counts.ptr<float>();
-  const float least = 0.5F * static_cast<float>(mask_set * window_px * window_px);
+  const Sums sums(evidence, judged, window_px);
+  const int least = (window_px * window_px + 1) / 2;
   for (std::size_t i = 0; i < judged.size(); ++i)
-    result.pooled[i] = count[i] >= least ? judged[i] : std::uint8_t{0};
-
-  std::vector<float> sizes;
-  for (std::size_t i = 0; i < judged.size(); i += sampling) {
-    if (result.pooled[i] != 0) sizes.push_back(std::abs(in_deviations(sum[i], count[i] / mask_set)));
-  }
-  const float deviation = sizes.empty() ? 0.0F : robust_deviation(sizes);
-  if (deviation > 0.0F) result.agreement = static_cast<double>(deviation);
+    result.pooled[i] = sums.pixels(i) >= least ? judged[i] : std::uint8_t{0};
+  result.agreement = agreement ? *agreement : agreement_of(sums, result.pooled);
   const auto scale = static_cast<float>(1.0 / result.agreement);
-  for (std::size_t i = 0; i < judged.size(); ++i) {
-    const float value = scale * in_deviations(sum[i], count[i] / mask_set);
-    result.deviations[i] = result.pooled[i] != 0 ? value : 0.0F;
-  }
+  for (std::size_t i = 0; i < judged.size(); ++i)
+    result.deviations[i] = result.pooled[i] != 0 ? scale * sums.deviations(i) : 0.0F;
   return result;
 }
 

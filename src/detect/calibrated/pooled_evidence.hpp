@@ -1,6 +1,8 @@
 // Evidence of neighbours together: a collar spoils a window of the matcher, a rag a tenth of the image.
 #pragma once
 
+#include <optional>
+
 #include "depth/image.hpp"
 
 namespace rva {
@@ -14,8 +16,11 @@ struct PooledEvidence {
   double agreement = 1.0;
 };
 
-/// @param evidence of single pixels, of variance 1 and expectation 0 where nothing changed; 0 where not
-///                 judged
-[[nodiscard]] PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px);
+/// @param evidence of single pixels, of variance 1 and expectation 0 where nothing changed, -31 to 31; 0
+/// where
+///                 not judged
+/// @param agreement learnt where it is not given
+[[nodiscard]] PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px,
+                                  std::optional<double> agreement = {});
 
 }  // namespace rva

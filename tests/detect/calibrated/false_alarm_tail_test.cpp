@@ -10,41 +10,57 @@
 namespace rva {
 namespace {
 
-// Heights of peaks with a tail that is known: exp(-slope (h^shape - 3^shape)) beyond 3.
-std::vector<float> peaks_of(int count, double slope, double shape, std::uint64_t seed) {
+// Heights of peaks with a tail that is known: exp(-slope (h - 3)) beyond 3.
+std::vector<float> peaks_of(int count, double slope, std::uint64_t seed) {
   std::vector<float> peaks;
   Random random(seed);
-  for (int i = 0; i < count; ++i) {
-    const double above = -std::log(1.0 - random.uniform()) / slope;
-    peaks.push_back(static_cast<float>(std::pow(std::pow(3.0, shape) + above, 1.0 / shape)));
-  }
+  for (int i = 0; i < count; ++i)
+    peaks.push_back(static_cast<float>(3.0 - std::log(1.0 - random.uniform()) / slope));
   return peaks;
 }
 
 TEST(FalseAlarmTail, HeightAndNumberAreInversesOfEachOther) {
-  const FalseAlarmTail tail(80.0, 0.7, 1.5);
+  const FalseAlarmTail tail(80.0, 1.7, 30.0);
   for (const double expected : {50.0, 1.0, 0.05, 1e-6}) {
     EXPECT_NEAR(tail.expected_above(tail.height_of(expected)), expected, 1e-9 * expected);
   }
   EXPECT_DOUBLE_EQ(tail.height_of(1000.0), FalseAlarmTail::onset);
 }
 
+TEST(FalseAlarmTail, IsExponentialForManyPeaksAndHeavierForFew) {
+  EXPECT_NEAR(FalseAlarmTail(80.0, 2.0, 1e9).expected_above(6.0), 80.0 * std::exp(-6.0), 1e-6);
+  EXPECT_GT(FalseAlarmTail(80.0, 2.0, 10.0).expected_above(6.0), 80.0 * std::exp(-6.0));
+}
+
 TEST(FalseAlarmTail, NumbersTooSmallForADoubleStillRank) {
-  const FalseAlarmTail tail(80.0, 1.0, 1.5);
-  EXPECT_LT(tail.log10_expected_above(200.0), tail.log10_expected_above(100.0));
-  EXPECT_TRUE(std::isfinite(tail.log10_expected_above(1000.0)));
+  const FalseAlarmTail tail(80.0, 2.0, 1e6);
+  EXPECT_EQ(tail.expected_above(1000.0), 0.0);
+  EXPECT_LT(tail.log10_expected_above(2000.0), tail.log10_expected_above(1000.0));
 }
 
 TEST(FalseAlarmTail, LearnsTheTailOfItsPeaks) {
-  for (const double slope : {0.1, 0.3, 0.5, 0.8, 1.2}) {
-    const FalseAlarmTail tail = fit_tail(peaks_of(20000, slope, 1.5, 1), 1.5);
-    const FalseAlarmTail truth(10000.0, slope, 1.5);
+  for (const double slope : {0.4, 0.8, 1.2, 2.0, 4.0}) {
+    const FalseAlarmTail tail = fit_tail(peaks_of(20000, slope, 1), 1.5);
+    const FalseAlarmTail truth(10000.0, slope, 1e9);
     EXPECT_NEAR(tail.height_of(1.0), truth.height_of(1.0), 0.05 * truth.height_of(1.0)) << slope;
   }
 }
 
+// What is predicted from 30 peaks must hold on average: beyond the height for 0.1 of either sign, 200
+// thousandfold repetitions of 30 peaks show 0.2 each.
+TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
+  constexpr int repetitions = 4000;
+  int beyond = 0;
+  for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
+    const float height = static_cast<float>(fit_tail(peaks_of(30, 1.5, 2 * seed), 1.5).height_of(0.1));
+    for (const float peak : peaks_of(30, 1.5, 2 * seed + 1)) beyond += peak > height ? 1 : 0;
+  }
+  EXPECT_GT(beyond, 0.1 * repetitions);
+  EXPECT_LT(beyond, 0.3 * repetitions);
+}
+
 TEST(FalseAlarmTail, ChangesDoNotPassForNoise) {
-  std::vector<float> peaks = peaks_of(200, 0.8, 1.5, 2);
+  std::vector<float> peaks = peaks_of(200, 1.8, 2);
   const double clean = fit_tail(peaks, 1.5).height_of(0.01);
   for (int i = 0; i < 40; ++i) peaks.push_back(10.0F + static_cast<float>(i));
   const double with_changes = fit_tail(peaks, 1.5).height_of(0.01);
@@ -52,9 +68,11 @@ TEST(FalseAlarmTail, ChangesDoNotPassForNoise) {
 }
 
 TEST(FalseAlarmTail, WithoutPeaksTheUsualTailHolds) {
-  const FalseAlarmTail tail = fit_tail({}, 1.5);
-  EXPECT_GT(tail.height_of(0.01), 4.0);
-  EXPECT_LT(tail.height_of(0.01), 7.0);
+  const FalseAlarmTail tail = fit_tail({}, 2.0);
+  EXPECT_NEAR(tail.height_of(0.01), FalseAlarmTail(0.5, 2.0, 10.0).height_of(0.01), 1e-9);
+  const FalseAlarmTail flat = fit_tail({6.9F, 6.9F}, 2.0);
+  EXPECT_GT(flat.height_of(0.01), tail.height_of(0.01)) << "two peaks have a say";
+  EXPECT_LT(flat.height_of(0.01), 30.0) << "but no more";
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ double median_px(const NoiseByPlace& noise, int first_column, int end_column) {
 
 NoiseByPlace noise_of(const DepthStatistics& before, const DepthStatistics& after) {
   const Image<float> none(before.width(), before.height());
-  return noise_by_place(disparity_change(before, after, disparity_by_depth), none, none, disparity_by_depth);
+  return noise_by_place(disparity_change(before, after, disparity_by_depth),
+                        Mask(before.width(), before.height()), none, none, disparity_by_depth);
 }
 
 TEST(NoiseByPlace, IsThatOfTheDifferenceOfMeans) {
@@ -66,6 +67,22 @@ TEST(NoiseByPlace, ChangesInTheMinorityDoNotRaiseIt) {
   capture.disparity_px = [](int u, int /*v*/) { return u < 80 ? 28.0 : 25.0; };
   const NoiseByPlace noise = noise_of(before, capture.take(2));
   EXPECT_LT(median_px(noise, 120, 400), 1.4 * 0.05 * std::sqrt(2.0 / 10.0));
+}
+
+TEST(NoiseByPlace, UnsurePlacesHaveANoiseOfTheirOwn) {
+  test::NoisyCapture capture;
+  const DisparityChange still = disparity_change(capture.take(1), capture.take(2), disparity_by_depth);
+  DisparityChange change = still;
+  Mask unsure(capture.width, capture.height);
+  for (int v = 0; v < capture.height; ++v) {
+    for (int u = 0; u < 100; ++u) {
+      unsure(u, v) = mask_set;
+      change.after_px(u, v) = still.before_px(u, v) + 4.0F * (still.after_px(u, v) - still.before_px(u, v));
+    }
+  }
+  const Image<float> none(capture.width, capture.height);
+  const NoiseByPlace noise = noise_by_place(change, unsure, none, none, disparity_by_depth);
+  EXPECT_NEAR(median_px(noise, 20, 90) / median_px(noise, 120, 400), 4.0, 0.8);
 }
 
 TEST(NoiseByPlace, RoundingOfDepthIsNoise) {

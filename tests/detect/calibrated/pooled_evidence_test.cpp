@@ -59,6 +59,16 @@ TEST(PooledEvidence, NeedsHalfOfItsWindow) {
   EXPECT_EQ(pooled.deviations(50, 0), 0.0F);
 }
 
+TEST(PooledEvidence, TakesAgreementThatIsKnown) {
+  Image<float> evidence(100, 80);
+  for (int v = 20; v < 29; ++v) {
+    for (int u = 30; u < 39; ++u) evidence(u, v) = 1.0F;
+  }
+  const PooledEvidence pooled = pool(evidence, Mask(100, 80, mask_set), 9, 0.3);
+  EXPECT_EQ(pooled.agreement, 0.3);
+  EXPECT_FLOAT_EQ(pooled.deviations(34, 24), 30.0F) << "81 / sqrt(81) / 0.3";
+}
+
 TEST(PooledEvidence, OfNothingIsNothing) {
   const PooledEvidence pooled = pool(Image<float>(20, 20), Mask(20, 20), 9);
   EXPECT_EQ(pooled.deviations, Image<float>(20, 20));

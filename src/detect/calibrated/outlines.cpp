@@ -1,0 +1,125 @@
+#include "detect/calibrated/outlines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "depth/mat_view.hpp"
+#include "detect/blobs.hpp"
+
+namespace rva {
+namespace {
+
+constexpr float common = -1000.0F;  // less rare than anything
+
+/// What one scale saw of one sign, in the part of the image that holds it all; nothing where that is empty.
+struct Sighting {
+  cv::Rect where;
+  Mask around;          ///< within half a window of where the threshold is exceeded
+  Image<float> rarity;  ///< there: -log10 of the expected false findings as strong
+};
+
+bool exceeds_anywhere(const Scale& scale, float sign) {
+  double least = 0.0;
+  double most = 0.0;
+  cv::minMaxLoc(as_mat(scale.evidence.deviations), &least, &most);
+  return (sign > 0.0F ? most : -least) > std::min(scale.thresholds.sure, scale.thresholds.unsure);
+}
+
+// 0 where it does not.
+float excess(const Scale& scale, const Mask& unsure, float sign, int u, int v) {
+  const float deviations = sign * scale.evidence.deviations(u, v);
+  return static_cast<double>(deviations) > scale.thresholds.at(unsure(u, v)) ? deviations : 0.0F;
+}
+
+cv::Rect where_it_exceeds(const Scale& scale, const Mask& unsure, float sign) {
+  cv::Rect where;
+  for (int v = 0; v < unsure.height(); ++v) {
+    for (int u = 0; u < unsure.width(); ++u) {
+      if (excess(scale, unsure, sign, u, v) > 0.0F) where |= cv::Rect(u, v, 1, 1);
+    }
+  }
+  return where;
+}
+
+Sighting sighting(const Scale& scale, const Mask& unsure, double log10_looks, float sign) {
+  if (!exceeds_anywhere(scale, sign)) return {};
+  const cv::Rect exceeding = where_it_exceeds(scale, unsure, sign);
+  if (exceeding.empty()) return {};
+  const int half = scale.evidence.window_px / 2;
+  const cv::Rect where = cv::Rect(exceeding.x - half, exceeding.y - half, exceeding.width + 2 * half,
+                                  exceeding.height + 2 * half) &
+                         cv::Rect(0, 0, unsure.width(), unsure.height());
+  Sighting seen{where, Mask(where.width, where.height), Image<float>(where.width, where.height, common)};
+  for (int v = 0; v < where.height; ++v) {
+    for (int u = 0; u < where.width; ++u) {
+      const float deviations = excess(scale, unsure, sign, where.x + u, where.y + v);
+      if (deviations <= 0.0F) continue;
+      const FalseAlarmTail& tail = scale.tails.at(unsure(where.x + u, where.y + v));
+      seen.around(u, v) = mask_set;
+      seen.rarity(u, v) =
+          static_cast<float>(-log10_looks - tail.log10_expected_above(static_cast<double>(deviations)));
+    }
+  }
+  const cv::Mat window = cv::Mat::ones(scale.evidence.window_px, scale.evidence.window_px, CV_8U);
+  cv::Mat around = as_mat(seen.around);
+  cv::Mat rarity = as_mat(seen.rarity);
+  cv::dilate(around, around, window);
+  cv::dilate(rarity, rarity, window);
+  return seen;
+}
+
+struct Change {
+  bool known = false;  // a finer scale has outlined it
+  float peak = 0.0F;   // in deviations
+};
+
+// `work` gets the pixel within the sighting and in the whole image.
+template <typename Work>
+void for_each_pixel(const Sighting& seen, const Blobs& blobs, const Work& work) {
+  for (const Run& run : blobs.runs()) {
+    for (int u = run.first; u < run.end; ++u)
+      work(cv::Point(u, run.v), cv::Point(seen.where.x + u, seen.where.y + run.v), run.blob);
+  }
+}
+
+}  // namespace
+
+Outlines::Outlines(const Mask& unsure, double looks, Comparison& comparison)
+    : unsure_(unsure),
+      log10_looks_(std::log10(looks)),
+      comparison_(comparison),
+      outlined_{Mask(unsure.width(), unsure.height()), Mask(unsure.width(), unsure.height())} {}
+
+void Outlines::add(const Scale& scale, const Image<float>& evidence) {
+  for (const float sign : {1.0F, -1.0F}) add(scale, evidence, sign);
+}
+
+void Outlines::add(const Scale& scale, const Image<float>& evidence, float sign) {
+  const Sighting seen = sighting(scale, unsure_, log10_looks_, sign);
+  if (seen.where.empty()) return;
+  Mask& outlined = outlined_[sign > 0.0F ? 0 : 1];
+  const Blobs blobs(seen.around);
+  std::vector<Change> changes(blobs.count());
+  for_each_pixel(seen, blobs, [&](const cv::Point&, const cv::Point& at, std::size_t blob) {
+    Change& change = changes[blob];
+    change.known = change.known || outlined(at.x, at.y) != 0;
+    change.peak = std::max(change.peak, sign * scale.evidence.deviations(at.x, at.y));
+  });
+  const auto half = static_cast<float>(0.5 * scale.evidence.agreement / scale.evidence.window_px);
+  for_each_pixel(seen, blobs, [&](const cv::Point& here, const cv::Point& at, std::size_t blob) {
+    const float rarity = seen.rarity(here.x, here.y);
+    outlined(at.x, at.y) = mask_set;
+    if (comparison_.changed(at.x, at.y) != 0) {
+      comparison_.evidence(at.x, at.y) = std::max(comparison_.evidence(at.x, at.y), rarity);
+    } else if (!changes[blob].known && sign * evidence(at.x, at.y) > half * changes[blob].peak) {
+      comparison_.changed(at.x, at.y) = mask_set;
+      comparison_.evidence(at.x, at.y) = rarity;
+    }
+  });
+}
+
+}  // namespace rva

@@ -1,0 +1,93 @@
+#include "detect/calibrated/scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace rva {
+namespace {
+
+struct Place {
+  int u = 0;
+  int v = 0;
+};
+
+bool is_highest_around(const PooledEvidence& evidence, Place peak, float sign) {
+  const Image<float>& deviations = evidence.deviations;
+  const float height = sign * deviations(peak.u, peak.v);
+  const int left = std::max(peak.u - evidence.window_px, 0);
+  const int right = std::min(peak.u + evidence.window_px, deviations.width() - 1);
+  const int top = std::max(peak.v - evidence.window_px, 0);
+  const int bottom = std::min(peak.v + evidence.window_px, deviations.height() - 1);
+  for (int v = top; v <= bottom; ++v) {
+    for (int u = left; u <= right; ++u) {
+      if (sign * deviations(u, v) > height) return false;
+    }
+  }
+  return true;
+}
+
+// The places of most evidence in a block, above 0 and below.
+std::array<Place, 2> extremes_of_block(const Image<float>& deviations, Place corner, int block_px) {
+  std::array<Place, 2> extremes{corner, corner};
+  float most = deviations(corner.u, corner.v);
+  float least = most;
+  for (int v = corner.v; v < std::min(corner.v + block_px, deviations.height()); ++v) {
+    for (int u = corner.u; u < std::min(corner.u + block_px, deviations.width()); ++u) {
+      const float height = deviations(u, v);
+      if (height > most) {
+        most = height;
+        extremes[0] = {u, v};
+      } else if (height < least) {
+        least = height;
+        extremes[1] = {u, v};
+      }
+    }
+  }
+  return extremes;
+}
+
+// Of both signs.
+class Peaks {
+ public:
+  Peaks(const PooledEvidence& evidence, const Mask& unsure) : evidence_(evidence), unsure_(unsure) {
+    const int block_px = evidence.window_px;
+    for (int v = 0; v < unsure.height(); v += block_px) {
+      for (int u = 0; u < unsure.width(); u += block_px) {
+        const auto [most, least] = extremes_of_block(evidence.deviations, {u, v}, block_px);
+        add(most, 1.0F);
+        add(least, -1.0F);
+      }
+    }
+  }
+
+  [[nodiscard]] const ByPlace<std::vector<float>>& heights() const { return heights_; }
+
+ private:
+  void add(Place peak, float sign) {
+    const float height = sign * evidence_.deviations(peak.u, peak.v);
+    if (height <= static_cast<float>(FalseAlarmTail::onset)) return;
+    if (!is_highest_around(evidence_, peak, sign)) return;
+    (unsure_(peak.u, peak.v) != 0 ? heights_.unsure : heights_.sure).push_back(height);
+  }
+
+  const PooledEvidence& evidence_;
+  const Mask& unsure_;
+  ByPlace<std::vector<float>> heights_;
+};
+
+}  // namespace
+
+Scale look_at(PooledEvidence evidence, const Mask& unsure, const ByPlace<double>& usual_slopes,
+              double false_findings) {
+  const Peaks peaks(evidence, unsure);
+  const ByPlace<FalseAlarmTail> tails{fit_tail(peaks.heights().sure, usual_slopes.sure),
+                                      fit_tail(peaks.heights().unsure, usual_slopes.unsure)};
+  return {std::move(evidence),
+          tails,
+          {tails.sure.height_of(false_findings), tails.unsure.height_of(false_findings)}};
+}
+
+}  // namespace rva

@@ -1,0 +1,62 @@
+#include "detect/calibrated/unsure_places.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/detect/calibrated/noisy_captures.hpp"
+
+namespace rva {
+namespace {
+
+constexpr double disparity_by_depth = test::disparity_m_px / test::unit_m;
+
+test::NoisyCapture with_hole(test::NoisyCapture capture) {
+  capture.disparity_px = [](int u, int v) { return u >= 200 && u < 210 && v >= 100 && v < 110 ? 0.0 : 25.0; };
+  return capture;
+}
+
+Mask unsure_of(const DepthStatistics& before, const DepthStatistics& after) {
+  return unsure_places(disparity_change(before, after, disparity_by_depth));
+}
+
+double share_set(const Mask& mask) {
+  return static_cast<double>(std::ranges::count(mask.pixels(), mask_set)) / static_cast<double>(mask.size());
+}
+
+TEST(UnsurePlaces, LieAroundHoles) {
+  const test::NoisyCapture capture = with_hole({});
+  const Mask unsure = unsure_of(capture.take(1), capture.take(2));
+  EXPECT_EQ(unsure(205, 105), mask_set);
+  EXPECT_EQ(unsure(195, 105), mask_set);
+  EXPECT_EQ(unsure(185, 105), 0);
+}
+
+TEST(UnsurePlaces, DoNotLieAroundHolesThatDebrisMade) {
+  const test::NoisyCapture clean;
+  const Mask unsure = unsure_of(clean.take(1), with_hole(clean).take(2));
+  EXPECT_EQ(unsure(195, 105), 0);
+  EXPECT_EQ(unsure_of(with_hole(clean).take(1), clean.take(2))(195, 105), 0) << "nor once it is gone";
+}
+
+TEST(UnsurePlaces, VaryMoreThanOthers) {
+  test::NoisyCapture capture;
+  capture.disparity_px = [flicker = 0](int u, int /*v*/) mutable {
+    return u < 60 ? 25.0 + 0.3 * (flicker++ / (60 * 240) % 2) : 25.0;  // every other frame
+  };
+  const Mask unsure = unsure_of(capture.take(1), capture.take(2));
+  EXPECT_EQ(unsure(30, 120), mask_set);
+  EXPECT_EQ(unsure(100, 120), 0);
+  EXPECT_NEAR(share_set(unsure), 60.0 / 424.0, 0.03);
+}
+
+TEST(UnsurePlaces, OfSingleFramesAreThoseAroundHoles) {
+  test::NoisyCapture capture = with_hole({});
+  capture.frames = 1;
+  const Mask unsure = unsure_of(capture.take(1), capture.take(2));
+  EXPECT_EQ(unsure(195, 105), mask_set);
+  EXPECT_EQ(unsure(100, 105), 0);
+}
+
+}  // namespace
+}  // namespace rva
