@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -6,9 +7,11 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
-#include "evaluate/report.hpp"
+#include "core/path_text.hpp"
+#include "evaluate/evaluation_json.hpp"
 #include "sim/scene/scene_file.hpp"
 
 namespace rva::cli {
@@ -19,18 +22,35 @@ struct EvaluateArguments {
   std::string scene;
   StudyOptions study;
   bool overwrite = false;
+  bool resume = false;
 };
 
+constexpr auto file_name = "evaluation.json";
+
+std::vector<Inspection> earlier(const EvaluateArguments& arguments) {
+  const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
+  if (!arguments.resume || !std::filesystem::exists(file)) return {};
+  Evaluation evaluation = evaluation_from_json(read_text_file(file), printable(file));
+  if (evaluation.scene != arguments.scene)
+    throw UsageError("--resume", "the evaluation that is there is of another scene",
+                     "give the options that it was begun with, or another --out");
+  return std::move(evaluation.inspections);
+}
+
 void evaluate(const EvaluateArguments& arguments) {
-  OutputFolder out(arguments.out, {"evaluation.json"},
-                   arguments.overwrite ? Existing::replace : Existing::refuse);
   std::optional<Scene> scene;
   if (!arguments.scene.empty()) scene = load_scene(arguments.scene);
-  const std::vector<Inspection> inspections = run_study(arguments.study, scene, terminal_progress());
-  const std::vector<Tally> tallies = tally(inspections);
-  write_file(out.path("evaluation.json"), to_json(inspections, tallies));
-  out.commit();
-  print("{}{}\n", to_table(tallies), arguments.out);
+  Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
+  (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
+  const auto keep = [&](const std::vector<Inspection>& inspections) {
+    OutputFolder out(arguments.out, {file_name}, existing);
+    write_file(out.path(file_name), to_json({arguments.scene, inspections}));
+    out.commit();
+    existing = Existing::replace;
+  };
+  const std::vector<Inspection> inspections =
+      run_study(arguments.study, scene, earlier(arguments), terminal_progress(), keep);
+  print("{}{}\n", to_table(tally(inspections)), arguments.out);
 }
 
 }  // namespace
@@ -47,7 +67,10 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
       ->type_name("N,N...")
       ->capture_default_str();
   add_flags(command, arguments->study);
-  command.add_flag("--overwrite", arguments->overwrite, "replace an earlier evaluation in DIR");
+  CLI::Option* const overwrite =
+      command.add_flag("--overwrite", arguments->overwrite, "replace an earlier evaluation in DIR");
+  command.add_flag("--resume", arguments->resume, "go on with an evaluation in DIR that was interrupted")
+      ->excludes(overwrite);
   command.callback([arguments] { evaluate(*arguments); });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 
@@ -71,6 +72,21 @@ std::vector<Target> visible_targets(const SimulatedCamera& camera) {
     targets.push_back(std::move(target));
   }
   return targets;
+}
+
+void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
+                 std::vector<Target>& targets) {
+  constexpr double trace_px = 0.1;
+  const auto shows = [&](std::size_t i) {
+    if (without.seen(i) != with.seen(i)) return true;
+    if (!with.seen(i)) return false;
+    return std::abs(disparity_by_depth / with.mean(i) - disparity_by_depth / without.mean(i)) > trace_px;
+  };
+  for (Target& target : targets) {
+    const Mask around = grown(mask_of(target.pixels, with.width(), with.height()), found_within_px);
+    target.shown_px = 0;
+    for (std::size_t i = 0; i < around.size(); ++i) target.shown_px += around[i] != 0 && shows(i) ? 1 : 0;
+  }
 }
 
 Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets, int width,

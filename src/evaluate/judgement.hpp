@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "depth/depth_statistics.hpp"
 #include "detect/findings.hpp"
 #include "sim/simulated_camera.hpp"
 
@@ -16,13 +17,25 @@ struct Target {
   double unhidden_px = 0.0;           ///< how many there would be if nothing lay before it
   double distance_m = 0.0;            ///< mean depth of its visible pixels
   std::vector<std::uint32_t> pixels;  ///< visible, by position in the rows laid end to end
+  int shown_px = 0;                   ///< pixels of the depth image that it changes, see count_shown()
 
-  /// At least half of it shows, and the camera has a pixel for it.
+  /// At least half of it lies open to the camera, which has a pixel for it.
   [[nodiscard]] bool is_visible() const { return visible_px > 0 && 2.0 * visible_px >= unhidden_px; }
+  /// It leaves a trace in depth that is as large as what a dot of the projector spoils: a quarter of a
+  /// matcher's window of 9 x 9. Between the dots lie things without any.
+  [[nodiscard]] bool is_shown() const { return shown_px >= 20; }
 };
 
 /// All debris of the camera's scene of which a pixel is visible.
 [[nodiscard]] std::vector<Target> visible_targets(const SimulatedCamera& camera);
+
+/// Counts for each target the pixels, within 4 of its own, whose disparity it changes by more than 0.1 px or
+/// whose depth it brings or takes: a trace of three deviations of the noise that one capture has and another
+/// has not, as faithfulness measures it (docs/simulator.md).
+/// @param without, with two captures of one place with the very same noise, without debris and with it
+/// @param disparity_by_depth focal length times baseline: disparity in pixels times depth in depth units
+void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
+                 std::vector<Target>& targets);
 
 struct Judgement {
   std::vector<bool> found;  ///< of each target

@@ -1,4 +1,4 @@
-// What a study says, for a person and for a program.
+// What a study says, summed up.
 #pragma once
 
 #include <string>
@@ -17,9 +17,13 @@ struct Tally {
   std::size_t false_with_debris = 0;
   std::size_t found = 0;
   std::size_t targets = 0;  ///< visible ones
+  std::size_t shown_found = 0;
+  std::size_t shown_targets = 0;  ///< visible ones that leave a trace in depth
   std::size_t small_found = 0;
   std::size_t small_targets = 0;  ///< visible collars of 0.27 in within 1 m
-  std::size_t all_found = 0;      ///< inspections in which every visible target was found
+  std::size_t small_shown_found = 0;
+  std::size_t small_shown_targets = 0;  ///< of those, the ones that leave a trace in depth
+  std::size_t all_found = 0;            ///< inspections in which every visible target was found
 };
 
 /// One for each detector and number of frames, in the order of the results.
@@ -27,9 +31,5 @@ struct Tally {
 
 /// A table with intervals of 95 %.
 [[nodiscard]] std::string to_table(const std::vector<Tally>& tallies);
-
-/// `evaluation.json` (docs/calibrated.md), ending in a line feed: every inspection and every tally.
-[[nodiscard]] std::string to_json(const std::vector<Inspection>& inspections,
-                                  const std::vector<Tally>& tallies);
 
 }  // namespace rva

@@ -66,6 +66,17 @@ Scene without_debris(Scene scene) {
   return scene;
 }
 
+// Two captures with the very same noise tell what debris does to depth.
+void count_shown_by_twins(const Scene& scene, std::uint64_t seed, std::vector<Target>& targets) {
+  constexpr int frames = 5;
+  Take without(without_debris(scene), mix(seed, 4));
+  Take with(scene, mix(seed, 4));
+  for (Take* take : {&without, &with}) take->up_to(frames);
+  const CaptureInfo info = with.camera().info();
+  count_shown(without.statistics(), with.statistics(),
+              info.depth.fx * info.camera->baseline_m.value() / info.depth_unit_m, targets);
+}
+
 Inspection inspect(const StudyOptions& options, const std::optional<Scene>& scene, std::uint64_t seed,
                    const std::vector<Detector>& detectors) {
   Scene after = scene ? *scene : random_wing(seed);
@@ -74,6 +85,7 @@ Inspection inspect(const StudyOptions& options, const std::optional<Scene>& scen
   Take unchanged(without_debris(after), mix(seed, 2));
   Take changed(std::move(after), mix(seed, 3));
   Inspection inspection{seed, visible_targets(changed.camera()), {}};
+  count_shown_by_twins(changed.camera().scene(), seed, inspection.targets);
   for (const int frames : options.frames) {
     for (Take* take : {&before, &unchanged, &changed}) take->up_to(frames);
     for (const Detector& detector : detectors) {
@@ -96,6 +108,29 @@ void check(const StudyOptions& options) {
                      "give for example 10,20,40");
 }
 
+bool is_of(const Inspection& inspection, const std::vector<int>& frames,
+           const std::vector<Detector>& detectors) {
+  auto result = inspection.results.begin();
+  for (const int count : frames) {
+    for (const Detector& detector : detectors) {
+      if (result == inspection.results.end() || result->frames != count || result->detector != detector)
+        return false;
+      ++result;
+    }
+  }
+  return result == inspection.results.end();
+}
+
+void check(const std::vector<Inspection>& done, const StudyOptions& options,
+           const std::vector<Detector>& detectors) {
+  std::uint64_t seed = options.first_seed;
+  for (const Inspection& inspection : done) {
+    if (inspection.seed != seed++ || !is_of(inspection, options.frames, detectors))
+      throw UsageError("--resume", "the evaluation that is there has other seeds, frames or methods",
+                       "give the options that it was begun with, or another --out");
+  }
+}
+
 }  // namespace
 
 std::vector<Detector> detectors_to_compare() {
@@ -107,16 +142,18 @@ std::vector<Detector> detectors_to_compare() {
 }
 
 std::vector<Inspection> run_study(const StudyOptions& options, const std::optional<Scene>& scene,
-                                  const Progress& progress) {
+                                  std::vector<Inspection> done, const Progress& progress,
+                                  const InspectionsDone& keep) {
   check(options);
   const std::vector<Detector> detectors = detectors_to_compare();
-  std::vector<Inspection> inspections;
+  check(done, options, detectors);
   const auto total = static_cast<std::size_t>(options.inspections);
-  for (std::size_t i = 0; i < total; ++i) {
-    inspections.push_back(inspect(options, scene, options.first_seed + i, detectors));
+  for (std::size_t i = done.size(); i < total; ++i) {
+    done.push_back(inspect(options, scene, options.first_seed + i, detectors));
+    if (keep) keep(done);
     if (progress) progress("inspections", i + 1, total);
   }
-  return inspections;
+  return done;
 }
 
 }  // namespace rva

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ namespace rva {
 struct Detector {
   std::string method;    ///< "constant", "gaussian", "calibrated"
   double setting = 0.0;  ///< threshold in metres; sigmas; allowed false findings
+
+  bool operator==(const Detector&) const = default;
 };
 
 /// Each method over the settings that a person would choose between.
@@ -49,11 +52,18 @@ struct Inspection {
   std::vector<Result> results;
 };
 
+/// Called with the inspections so far, after each of them.
+using InspectionsDone = std::function<void(const std::vector<Inspection>&)>;
+
 /// Runs one inspection after the other: a capture before, another one in which nothing changed, and one with
 /// debris, of one place, each with noise of its own.
 /// @param scene its debris is left behind; without one, wings and debris are drawn by chance
-/// @throws UsageError for options out of range; Error of the scene; Interrupted
+/// @param done  inspections of an earlier run with the same options and scene: those are not run again
+/// @throws UsageError for options out of range, and where `done` is of others; Error of the scene;
+///         Interrupted
 [[nodiscard]] std::vector<Inspection> run_study(const StudyOptions& options,
-                                                const std::optional<Scene>& scene, const Progress& progress);
+                                                const std::optional<Scene>& scene,
+                                                std::vector<Inspection> done, const Progress& progress,
+                                                const InspectionsDone& keep);
 
 }  // namespace rva

@@ -35,6 +35,23 @@ class EvaluateTest(program.ProgramTest):
         _, again = self.evaluate('--scene', TOOLS, '--overwrite')
         self.assertEqual(report, again)
 
+    def test_goes_on_where_it_was_interrupted(self):
+        def run(inspections, *options):
+            self.succeed('evaluate', '--out', self.out, '--inspections', inspections, '--frames', '2', '--scene',
+                         TOOLS, *options)
+            return json.loads((self.out / 'evaluation.json').read_text())
+        whole = run(2)
+        run(1, '--overwrite')
+        self.assertEqual(run(2, '--resume'), whole)
+        others = ['evaluate', '--out', self.out, '--inspections', 3, '--resume']
+        for options in (['--frames', '3', '--scene', TOOLS], ['--frames', '2', '--scene', TOOLS, '--first-seed', 9],
+                        ['--frames', '2'], ['--frames', '2', '--scene', TOOLS, '--overwrite']):
+            with self.subTest(options):
+                done = self.rva(*others, *options)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.check_line(done.stderr, ['--resume'])
+        self.assertEqual(json.loads((self.out / 'evaluation.json').read_text()), whole)
+
     def test_bad_input(self):
         out = ['--out', self.out]
         for options, names in ((['--frames', '10,5'], ['--frames']), (['--frames', '1'], ['--frames']),

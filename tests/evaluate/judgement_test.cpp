@@ -52,6 +52,31 @@ TEST(Judgement, WithoutTargetsAllIsFalse) {
   EXPECT_EQ(judge({finding(70, 40, 3)}, {}, width, height).false_findings, 1);
 }
 
+DepthStatistics flat(const std::vector<std::uint32_t>& others, std::uint16_t other) {
+  DepthImage depth(width, height, 10000);
+  for (const std::uint32_t i : others) depth[i] = other;
+  DepthStatistics statistics(width, height);
+  statistics.add(depth);
+  return statistics;
+}
+
+// 212500 / 10000 is 21.25 px; at 9950, 0.107 px more; at 9960, 0.085.
+TEST(Shown, IsWhatChangesDisparityOrTakesItAway) {
+  constexpr double disparity_by_depth = 212500.0;
+  const DepthStatistics without = flat({}, 0);
+  std::vector<Target> targets = one_target();
+  count_shown(without, flat(square(38, 38, 5), 9950), disparity_by_depth, targets);
+  EXPECT_EQ(targets[0].shown_px, 25);
+  EXPECT_TRUE(targets[0].is_shown());
+  count_shown(without, flat(square(38, 38, 5), 9960), disparity_by_depth, targets);
+  EXPECT_EQ(targets[0].shown_px, 0);
+  EXPECT_FALSE(targets[0].is_shown());
+  count_shown(without, flat(square(47, 47, 5), 0), disparity_by_depth, targets);
+  EXPECT_EQ(targets[0].shown_px, 4) << "2 x 2 of the lost pixels are within 4 px of the target";
+  count_shown(flat(square(38, 38, 5), 0), without, disparity_by_depth, targets);
+  EXPECT_EQ(targets[0].shown_px, 25) << "depth that debris brings";
+}
+
 TEST(Target, HalfHiddenIsVisible) {
   EXPECT_TRUE((Target{"key", 5, 10.0, 0.5, {}}.is_visible()));
   EXPECT_FALSE((Target{"key", 4, 10.0, 0.5, {}}.is_visible()));

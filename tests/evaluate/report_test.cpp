@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "evaluate/evaluation_json.hpp"
 
 namespace rva {
 namespace {
@@ -17,6 +18,7 @@ Inspection inspection(std::uint64_t seed, bool small_found, std::size_t false_wh
                         {"key", 100, 100.0, 0.5, {2}},
                         {"collar-0.27", 2, 9.0, 0.5, {3}},   // hidden
                         {"collar-0.27", 9, 9.0, 1.1, {4}}};  // too far to count as small
+  inspection.targets[1].shown_px = 50;
   inspection.results = {{10, {"gaussian", 3.0}, false_when_clean, 1, {small_found, true, true, true}}};
   return inspection;
 }
@@ -30,6 +32,9 @@ TEST(Tally, CountsWhatIsVisible) {
   EXPECT_EQ(sum.false_with_debris, 2);
   EXPECT_EQ(sum.targets, 6) << "three of four, twice";
   EXPECT_EQ(sum.found, 5);
+  EXPECT_EQ(sum.shown_targets, 2);
+  EXPECT_EQ(sum.shown_found, 2);
+  EXPECT_EQ(sum.small_shown_targets, 0);
   EXPECT_EQ(sum.small_targets, 2);
   EXPECT_EQ(sum.small_found, 1);
   EXPECT_EQ(sum.all_found, 1);
@@ -40,7 +45,7 @@ TEST(Report, SaysTheSameToAPersonAndToAProgram) {
   const std::vector<Tally> tallies = tally(inspections);
   EXPECT_THAT(to_table(tallies), testing::HasSubstr("1.5 (0.31-4.4)"));
   EXPECT_THAT(to_table(tallies), testing::HasSubstr("5/6 83 % (36-100)"));
-  const auto json = nlohmann::json::parse(to_json(inspections, tallies));
+  const auto json = nlohmann::json::parse(to_json({"bay.yaml", inspections}));
   EXPECT_EQ(json["format"], "rva-evaluation");
   EXPECT_EQ(json["tallies"][0]["found"], 5);
   EXPECT_EQ(json["inspections"][1]["seed"], 8);
@@ -48,11 +53,48 @@ TEST(Report, SaysTheSameToAPersonAndToAProgram) {
   EXPECT_EQ(json["inspections"][1]["targets"][2]["visible_px"], 2);
 }
 
+TEST(EvaluationJson, ComesBackAsItWas) {
+  const std::string text = to_json({"bay.yaml", {inspection(7, true, 0), inspection(8, false, 3)}});
+  const Evaluation evaluation = evaluation_from_json(text, "evaluation.json");
+  EXPECT_EQ(evaluation.scene, "bay.yaml");
+  EXPECT_EQ(evaluation.inspections.at(1).results.at(0).detector, (Detector{"gaussian", 3.0}));
+  EXPECT_EQ(to_json(evaluation), text);
+}
+
+TEST(EvaluationJson, SaysWhatIsWrong) {
+  const std::string good = to_json({"", {inspection(7, true, 0)}});
+  auto without_targets = nlohmann::json::parse(good);
+  without_targets["inspections"][0]["targets"].clear();
+  auto text_for_seed = nlohmann::json::parse(good);
+  text_for_seed["inspections"][0]["seed"] = "seven";
+  for (const std::string& bad : {std::string("{"), std::string("[]"), std::string("{}"), good.substr(0, 300),
+                                 without_targets.dump(), text_for_seed.dump()})
+    EXPECT_THROW((void)evaluation_from_json(bad, "evaluation.json"), Error) << bad;
+}
+
+TEST(Study, GoesOnOnlyWithWhatItBegan) {
+  StudyOptions options;
+  options.inspections = 1;
+  options.frames = {10};
+  options.first_seed = 7;
+  Inspection whole{7, {}, {}};
+  for (const Detector& detector : detectors_to_compare()) whole.results.push_back({10, detector, 0, 0, {}});
+  EXPECT_EQ(run_study(options, std::nullopt, {whole}, {}, {}).size(), 1) << "nothing is left to do";
+  Inspection other_seed = whole;
+  other_seed.seed = 8;
+  Inspection other_frames = whole;
+  other_frames.results.back().frames = 20;
+  Inspection incomplete = whole;
+  incomplete.results.pop_back();
+  for (const Inspection& other : {other_seed, other_frames, incomplete, inspection(7, true, 0)})
+    EXPECT_THROW((void)run_study(options, std::nullopt, {other}, {}, {}), UsageError);
+}
+
 TEST(Study, RefusesFramesThatDoNotGrow) {
   for (const std::vector<int>& frames : {std::vector<int>{}, {1, 10}, {10, 10}, {40, 10}, {10, 100000}}) {
     StudyOptions options;
     options.frames = frames;
-    EXPECT_THROW((void)run_study(options, std::nullopt, {}), UsageError);
+    EXPECT_THROW((void)run_study(options, std::nullopt, {}, {}, {}), UsageError);
   }
 }
 
