@@ -46,8 +46,7 @@ TEST(FalseAlarmTail, LearnsTheTailOfItsPeaks) {
   }
 }
 
-// What is predicted from 30 peaks must hold on average: beyond the height for 0.1 of either sign, 200
-// thousandfold repetitions of 30 peaks show 0.2 each.
+// What is learnt from 30 peaks must hold for 30 others: 0.1 of either sign are 0.2 of both beyond the height.
 TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
   constexpr int repetitions = 4000;
   int beyond = 0;
