@@ -29,7 +29,7 @@ struct UsualSlopes {
   ByPlace<double> loss;
 };
 constexpr UsualSlopes slopes_of_means{{2.0, 1.1}, {1.5, 0.8}};
-// Without repeated frames, wrong matches cannot be told from noise: no place is sure.
+// Without repeated frames, wrong matches cannot be told from noise: no place is taken to be surer.
 constexpr UsualSlopes slopes_of_single_frames{{1.1, 1.1}, {0.5, 0.5}};
 
 Image<float> evidence_of(const DisparityChange& change, const Image<float>& drift_px,

@@ -31,9 +31,9 @@ class FalseAlarmTail {
   double peaks_;
 };
 
-/// Fits to the peaks of an image most of which is unchanged, by maximum likelihood. Only what lies between
-/// `onset` and 7 has a say: the peaks of changes lie beyond, for the most part.
-/// @param peaks       greatest evidence of each block of the image, in deviations, of both signs
+/// The most probable tail of an image most of which is unchanged. Only peaks between `onset` and 7 have a
+/// say: those of changes lie beyond, for the most part.
+/// @param peaks       places that no other nearby exceeds, in deviations, of both signs
 /// @param usual_slope counts as much as one that was learnt from ten peaks
 /// @return of one sign: half of the peaks
 [[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope);
