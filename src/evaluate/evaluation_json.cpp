@@ -25,7 +25,8 @@ Json to_json_value(const Result& result) {
           {"setting", result.detector.setting},
           {"false_when_clean", result.false_when_clean},
           {"false_with_debris", result.false_with_debris},
-          {"found", result.found}};
+          {"found", result.found},
+          {"found_when_clean", result.found_when_clean}};
 }
 
 Json to_json_value(const Tally& tally) {
@@ -40,6 +41,7 @@ Json to_json_value(const Tally& tally) {
       {"false_with_debris", tally.false_with_debris},
       {"found", tally.found},
       {"targets", tally.targets},
+      {"found_when_clean", tally.found_when_clean},
       {"found_share_95", interval(share_interval(tally.found, tally.targets))},
       {"shown_found", tally.shown_found},
       {"shown_targets", tally.shown_targets},
@@ -78,6 +80,7 @@ Result result_from(const nlohmann::json& json) {
   json.at("false_when_clean").get_to(result.false_when_clean);
   json.at("false_with_debris").get_to(result.false_with_debris);
   json.at("found").get_to(result.found);
+  json.at("found_when_clean").get_to(result.found_when_clean);
   return result;
 }
 
@@ -88,7 +91,8 @@ Evaluation evaluation_from(const nlohmann::json& json) {
     for (const nlohmann::json& target : one.at("targets")) inspection.targets.push_back(target_from(target));
     for (const nlohmann::json& result : one.at("results")) {
       inspection.results.push_back(result_from(result));
-      if (inspection.results.back().found.size() != inspection.targets.size())
+      if (inspection.results.back().found.size() != inspection.targets.size() ||
+          inspection.results.back().found_when_clean.size() != inspection.targets.size())
         throw nlohmann::json::other_error::create(0, "found and targets differ in number", &result);
     }
     evaluation.inspections.push_back(std::move(inspection));

@@ -30,6 +30,7 @@ void add(const Inspection& inspection, const Result& result, Tally& tally) {
     const std::size_t found = result.found[i] ? 1 : 0;
     ++tally.targets;
     tally.found += found;
+    tally.found_when_clean += result.found_when_clean[i] ? 1 : 0;
     if (target.is_shown()) {
       ++tally.shown_targets;
       tally.shown_found += found;
@@ -73,16 +74,18 @@ std::vector<Tally> tally(const std::vector<Inspection>& inspections) {
 }
 
 std::string to_table(const std::vector<Tally>& tallies) {
-  constexpr auto line = "{:>6}  {:10} {:>7}  {:>22}  {:>22}  {:>24}  {:>24}  {:>22}  {:>22}  {:>20}\n";
-  std::string table = fmt::format(line, "frames", "method", "setting", "false each, unchanged",
-                                  "false each, debris", "visible debris found", "of what depth shows",
-                                  "0.27 in within 1 m", "of what depth shows", "all found");
+  constexpr auto line = "{:>6}  {:10} {:>7}  {:>22}  {:>22}  {:>24}  {:>9}  {:>24}  {:>22}  {:>22}  {:>20}\n";
+  std::string table =
+      fmt::format(line, "frames", "method", "setting", "false each, unchanged", "false each, debris",
+                  "visible debris found", "by chance", "of what depth shows", "0.27 in within 1 m",
+                  "of what depth shows", "all found");
   for (const Tally& tally : tallies) {
     fmt::format_to(
         std::back_inserter(table), line, tally.frames, tally.detector.method,
         fmt::format("{:g}", tally.detector.setting), rate(tally.false_when_clean, tally.inspections),
         rate(tally.false_with_debris, tally.inspections), share(tally.found, tally.targets),
-        share(tally.shown_found, tally.shown_targets), share(tally.small_found, tally.small_targets),
+        tally.found_when_clean, share(tally.shown_found, tally.shown_targets),
+        share(tally.small_found, tally.small_targets),
         share(tally.small_shown_found, tally.small_shown_targets), share(tally.all_found, tally.inspections));
   }
   return table;

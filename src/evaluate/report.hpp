@@ -16,7 +16,8 @@ struct Tally {
   std::size_t false_when_clean = 0;
   std::size_t false_with_debris = 0;
   std::size_t found = 0;
-  std::size_t targets = 0;  ///< visible ones
+  std::size_t targets = 0;           ///< visible ones
+  std::size_t found_when_clean = 0;  ///< visible ones that are hit by chance: without debris too
   std::size_t shown_found = 0;
   std::size_t shown_targets = 0;  ///< visible ones that leave a trace in depth
   std::size_t small_found = 0;

@@ -89,10 +89,13 @@ Inspection inspect(const StudyOptions& options, const std::optional<Scene>& scen
   for (const int frames : options.frames) {
     for (Take* take : {&before, &unchanged, &changed}) take->up_to(frames);
     for (const Detector& detector : detectors) {
-      const Judgement judgement = judge(find(detector, before, changed), inspection.targets,
-                                        before.statistics().width(), before.statistics().height());
-      inspection.results.push_back({frames, detector, find(detector, before, unchanged).size(),
-                                    judgement.false_findings, judgement.found});
+      const auto judged = [&](const std::vector<Finding>& findings) {
+        return judge(findings, inspection.targets, before.statistics().width(), before.statistics().height());
+      };
+      const std::vector<Finding> when_clean = find(detector, before, unchanged);
+      const Judgement judgement = judged(find(detector, before, changed));
+      inspection.results.push_back({frames, detector, when_clean.size(), judgement.false_findings,
+                                    judgement.found, judged(when_clean).found});
     }
   }
   return inspection;

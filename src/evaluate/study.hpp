@@ -41,9 +41,10 @@ struct StudyOptions {
 struct Result {
   int frames = 0;
   Detector detector;
-  std::size_t false_when_clean = 0;   ///< findings where nothing changed
-  std::size_t false_with_debris = 0;  ///< findings far from all debris
-  std::vector<bool> found;            ///< of each target of the inspection
+  std::size_t false_when_clean = 0;    ///< findings where nothing changed
+  std::size_t false_with_debris = 0;   ///< findings far from all debris
+  std::vector<bool> found;             ///< of each target of the inspection
+  std::vector<bool> found_when_clean;  ///< the same with the findings where nothing changed: hits by chance
 };
 
 struct Inspection {

@@ -19,7 +19,12 @@ Inspection inspection(std::uint64_t seed, bool small_found, std::size_t false_wh
                         {"collar-0.27", 2, 9.0, 0.5, {3}},   // hidden
                         {"collar-0.27", 9, 9.0, 1.1, {4}}};  // too far to count as small
   inspection.targets[1].shown_px = 50;
-  inspection.results = {{10, {"gaussian", 3.0}, false_when_clean, 1, {small_found, true, true, true}}};
+  inspection.results = {{10,
+                         {"gaussian", 3.0},
+                         false_when_clean,
+                         1,
+                         {small_found, true, true, true},
+                         {false, true, true, false}}};
   return inspection;
 }
 
@@ -32,6 +37,7 @@ TEST(Tally, CountsWhatIsVisible) {
   EXPECT_EQ(sum.false_with_debris, 2);
   EXPECT_EQ(sum.targets, 6) << "three of four, twice";
   EXPECT_EQ(sum.found, 5);
+  EXPECT_EQ(sum.found_when_clean, 2) << "one visible, twice";
   EXPECT_EQ(sum.shown_targets, 2);
   EXPECT_EQ(sum.shown_found, 2);
   EXPECT_EQ(sum.small_shown_targets, 0);
@@ -67,8 +73,10 @@ TEST(EvaluationJson, SaysWhatIsWrong) {
   without_targets["inspections"][0]["targets"].clear();
   auto text_for_seed = nlohmann::json::parse(good);
   text_for_seed["inspections"][0]["seed"] = "seven";
+  auto too_short = nlohmann::json::parse(good);
+  too_short["inspections"][0]["results"][0]["found_when_clean"].erase(0);
   for (const std::string& bad : {std::string("{"), std::string("[]"), std::string("{}"), good.substr(0, 300),
-                                 without_targets.dump(), text_for_seed.dump()})
+                                 without_targets.dump(), text_for_seed.dump(), too_short.dump()})
     EXPECT_THROW((void)evaluation_from_json(bad, "evaluation.json"), Error) << bad;
 }
 
@@ -78,7 +86,8 @@ TEST(Study, GoesOnOnlyWithWhatItBegan) {
   options.frames = {10};
   options.first_seed = 7;
   Inspection whole{7, {}, {}};
-  for (const Detector& detector : detectors_to_compare()) whole.results.push_back({10, detector, 0, 0, {}});
+  for (const Detector& detector : detectors_to_compare())
+    whole.results.push_back({10, detector, 0, 0, {}, {}});
   EXPECT_EQ(run_study(options, std::nullopt, {whole}, {}, {}).size(), 1) << "nothing is left to do";
   Inspection other_seed = whole;
   other_seed.seed = 8;
