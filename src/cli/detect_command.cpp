@@ -42,7 +42,7 @@ struct DetectArguments {
 };
 
 // Boxes on colour need a colour picture; without one the result simply has no such file.
-void write_color_overlay(const Capture& final, const StaticDetection& detection, const OutputFolder& out,
+void write_color_overlay(const Capture& final, const Detection& detection, const OutputFolder& out,
                          std::vector<std::string>& warnings) {
   if (final.color_frames() == 0) {
     warnings.emplace_back("the final capture has no colour image, so there is no overlay.png");
@@ -72,7 +72,7 @@ std::string or_none(const char* format, std::optional<double> number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "-";
 }
 
-void print_for_a_person(const DetectArguments& arguments, const StaticDetection& detection) {
+void print_for_a_person(const DetectArguments& arguments, const Detection& detection) {
   const Findings& findings = detection.findings;
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
         findings.initial_frames, findings.final_frames);
@@ -130,7 +130,7 @@ int detect(const DetectArguments& arguments, std::vector<std::string> warnings) 
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const auto initial = open_capture(arguments.initial, capture_options);
   const auto final = open_capture(arguments.final, capture_options);
-  const StaticDetection detection = detect_static(*initial, *final, arguments.detection, terminal_progress());
+  const Detection detection = detect_static(*initial, *final, arguments.detection, terminal_progress());
   warnings.insert(warnings.end(), detection.warnings.begin(), detection.warnings.end());
 
   const std::string json = to_json(detection.findings);

@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "depth/frame_reader.hpp"
 
 namespace rva {
 namespace {
@@ -46,80 +45,21 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
   }
 }
 
-// A millionth of a degree: rounding in files passes, a servo step does not.
-bool differ(const std::optional<double>& a_deg, const std::optional<double>& b_deg) {
-  return a_deg && b_deg && !close(*a_deg, *b_deg, 1e-6);
-}
-
-// What the poses say against a camera that stood still; silent where they say nothing.
-std::optional<std::string> moved(const CaptureInfo& initial, const CaptureInfo& final) {
-  if (!initial.pose || !final.pose) return std::nullopt;
-  const Pose& a = *initial.pose;
-  const Pose& b = *final.pose;
-  const bool bases_differ = a.base && b.base && *a.base != *b.base;
-  const bool poses_differ = a.world_from_camera && b.world_from_camera &&
-                            !a.world_from_camera->isApprox(*b.world_from_camera, 1e-9);
-  if (!bases_differ && !poses_differ && !differ(a.pan_deg, b.pan_deg) && !differ(a.tilt_deg, b.tilt_deg)) {
-    return std::nullopt;
-  }
-  return "the captures' poses say that the camera moved: pixels were compared all the same, "
-         "and what differs may be the view";
-}
-
-std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view side,
-                          std::vector<std::string>& warnings) {
-  const std::size_t available = capture.depth_frames();
-  if (wanted == 0 && available > DepthStatistics::max_frames) {
-    throw Error(fmt::format("{} capture", side),
-                fmt::format("{} frames are more than can be used", available),
-                fmt::format("give --frames {}", DepthStatistics::max_frames));
-  }
-  if (wanted == 0) return available;
-  const auto count = static_cast<std::size_t>(wanted);
-  if (count > available) {
-    warnings.push_back(fmt::format("the {} capture has {} frame(s) where {} were asked for: all are used",
-                                   side, available, count));
-  }
-  return std::min(available, count);
-}
-
-// What the figures say against believing an empty list of findings.
-void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& warnings) {
-  constexpr double little = 0.5;
-  constexpr double much = 0.05;
-  const double compared = comparison.coverage.compared;
-  if (compared < little) {
-    warnings.push_back(fmt::format("only {:.1f} % of the view could be compared", 100.0 * compared));
-  }
-  if (comparison.blind > much) {
-    warnings.push_back(
-        fmt::format("in {:.0f} % of what was compared, depth varied so much that a change of {:.0f} mm would "
-                    "not have been "
-                    "found: something moved while a capture was recorded, or edges flickered",
-                    100.0 * comparison.blind, 1000.0 * blind_from_m));
-  }
-}
-
-// Disparities in true pixels need the baseline; without it the unit is that of a camera with 50 mm.
-double disparity_m_px(const CaptureInfo& info) {
-  constexpr double usual_baseline_m = 0.050;
-  const double baseline_m = info.camera && info.camera->baseline_m.value_or(0.0) > 0.0
-                                ? *info.camera->baseline_m
-                                : usual_baseline_m;
-  return info.depth.fx * baseline_m;
-}
-
-class Detection {
+class Run {
  public:
-  Detection(const Capture& initial, const Capture& final, const StaticDetectionOptions& options,
-            const Progress& progress)
+  Run(const Capture& initial, const Capture& final, const StaticDetectionOptions& options,
+      const Progress& progress)
       : initial_(initial), final_(final), options_(options), progress_(progress) {
     check_options(options);
     require_one_camera(initial.info(), final.info());
-    if (auto warning = moved(initial.info(), final.info())) result_.warnings.push_back(std::move(*warning));
+    if (poses_differ(initial.info(), final.info())) {
+      result_.warnings.emplace_back(
+          "the captures' poses say that the camera moved: pixels were compared all the same, and what differs "
+          "may be the view");
+    }
   }
 
-  StaticDetection run() {
+  Detection run() {
     const auto start = Clock::now();
     Comparison comparison = compare();
     const auto regions_start = Clock::now();
@@ -215,31 +155,21 @@ class Detection {
   }
 
   DepthStatistics statistics(const Capture& capture, std::size_t frames) {
-    const auto start = Clock::now();
-    double adding_ms = 0.0;
-    DepthStatistics statistics(capture.info().depth.width, capture.info().depth.height);
-    for_each_depth_frame(capture, frames, progress_, [&](const DepthImage& frame) {
-      const auto add_start = Clock::now();
-      statistics.add(frame);
-      adding_ms += ms_since(add_start);
-    });
-    findings().runtime.statistics_ms += adding_ms;
-    findings().runtime.load_ms += ms_since(start) - adding_ms;
-    return statistics;
+    return statistics_of(capture, frames, progress_, findings().runtime);
   }
 
   const Capture& initial_;
   const Capture& final_;
   const StaticDetectionOptions& options_;
   const Progress& progress_;
-  StaticDetection result_;
+  Detection result_;
 };
 
 }  // namespace
 
-StaticDetection detect_static(const Capture& initial, const Capture& final,
-                              const StaticDetectionOptions& options, const Progress& progress) {
-  return Detection(initial, final, options, progress).run();
+Detection detect_static(const Capture& initial, const Capture& final, const StaticDetectionOptions& options,
+                        const Progress& progress) {
+  return Run(initial, final, options, progress).run();
 }
 
 std::string_view name_of(StaticMethod method) {

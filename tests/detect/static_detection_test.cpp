@@ -27,7 +27,7 @@ std::vector<DepthImage> wall(int frames, bool with_box, unsigned seed) {
   return stack;
 }
 
-TEST(StaticDetection, FindsWhatWasLeft) {
+TEST(Detection, FindsWhatWasLeft) {
   const MemoryCapture before = test::capture_of(wall(20, false, 1));
   const MemoryCapture after = test::capture_of(wall(20, true, 2));
   for (const StaticMethod method :
@@ -35,7 +35,7 @@ TEST(StaticDetection, FindsWhatWasLeft) {
     StaticDetectionOptions options;
     options.method = method;
     options.constant.threshold_m = 0.02;
-    const StaticDetection detection = detect_static(before, after, options, {});
+    const Detection detection = detect_static(before, after, options, {});
     ASSERT_EQ(detection.findings.findings.size(), 1U);
     EXPECT_EQ(detection.findings.findings[0].box, (Box{30, 20, 12, 8}));
     EXPECT_NEAR(*detection.findings.findings[0].height_mm, 30.0, 2.0);
@@ -44,34 +44,34 @@ TEST(StaticDetection, FindsWhatWasLeft) {
   }
 }
 
-TEST(StaticDetection, NothingChangedNothingFound) {
+TEST(Detection, NothingChangedNothingFound) {
   const MemoryCapture before = test::capture_of(wall(20, false, 3));
   const MemoryCapture after = test::capture_of(wall(20, false, 4));
   EXPECT_TRUE(detect_static(before, after, {}, {}).findings.findings.empty());
 }
 
-TEST(StaticDetection, UsesTheFirstFramesOnly) {
+TEST(Detection, UsesTheFirstFramesOnly) {
   std::vector<DepthImage> frames = wall(10, true, 5);
   for (DepthImage& frame : wall(10, false, 6)) frames.push_back(std::move(frame));
   const MemoryCapture before = test::capture_of(wall(10, false, 7));
   StaticDetectionOptions options;
   options.frames = 10;
-  const StaticDetection detection = detect_static(before, test::capture_of(frames), options, {});
+  const Detection detection = detect_static(before, test::capture_of(frames), options, {});
   EXPECT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.final_frames, 10U);
 }
 
-TEST(StaticDetection, SaysWhenFramesAreMissing) {
+TEST(Detection, SaysWhenFramesAreMissing) {
   StaticDetectionOptions options;
   options.frames = 10;
   const MemoryCapture capture = test::capture_of(wall(6, false, 8));
-  const StaticDetection detection = detect_static(capture, capture, options, {});
+  const Detection detection = detect_static(capture, capture, options, {});
   EXPECT_EQ(detection.findings.initial_frames, 6U);
   EXPECT_EQ(detection.warnings.size(), 2U);
 }
 
 // Something that moves while either capture is recorded hides what else may have changed there.
-TEST(StaticDetection, WarnsWhereItIsBlind) {
+TEST(Detection, WarnsWhereItIsBlind) {
   std::vector<DepthImage> moving = wall(8, false, 14);
   for (std::size_t k = 0; k < moving.size(); k += 2) {
     for (int u = 0; u < 20; ++u) {
@@ -84,14 +84,14 @@ TEST(StaticDetection, WarnsWhereItIsBlind) {
   EXPECT_TRUE(detect_static(still, still, {}, {}).warnings.empty());
 }
 
-TEST(StaticDetection, WarnsWhenLittleCouldBeCompared) {
+TEST(Detection, WarnsWhenLittleCouldBeCompared) {
   const MemoryCapture nothing = test::capture_of(std::vector<DepthImage>(4, DepthImage(80, 60)));
-  const StaticDetection detection = detect_static(nothing, nothing, {}, {});
+  const Detection detection = detect_static(nothing, nothing, {}, {});
   EXPECT_TRUE(detection.findings.findings.empty());
   EXPECT_EQ(detection.warnings.size(), 1U);
 }
 
-TEST(StaticDetection, OneFrameHasNoDeviation) {
+TEST(Detection, OneFrameHasNoDeviation) {
   const MemoryCapture one = test::capture_of(wall(1, false, 9));
   StaticDetectionOptions options;
   options.method = StaticMethod::gaussian;
@@ -100,20 +100,20 @@ TEST(StaticDetection, OneFrameHasNoDeviation) {
   EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {})));
 }
 
-TEST(StaticDetection, OnlyCalibratedKnowsWhatItCouldHaveFound) {
+TEST(Detection, OnlyCalibratedKnowsWhatItCouldHaveFound) {
   const MemoryCapture before = test::capture_of(wall(10, false, 16));
   const MemoryCapture after = test::capture_of(wall(10, true, 17));
-  const StaticDetection calibrated = detect_static(before, after, {}, {});
+  const Detection calibrated = detect_static(before, after, {}, {});
   ASSERT_TRUE(calibrated.level_of_detection);
   EXPECT_LT(*calibrated.findings.findings.at(0).p_value, 0.05);
   StaticDetectionOptions options;
   options.method = StaticMethod::gaussian;
-  const StaticDetection gaussian = detect_static(before, after, options, {});
+  const Detection gaussian = detect_static(before, after, options, {});
   EXPECT_FALSE(gaussian.level_of_detection);
   EXPECT_FALSE(gaussian.findings.findings.at(0).p_value);
 }
 
-TEST(StaticDetection, RefusesAnotherCamera) {
+TEST(Detection, RefusesAnotherCamera) {
   const MemoryCapture before = test::capture_of(wall(2, false, 10));
   const auto refused = [&](auto change) {
     CaptureInfo info = before.info();
@@ -128,7 +128,7 @@ TEST(StaticDetection, RefusesAnotherCamera) {
   refused([](CaptureInfo& info) { info.depth_unit_m = 0.0001; });
 }
 
-TEST(StaticDetection, WarnsWhenPosesSayThatTheCameraMoved) {
+TEST(Detection, WarnsWhenPosesSayThatTheCameraMoved) {
   const auto warnings = [](const Pose& a, const Pose& b) {
     CaptureInfo before = test::info_of(80, 60);
     CaptureInfo after = before;

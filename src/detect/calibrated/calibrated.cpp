@@ -23,11 +23,7 @@ constexpr int lost_window_px = 9;
 constexpr double lost_deviations = 30.0;  // of a window that lost all of its depth
 // Both signs, sure and unsure, at each scale and of what was lost.
 constexpr double looks = 4.0 * (windows_px.size() + 1);
-// How tails usually fall off: those of simulated wings (docs/calibrated.md).
-struct UsualSlopes {
-  ByPlace<double> change;
-  ByPlace<double> loss;
-};
+// Those of simulated wings (docs/calibrated.md).
 constexpr UsualSlopes slopes_of_means{{2.0, 1.1}, {1.5, 0.8}};
 // Without repeated frames, wrong matches cannot be told from noise: no place is taken to be surer.
 constexpr UsualSlopes slopes_of_single_frames{{1.1, 1.1}, {0.5, 0.5}};
@@ -96,12 +92,14 @@ CalibratedComparison compare_calibrated(const DepthStatistics& initial, const De
                                         double unit_m, double disparity_m_px,
                                         const CalibratedOptions& options) {
   const double disparity_by_depth = disparity_m_px / unit_m;
-  return compare_calibrated(disparity_change(initial, final, disparity_by_depth), disparity_by_depth,
-                            disparity_m_px, options);
+  const DisparityChange change = disparity_change(initial, final, disparity_by_depth);
+  return compare_calibrated(change, disparity_by_depth, disparity_m_px,
+                            change.frames < 2 ? slopes_of_single_frames : slopes_of_means, options);
 }
 
 CalibratedComparison compare_calibrated(const DisparityChange& change, double disparity_by_depth,
-                                        double disparity_m_px, const CalibratedOptions& options) {
+                                        double disparity_m_px, const UsualSlopes& slopes,
+                                        const CalibratedOptions& options) {
   const Drift drift = fit_drift(change);
   const Image<float> drift_px = drift.px();
   const Mask unsure = unsure_places(change);
@@ -113,7 +111,6 @@ CalibratedComparison compare_calibrated(const DisparityChange& change, double di
   Comparison& comparison = result.comparison;
   comparison.evidence_is_rarity = true;
   fill_depth(change, drift_px, disparity_m_px, comparison);
-  const UsualSlopes& slopes = change.frames < 2 ? slopes_of_single_frames : slopes_of_means;
   const double false_findings = options.false_findings / looks;
   Outlines outlines(unsure, looks, comparison);
   std::vector<Scale> scales;

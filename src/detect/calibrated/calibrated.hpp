@@ -5,6 +5,7 @@
 #include "depth/depth_statistics.hpp"
 #include "detect/calibrated/disparity_change.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
+#include "detect/calibrated/unsure_places.hpp"
 #include "detect/comparison.hpp"
 
 namespace rva {
@@ -15,7 +16,7 @@ struct CalibratedOptions {
   static void describe(auto&& self, auto&& visit) {
     visit(self.false_findings,
           OptionField{"false-findings", "", 1e-9, 1000,
-                      "calibrated: findings that an inspection may show on average where nothing changed"});
+                      "calibrated, spatial: findings that an inspection may show on average where nothing changed"});
   }
 };
 
@@ -23,6 +24,13 @@ struct CalibratedComparison {
   Comparison comparison;               ///< evidence is -log10 of the expected false findings as strong
   Image<float> level_of_detection_mm;  ///< NaN where not judged
   DetectionLevelSummary levels;
+};
+
+/// How the tails of what unchanged places show usually fall off, per deviation: where an image has few peaks
+/// to learn from, it is taken to be as others are.
+struct UsualSlopes {
+  ByPlace<double> change;
+  ByPlace<double> loss;
 };
 
 /// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 7,
@@ -40,8 +48,10 @@ struct CalibratedComparison {
 
 /// The same, of a change in disparity that is known already.
 /// @param disparity_by_depth as for disparity_change()
+/// @param slopes             of such changes
 [[nodiscard]] CalibratedComparison compare_calibrated(const DisparityChange& change,
                                                       double disparity_by_depth, double disparity_m_px,
+                                                      const UsualSlopes& slopes,
                                                       const CalibratedOptions& options);
 
 }  // namespace rva

@@ -1,0 +1,96 @@
+#include "detect/detection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "depth/frame_reader.hpp"
+
+namespace rva {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+// A millionth of a degree: rounding in files passes, a servo step does not.
+bool differ(const std::optional<double>& a_deg, const std::optional<double>& b_deg) {
+  return a_deg && b_deg && !close(*a_deg, *b_deg, 1e-6);
+}
+
+}  // namespace
+
+bool poses_differ(const CaptureInfo& initial, const CaptureInfo& final) {
+  if (!initial.pose || !final.pose) return false;
+  const Pose& a = *initial.pose;
+  const Pose& b = *final.pose;
+  const bool bases_differ = a.base && b.base && *a.base != *b.base;
+  const bool transforms_differ = a.world_from_camera && b.world_from_camera &&
+                                 !a.world_from_camera->isApprox(*b.world_from_camera, 1e-9);
+  return bases_differ || transforms_differ || differ(a.pan_deg, b.pan_deg) || differ(a.tilt_deg, b.tilt_deg);
+}
+
+std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view side,
+                          std::vector<std::string>& warnings) {
+  const std::size_t available = capture.depth_frames();
+  if (wanted == 0 && available > DepthStatistics::max_frames) {
+    throw Error(fmt::format("{} capture", side),
+                fmt::format("{} frames are more than can be used", available),
+                fmt::format("give --frames {}", DepthStatistics::max_frames));
+  }
+  if (wanted == 0) return available;
+  const auto count = static_cast<std::size_t>(wanted);
+  if (count > available) {
+    warnings.push_back(fmt::format("the {} capture has {} frame(s) where {} were asked for: all are used",
+                                   side, available, count));
+  }
+  return std::min(available, count);
+}
+
+DepthStatistics statistics_of(const Capture& capture, std::size_t frames, const Progress& progress,
+                              Runtime& runtime) {
+  const auto start = Clock::now();
+  double adding_ms = 0.0;
+  DepthStatistics statistics(capture.info().depth.width, capture.info().depth.height);
+  for_each_depth_frame(capture, frames, progress, [&](const DepthImage& frame) {
+    const auto add_start = Clock::now();
+    statistics.add(frame);
+    adding_ms += ms_since(add_start);
+  });
+  runtime.statistics_ms += adding_ms;
+  runtime.load_ms += ms_since(start) - adding_ms;
+  return statistics;
+}
+
+double disparity_m_px(const CaptureInfo& info) {
+  constexpr double usual_baseline_m = 0.050;
+  const double baseline_m = info.camera && info.camera->baseline_m.value_or(0.0) > 0.0
+                                ? *info.camera->baseline_m
+                                : usual_baseline_m;
+  return info.depth.fx * baseline_m;
+}
+
+void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& warnings) {
+  constexpr double little = 0.5;
+  constexpr double much = 0.05;
+  const double compared = comparison.coverage.compared;
+  if (compared < little) {
+    warnings.push_back(fmt::format("only {:.1f} % of the view could be compared", 100.0 * compared));
+  }
+  if (comparison.blind > much) {
+    warnings.push_back(
+        fmt::format("in {:.0f} % of what was compared, depth varied so much that a change of {:.0f} mm would "
+                    "not have been "
+                    "found: something moved while a capture was recorded, or edges flickered",
+                    100.0 * comparison.blind, 1000.0 * blind_from_m));
+  }
+}
+
+}  // namespace rva
