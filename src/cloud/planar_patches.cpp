@@ -1,0 +1,102 @@
+#include "cloud/planar_patches.hpp"
+
+#include <cmath>
+
+namespace rva {
+namespace {
+
+// Beyond this about its plane, a window holds an edge or a wrong match.
+constexpr double planar_px = 0.4;
+
+/// Sums over a window for a plane by least squares.
+class PlaneFit {
+ public:
+  void add(double u, double v, double d) {
+    n_ += 1.0;
+    u_ += u;
+    v_ += v;
+    d_ += d;
+    uu_ += u * u;
+    uv_ += u * v;
+    vv_ += v * v;
+    ud_ += u * d;
+    vd_ += v * d;
+    dd_ += d * d;
+  }
+
+  // The plane at (0, 0); none where the pixels do not lie on one.
+  [[nodiscard]] PlanarPatch plane(double least_pixels) const {
+    if (n_ < least_pixels) return {};
+    const double uu = uu_ - u_ * u_ / n_;
+    const double uv = uv_ - u_ * v_ / n_;
+    const double vv = vv_ - v_ * v_ / n_;
+    const double ud = ud_ - u_ * d_ / n_;
+    const double vd = vd_ - v_ * d_ / n_;
+    const double dd = dd_ - d_ * d_ / n_;
+    const double determinant = uu * vv - uv * uv;
+    if (determinant < 0.25 * n_ * n_) return {};  // pixels in a row
+    const double slope_u = (ud * vv - vd * uv) / determinant;
+    const double slope_v = (vd * uu - ud * uv) / determinant;
+    const double left = dd - slope_u * ud - slope_v * vd;
+    if (left > planar_px * planar_px * n_) return {};
+    const double centre = (d_ - slope_u * u_ - slope_v * v_) / n_;
+    if (centre <= 0.0) return {};
+    return {static_cast<float>(centre), static_cast<float>(slope_u), static_cast<float>(slope_v)};
+  }
+
+ private:
+  double n_ = 0.0, u_ = 0.0, v_ = 0.0, d_ = 0.0;
+  double uu_ = 0.0, uv_ = 0.0, vv_ = 0.0, ud_ = 0.0, vd_ = 0.0, dd_ = 0.0;
+};
+
+PlanarPatch fit(const DepthView& view, double centre_u, double centre_v, int window_px) {
+  const double half = 0.5 * window_px;
+  const int left = std::max(0, static_cast<int>(std::ceil(centre_u - half)));
+  const int right = std::min(view.camera.width - 1, static_cast<int>(std::floor(centre_u + half)));
+  const int top = std::max(0, static_cast<int>(std::ceil(centre_v - half)));
+  const int bottom = std::min(view.camera.height - 1, static_cast<int>(std::floor(centre_v + half)));
+  PlaneFit sums;
+  for (int v = top; v <= bottom; ++v) {
+    for (int u = left; u <= right; ++u) {
+      const float d = view.disparity_px(u, v);
+      if (d > 0.0F) sums.add(u - centre_u, v - centre_v, static_cast<double>(d));
+    }
+  }
+  return sums.plane(0.5 * window_px * window_px);
+}
+
+}  // namespace
+
+PlanarPatches::PlanarPatches(const DepthView& view, int step_px, int window_px)
+    : step_px_(step_px),
+      camera_(view.camera),
+      disparity_m_px_(view.disparity_m_px),
+      patches_(view.camera.width / step_px, view.camera.height / step_px) {
+  for (int row = 0; row < rows(); ++row) {
+    for (int column = 0; column < columns(); ++column)
+      patches_(column, row) = fit(view, centre_px(column), centre_px(row), window_px);
+  }
+}
+
+int PlanarPatches::index_of(double pixel) const {
+  return static_cast<int>(std::floor((pixel + 0.5) / step_px_));
+}
+
+const PlanarPatch* PlanarPatches::find(double u, double v) const {
+  // Compared as numbers first: what is far outside has no int.
+  if (!(u > -0.5 && v > -0.5 && u < camera_.width && v < camera_.height)) return nullptr;
+  const int column = index_of(u);
+  const int row = index_of(v);
+  if (column >= columns() || row >= rows()) return nullptr;
+  const PlanarPatch& patch = patches_(column, row);
+  return patch.disparity_px > 0.0F ? &patch : nullptr;
+}
+
+double PlanarPatches::disparity_px(const PlanarPatch& patch, double u, double v) const {
+  const double du = u - centre_px(index_of(u));
+  const double dv = v - centre_px(index_of(v));
+  return static_cast<double>(patch.disparity_px) + static_cast<double>(patch.slope_u) * du +
+         static_cast<double>(patch.slope_v) * dv;
+}
+
+}  // namespace rva

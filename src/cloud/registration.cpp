@@ -1,0 +1,174 @@
+#include "cloud/registration.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "cloud/agreement.hpp"
+#include "cloud/registration_starts.hpp"
+
+namespace rva {
+namespace {
+
+constexpr int coarse_step_px = 8;
+constexpr int fine_step_px = 4;
+constexpr int window_px = 8;           // of a patch: about the matcher's own
+constexpr double last_reach_px = 0.6;  // four deviations of a matcher's fixed pattern
+
+ViewPair sampled(const PlanarPatches& initial, const PlanarPatches& final, int every) {
+  return {initial, final, points_of(initial, every), points_of(final, every)};
+}
+
+// Gauss and Newton, a little damped: directions that nothing holds stay where they are.
+AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
+  constexpr double pattern_px = 0.15;      // of residuals
+  constexpr double usual_offset_px = 0.1;  // of a camera that warms up
+  constexpr double prior = pattern_px * pattern_px / (usual_offset_px * usual_offset_px);
+  AlignmentInformation information = sum.information;
+  AlignmentStep gradient = sum.gradient;
+  information(6, 6) += prior;
+  gradient[6] += prior * alignment.offset_px;
+  information.diagonal().head<6>().array() += 1e-4 * information.diagonal().head<6>().mean();
+  return -information.ldlt().solve(gradient);
+}
+
+struct Descent {
+  int steps = 1;
+  double first_reach_px = 1.0;
+  double last_reach_px = 1.0;
+};
+
+struct Candidate {
+  Alignment alignment;
+  double score = 0.0;
+};
+
+void descend(const ViewPair& views, const Descent& descent, Candidate& candidate) {
+  const double shrink =
+      std::pow(descent.last_reach_px / descent.first_reach_px, 1.0 / std::max(1, descent.steps - 1));
+  double reach_px = descent.first_reach_px;
+  for (int i = 0; i < descent.steps; ++i, reach_px *= shrink) {
+    const Agreement sum = agreement(views, candidate.alignment, reach_px);
+    candidate.alignment = moved(candidate.alignment, step_of(sum, candidate.alignment));
+  }
+  candidate.score = agreement(views, candidate.alignment, descent.last_reach_px).score();
+}
+
+double distance_m(const Transform& a, const Transform& b) {
+  constexpr double bay_m = 0.7;
+  const Transform between = a.inverse() * b;
+  return between.translation().norm() + bay_m * Eigen::AngleAxisd(between.linear()).angle();
+}
+
+// The best ones, best first; of those that came to one place, one.
+void keep_best(std::size_t count, std::vector<Candidate>& candidates) {
+  constexpr double same_m = 0.02;
+  std::ranges::stable_sort(candidates, std::greater{}, &Candidate::score);
+  std::vector<Candidate> kept;
+  for (const Candidate& candidate : candidates) {
+    if (kept.size() == count) break;
+    const bool known = std::ranges::any_of(kept, [&](const Candidate& other) {
+      return distance_m(other.alignment.initial_from_final, candidate.alignment.initial_from_final) < same_m;
+    });
+    if (!known) kept.push_back(candidate);
+  }
+  candidates = std::move(kept);
+}
+
+void descend(const ViewPair& views, const Descent& descent, std::size_t kept,
+             std::vector<Candidate>& candidates) {
+  for (Candidate& candidate : candidates) descend(views, descent, candidate);
+  keep_best(kept, candidates);
+}
+
+std::vector<Candidate> candidates_at(const RegistrationGuess& guess) {
+  if (guess.nearby) return {{{guess.initial_from_final, 0.0}, 0.0}};
+  std::vector<Candidate> candidates;
+  for (const Transform& start : starts_around(guess.initial_from_final))
+    candidates.push_back({{start, 0.0}, 0.0});
+  return candidates;
+}
+
+// In the words of a person who looks along the camera.
+std::string_view name_of_direction(const Eigen::Matrix<double, 6, 1>& direction) {
+  constexpr std::array<std::string_view, 6> names{
+      "a turn up or down",     "a turn left or right", "a turn about the line of sight",
+      "a shift left or right", "a shift up or down",   "a shift along the line of sight"};
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return names.at(static_cast<std::size_t>(largest));
+}
+
+std::string doubt_of(const Registration& registration, const RegistrationUncertainty& uncertainty,
+                     const std::vector<Candidate>& candidates) {
+  constexpr double least_overlap = 0.15;
+  constexpr double least_agreeing = 0.6;
+  constexpr double worst_share = 0.012;  // of the distance
+  constexpr double clearly_better = 0.9;
+  if (registration.overlap < least_overlap)
+    return fmt::format("only {:.0f} % of the views show the same surfaces", 100.0 * registration.overlap);
+  if (registration.agreeing < least_agreeing)
+    return fmt::format("only {:.0f} % of what both views show lies on the same surfaces",
+                       100.0 * registration.agreeing);
+  if (uncertainty.worst_m > worst_share * uncertainty.distance_m)
+    return fmt::format("nothing in view holds {}", name_of_direction(uncertainty.worst));
+  if (candidates.size() > 1 && candidates[1].score > clearly_better * candidates[0].score) {
+    const double apart_m =
+        distance_m(candidates[0].alignment.initial_from_final, candidates[1].alignment.initial_from_final);
+    return fmt::format("two places {:.0f} mm apart explain the views equally well", 1000.0 * apart_m);
+  }
+  return {};
+}
+
+/// Both views, as planes at two resolutions.
+struct Planes {
+  PlanarPatches initial_coarse;
+  PlanarPatches final_coarse;
+  PlanarPatches initial_fine;
+  PlanarPatches final_fine;
+};
+
+/// @param every so many patches a sample is taken of, in the search
+Registration search(const Planes& planes, const RegistrationGuess& guess, int every) {
+  std::vector<Candidate> candidates = candidates_at(guess);
+  const ViewPair coarse = sampled(planes.initial_coarse, planes.final_coarse, every);
+  if (!guess.nearby) {
+    descend(coarse, {4, 8.0, 4.0}, 60, candidates);
+    descend(coarse, {5, 4.0, 2.0}, 20, candidates);
+  }
+  descend(coarse, {6, 4.0, 1.0}, 8, candidates);
+  descend(sampled(planes.initial_coarse, planes.final_coarse, every / 2), {8, 3.0, 1.0}, 3, candidates);
+  const ViewPair fine = sampled(planes.initial_fine, planes.final_fine, 2);
+  descend(fine, {6, 1.5, last_reach_px}, 3, candidates);
+  const Alignment& best = candidates.front().alignment;
+  const Agreement sum = agreement(fine, best, last_reach_px);
+  const RegistrationUncertainty uncertain = uncertainty(fine, best, last_reach_px);
+  Registration result{best.initial_from_final,
+                      uncertain.covariance,
+                      best.offset_px,
+                      sum.agreeing / std::max(1.0, sum.compared),
+                      sum.compared / std::max(1.0, sum.samples),
+                      {}};
+  result.doubt = doubt_of(result, uncertain, candidates);
+  return result;
+}
+
+}  // namespace
+
+Registration register_views(const DepthView& initial, const DepthView& final,
+                            const RegistrationGuess& guess) {
+  const Planes planes{
+      PlanarPatches(initial, coarse_step_px, window_px), PlanarPatches(final, coarse_step_px, window_px),
+      PlanarPatches(initial, fine_step_px, window_px), PlanarPatches(final, fine_step_px, window_px)};
+  Registration result = search(planes, guess, 4);
+  // Few samples suffice as a rule; a place that they leave in doubt deserves more.
+  return result.trusted() ? result : search(planes, guess, 2);
+}
+
+}  // namespace rva
