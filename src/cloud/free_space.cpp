@@ -1,0 +1,176 @@
+#include "cloud/free_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "cloud/rendered_view.hpp"
+#include "depth/mat_view.hpp"
+
+namespace rva {
+namespace {
+
+// How far edges lie from where they seem to be, in either direction; beside a hole, which is where a matcher
+// gave up on an edge, farther.
+constexpr int edge_reach_px = 2;
+constexpr int hole_reach_px = 4;
+// What differs by less within reach is one surface.
+constexpr float one_surface_px = 1.2F;
+// Farther than this behind what was seen, a point was hidden.
+constexpr float behind_px = 1.0F;
+constexpr float nearest_m = 0.05F;
+
+cv::Mat square(int reach_px) { return cv::Mat::ones(2 * reach_px + 1, 2 * reach_px + 1, CV_8U); }
+
+/// A disparity image as something to hold a point against.
+class Surroundings {
+ public:
+  explicit Surroundings(const Image<float>& disparity_px) : disparity_px_(disparity_px) {
+    const cv::Mat disparity = as_mat(disparity_px_);
+    const cv::Mat holes = disparity <= 0.0;
+    cv::Mat without_holes = disparity.clone();
+    without_holes.setTo(std::numeric_limits<float>::max(), holes);
+    cv::Mat beside_holes;
+    cv::dilate(holes, beside_holes, square(edge_reach_px));
+    cv::dilate(disparity, highest_, square(edge_reach_px));
+    cv::erode(without_holes, lowest_, square(edge_reach_px));
+    cv::Mat farther;
+    cv::dilate(disparity, farther, square(hole_reach_px));
+    farther.copyTo(highest_, beside_holes);
+    cv::erode(without_holes, farther, square(hole_reach_px));
+    farther.copyTo(lowest_, beside_holes);
+  }
+
+  // How far a disparity lies off the surface at a pixel: from the surface itself where there is one, from all
+  // that is within reach where there is an edge. Empty where nothing was seen, and in the margin.
+  [[nodiscard]] std::optional<float> excess_px(float disparity_px, float u, float v) const {
+    constexpr auto margin = static_cast<float>(margin_px);
+    const auto right = static_cast<float>(disparity_px_.width() - 1 - margin_px);
+    const auto bottom = static_cast<float>(disparity_px_.height() - 1 - margin_px);
+    if (!(u >= margin && v >= margin && u < right && v < bottom)) return std::nullopt;
+    const auto column = static_cast<int>(u);
+    const auto row = static_cast<int>(v);
+    const float here = between(column, row, u - static_cast<float>(column), v - static_cast<float>(row));
+    if (here <= 0.0F) return std::nullopt;
+    const float high = highest_.at<float>(row, column);
+    const float low = lowest_.at<float>(row, column);
+    if (high - low < one_surface_px) return disparity_px - here;
+    return disparity_px - std::clamp(disparity_px, low, high);
+  }
+
+ private:
+  [[nodiscard]] float between(int column, int row, float du, float dv) const {
+    const float a = disparity_px_(column, row);
+    const float b = disparity_px_(column + 1, row);
+    const float c = disparity_px_(column, row + 1);
+    const float d = disparity_px_(column + 1, row + 1);
+    if (std::min({a, b, c, d}) <= 0.0F) return 0.0F;
+    return (1.0F - dv) * ((1.0F - du) * a + du * b) + dv * ((1.0F - du) * c + du * d);
+  }
+
+  const Image<float>& disparity_px_;
+  cv::Mat highest_;
+  cv::Mat lowest_;
+};
+
+float lesser(float a, float b) {
+  if ((a > 0.0F) != (b > 0.0F)) return 0.0F;
+  return std::abs(a) < std::abs(b) ? a : b;
+}
+
+// What the camera would have measured had it been as warm as later.
+DepthView without_offset(DepthView view, float offset_px) {
+  for (float& disparity_px : view.disparity_px.pixels()) {
+    if (disparity_px > 0.0F) disparity_px = std::max(disparity_px - offset_px, 0.0F);
+  }
+  return view;
+}
+
+// The final view against the initial one, pixel by pixel. Empty where nobody can know.
+class FreeSpace {
+ public:
+  FreeSpace(const DepthView& initial, const DepthView& final, const Transform& initial_from_final)
+      : initial_(initial),
+        final_(final),
+        rotation_(initial_from_final.linear().cast<float>()),
+        translation_(initial_from_final.translation().cast<float>()),
+        expected_px_(render(initial, final.camera, final.disparity_m_px, initial_from_final.inverse())),
+        initial_surroundings_(initial.disparity_px),
+        expected_surroundings_(expected_px_),
+        final_surroundings_(final.disparity_px) {}
+
+  [[nodiscard]] std::optional<float> change_px(int u, int v) const {
+    const std::optional<float> along_initial_ray = before_px(u, v);
+    const std::optional<float> along_final_ray = after_px(u, v);
+    if (along_initial_ray && along_final_ray) return lesser(*along_initial_ray, *along_final_ray);
+    if (!along_initial_ray) return along_final_ray;
+    return *along_initial_ray > -behind_px ? along_initial_ray : std::nullopt;
+  }
+
+ private:
+  // The final point against what the initial camera saw along its ray through that point. Above 0: in front.
+  [[nodiscard]] std::optional<float> before_px(int u, int v) const {
+    const float z = static_cast<float>(final_.disparity_m_px) / final_.disparity_px(u, v);
+    const Eigen::Vector3f ray(static_cast<float>((u - final_.camera.cx) / final_.camera.fx),
+                              static_cast<float>((v - final_.camera.cy) / final_.camera.fy), 1.0F);
+    const Eigen::Vector3f point = rotation_ * (z * ray) + translation_;
+    if (point.z() < nearest_m) return std::nullopt;
+    const float by_z = 1.0F / point.z();
+    const Intrinsics& camera = initial_.camera;
+    return initial_surroundings_.excess_px(
+        static_cast<float>(initial_.disparity_m_px) * by_z,
+        static_cast<float>(camera.fx) * point.x() * by_z + static_cast<float>(camera.cx),
+        static_cast<float>(camera.fy) * point.y() * by_z + static_cast<float>(camera.cy));
+  }
+
+  // The same along the final camera's ray, where the initial view has a surface; a surface that has gone must
+  // lie in front of all that the final camera sees within reach.
+  [[nodiscard]] std::optional<float> after_px(int u, int v) const {
+    const auto column = static_cast<float>(u);
+    const auto row = static_cast<float>(v);
+    const std::optional<float> change =
+        expected_surroundings_.excess_px(final_.disparity_px(u, v), column, row);
+    if (!change || *change >= 0.0F) return change;
+    const std::optional<float> gone = final_surroundings_.excess_px(expected_px_(u, v), column, row);
+    return gone ? lesser(*change, -*gone) : *change;
+  }
+
+  const DepthView& initial_;
+  const DepthView& final_;
+  Eigen::Matrix3f rotation_;
+  Eigen::Vector3f translation_;
+  Image<float> expected_px_;
+  Surroundings initial_surroundings_;
+  Surroundings expected_surroundings_;
+  Surroundings final_surroundings_;
+};
+
+}  // namespace
+
+DisparityChange free_space_change(const DepthView& initial, const DepthView& final,
+                                  const Transform& initial_from_final, double offset_px) {
+  constexpr float least_px = 1e-3F;  // of a disparity, and of a deviation: what is judged has both
+  DisparityChange change(final.camera.width, final.camera.height);
+  const DepthView before = without_offset(initial, static_cast<float>(offset_px));
+  const FreeSpace space(before, final, initial_from_final);
+  for (int v = 0; v < final.camera.height; ++v) {
+    for (int u = 0; u < final.camera.width; ++u) {
+      const float after_px = final.disparity_px(u, v);
+      if (after_px <= 0.0F) continue;
+      change.after_px(u, v) = after_px;
+      const std::optional<float> change_px = space.change_px(u, v);
+      if (!change_px) continue;
+      change.before_px(u, v) = std::max(after_px - *change_px, least_px);
+      const bool inside = u >= margin_px && v >= margin_px && u < final.camera.width - margin_px &&
+                          v < final.camera.height - margin_px;
+      if (!inside) continue;
+      change.judged(u, v) = mask_set;
+      change.deviation_px(u, v) = std::max(final.deviation_px(u, v), least_px);
+    }
+  }
+  return change;
+}
+
+}  // namespace rva

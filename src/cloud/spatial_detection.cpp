@@ -1,0 +1,163 @@
+#include "cloud/spatial_detection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "cloud/free_space.hpp"
+#include "cloud/fused_view.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+
+namespace rva {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Of simulated wings, one to three captures a side (docs/spatial.md). Depth that went missing is no evidence
+// from another place.
+constexpr UsualSlopes slopes_of_moved_cameras{{0.9, 0.45}, {1.5, 0.8}};
+
+// Where the captures' poses put one in the frame of the other; empty where they say nothing about each other.
+std::optional<Transform> known_transform(const CaptureInfo& to, const CaptureInfo& from) {
+  if (!to.pose || !from.pose || !to.pose->base || to.pose->base != from.pose->base) return std::nullopt;
+  if (!to.pose->world_from_camera || !from.pose->world_from_camera) return std::nullopt;
+  return to.pose->world_from_camera->inverse() * *from.pose->world_from_camera;
+}
+
+class Run {
+ public:
+  Run(const SpatialDetectionOptions& options, const Progress& progress)
+      : options_(options), progress_(progress) {
+    check_options(options);
+  }
+
+  SpatialDetection run(const Captures& initial, const Captures& final) {
+    const auto start = Clock::now();
+    const DepthView before = view_of(initial, "initial", findings().initial_frames);
+    const DepthView after = view_of(final, "final", findings().final_frames);
+    throw_if_interrupted();
+    const auto detect_start = Clock::now();
+    Registration registration = lay_over(before, after, initial.front()->info(), final.front()->info());
+    const CaptureInfo& info = final.front()->info();
+    CalibratedComparison calibrated = compare_calibrated(
+        free_space_change(before, after, registration.initial_from_final, registration.offset_px),
+        after.disparity_m_px / info.depth_unit_m, after.disparity_m_px, slopes_of_moved_cameras,
+        options_.calibrated);
+    findings().runtime.detect_ms = fusing_ms_ + ms_since(detect_start);
+    Comparison& comparison = calibrated.comparison;
+    const auto regions_start = Clock::now();
+    findings().findings =
+        measure_regions(find_regions(comparison.changed, options_.regions), comparison, info.depth);
+    findings().runtime.regions_ms = ms_since(regions_start);
+    findings().runtime.total_ms = ms_since(start);
+    throw_if_interrupted();
+    warn_of_blindness(comparison, detection_.warnings);
+    findings().method = "spatial";
+    findings().coverage = comparison.coverage;
+    findings().final_from_initial = registration.initial_from_final.inverse();
+    state_parameters();
+    detection_.level_of_detection =
+        LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
+    detection_.changed = std::move(comparison.changed);
+    detection_.final_m = std::move(comparison.final_m);
+    return {std::move(detection_), std::move(registration)};
+  }
+
+ private:
+  Findings& findings() { return detection_.findings; }
+
+  void state_parameters() {
+    const auto state = [&](const auto& value, const OptionField& field) {
+      findings().parameters.emplace_back(json_name(field), value);
+    };
+    CalibratedOptions::describe(options_.calibrated, state);
+    RegionOptions::describe(options_.regions, state);
+  }
+
+  // All captures of a side as one view, in the first one's camera.
+  DepthView view_of(const Captures& captures, std::string_view side, std::size_t& frames) {
+    assert(!captures.empty());
+    std::vector<PlacedView> views;
+    for (const auto& capture : captures) {
+      const CaptureInfo& info = capture->info();
+      const std::size_t used = frames_to_use(*capture, options_.frames, side, detection_.warnings);
+      frames += used;
+      const DepthStatistics statistics = statistics_of(*capture, used, progress_, findings().runtime);
+      views.push_back({depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info)),
+                       Transform::Identity()});
+      if (views.size() > 1)
+        views.back().first_from_view =
+            place(views.front().view, views.back().view, captures.front()->info(), info, side);
+    }
+    const auto start = Clock::now();
+    DepthView fused = fuse(views);
+    fusing_ms_ += ms_since(start);
+    return fused;
+  }
+
+  static Transform place(const DepthView& first, const DepthView& view, const CaptureInfo& first_info,
+                         const CaptureInfo& info, std::string_view side) {
+    if (const auto known = known_transform(first_info, info)) return *known;
+    const Registration registration = register_views(first, view);
+    if (!registration.trusted())
+      throw Error(fmt::format("{} captures", side),
+                  "they could not be laid over each other: " + registration.doubt,
+                  "record them from one base with poses, or from nearly one place");
+    return registration.initial_from_final;
+  }
+
+  Registration lay_over(const DepthView& before, const DepthView& after, const CaptureInfo& initial,
+                        const CaptureInfo& final) {
+    if (const auto known = known_transform(initial, final)) {
+      Registration nearby = register_views(before, after, {*known, true});
+      if (nearby.trusted()) return nearby;
+      detection_.warnings.push_back(
+          fmt::format("the views do not fit the poses that the captures state ({}): they were laid over each "
+                      "other without",
+                      nearby.doubt));
+    }
+    Registration registration = register_views(before, after);
+    if (!registration.trusted())
+      throw Error("initial and final", "the views could not be laid over each other: " + registration.doubt,
+                  "record both so that they show the same ribs and stringers, from places less far apart");
+    return registration;
+  }
+
+  const SpatialDetectionOptions& options_;
+  const Progress& progress_;
+  Detection detection_;
+  double fusing_ms_ = 0.0;
+};
+
+}  // namespace
+
+SpatialDetection detect_spatial(const Captures& initial, const Captures& final,
+                                const SpatialDetectionOptions& options, const Progress& progress) {
+  return Run(options, progress).run(initial, final);
+}
+
+std::string to_json(const Registration& registration) {
+  nlohmann::ordered_json json{{"format", "rva-registration"}, {"version", 1}};
+  json["initial_from_final"] = to_row_major(registration.initial_from_final);
+  json["covariance"] = nlohmann::ordered_json::array();
+  for (Eigen::Index row = 0; row < 6; ++row) {
+    for (Eigen::Index column = 0; column < 6; ++column)
+      json["covariance"].push_back(registration.covariance(row, column));
+  }
+  json["agreeing"] = registration.agreeing;
+  json["overlap"] = registration.overlap;
+  json["offset_px"] = registration.offset_px;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace rva
