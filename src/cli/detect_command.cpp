@@ -12,6 +12,8 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
+#include "cloud/spatial_detection.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
@@ -23,18 +25,23 @@ namespace {
 
 constexpr std::array static_methods{StaticMethod::constant, StaticMethod::gaussian, StaticMethod::calibrated};
 
+constexpr std::string_view spatial = "spatial";
+
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const StaticMethod method : static_methods) names.emplace_back(name_of(method));
+  names.emplace_back(spatial);
   return names;
 }
 
 struct DetectArguments {
   std::string initial;
   std::string final;
+  std::vector<std::string> initial_side;
+  std::vector<std::string> final_side;
   std::string out;
   CaptureFlags captures;
-  std::string method{name_of(StaticDetectionOptions{}.method)};
+  std::string method;  // empty: by what the captures say
   StaticDetectionOptions detection;
   bool overwrite = false;
   bool json = false;
@@ -98,46 +105,112 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   print("{}\n", arguments.out);
 }
 
-std::vector<std::string_view> names_without_a_say(StaticMethod method) {
-  switch (method) {
-    case StaticMethod::constant:
-      return {"--sigmas", "--frames", "--false-findings"};
-    case StaticMethod::gaussian:
-      return {"--threshold", "--clip", "--false-findings"};
-    case StaticMethod::calibrated:
-      return {"--threshold", "--clip", "--sigmas"};
-  }
-  return {};
+std::vector<std::string_view> names_without_a_say(std::string_view method) {
+  if (method == name_of(StaticMethod::constant)) return {"--sigmas", "--frames", "--false-findings"};
+  if (method == name_of(StaticMethod::gaussian)) return {"--threshold", "--clip", "--false-findings"};
+  return {"--threshold", "--clip", "--sigmas"};
 }
 
 // Options of the other methods, given all the same: the person believes that they do something.
-std::vector<std::string> options_without_a_say(const CLI::App& command, StaticMethod method) {
+std::vector<std::string> options_without_a_say(const CLI::App& command, std::string_view method) {
   std::vector<std::string> warnings;
   for (const std::string_view name : names_without_a_say(method)) {
     if (command.get_option(std::string(name))->count() == 0) continue;
-    warnings.push_back(fmt::format("{} has no say in --method {}", name, name_of(method)));
+    warnings.push_back(fmt::format("{} has no say in --method {}", name, method));
   }
   return warnings;
 }
 
+struct Sides {
+  Captures initial;
+  Captures final;
+};
+
+Captures open_side(const std::string& one, const std::vector<std::string>& many,
+                   const CaptureOptions& options) {
+  Captures side;
+  if (many.empty()) side.push_back(open_capture(one, options));
+  for (const std::string& path : many) side.push_back(open_capture(path, options));
+  return side;
+}
+
+Sides open_sides(const DetectArguments& arguments) {
+  const CaptureOptions options = arguments.captures.options();
+  return {open_side(arguments.initial, arguments.initial_side, options),
+          open_side(arguments.final, arguments.final_side, options)};
+}
+
+void check_sides(const DetectArguments& arguments) {
+  const bool pair = !arguments.initial.empty() || !arguments.final.empty();
+  const bool sides = !arguments.initial_side.empty() || !arguments.final_side.empty();
+  const bool complete = pair ? !arguments.initial.empty() && !arguments.final.empty()
+                             : !arguments.initial_side.empty() && !arguments.final_side.empty();
+  if (pair == sides || !complete)
+    throw UsageError("captures", "one before and one after the work are needed",
+                     "give INITIAL FINAL, or --initial C ... --final C ... for several a side");
+}
+
+// A camera that stood still is compared pixel by pixel; any other by the space that it saw through.
+std::string method_for(const Sides& sides) {
+  const bool several = sides.initial.size() + sides.final.size() > 2;
+  const bool moved = poses_differ(sides.initial.front()->info(), sides.final.front()->info());
+  return std::string(several || moved ? spatial : name_of(StaticMethod::calibrated));
+}
+
+// The static methods compare pixels: of an exact return, to the same angles on the same base.
+const Capture& same_view(const Captures& initial, const Capture& final) {
+  const auto returned = std::ranges::find_if(
+      initial, [&](const auto& capture) { return !poses_differ(capture->info(), final.info()); });
+  if (returned == initial.end())
+    throw Error("initial captures", "none was taken from where the first final capture was",
+                "use --method spatial");
+  return **returned;
+}
+
+Detection detect_by(const std::string& method, const DetectArguments& arguments, const Sides& sides,
+                    std::optional<Registration>& registration) {
+  if (method == spatial) {
+    SpatialDetection spatially = detect_spatial(
+        sides.initial, sides.final,
+        {arguments.detection.frames, arguments.detection.calibrated, arguments.detection.regions},
+        terminal_progress());
+    registration = std::move(spatially.registration);
+    return std::move(spatially.detection);
+  }
+  StaticDetectionOptions options = arguments.detection;
+  options.method = *std::ranges::find(static_methods, method, [](StaticMethod of) { return name_of(of); });
+  const Capture& final = *sides.final.front();
+  const bool several = sides.initial.size() + sides.final.size() > 2;
+  const Capture& initial = several ? same_view(sides.initial, final) : *sides.initial.front();
+  Detection detection = detect_static(initial, final, options, terminal_progress());
+  if (several)
+    detection.warnings.push_back(fmt::format(
+        "--method {} compared one capture of each side, taken from one place: the others had no say",
+        method));
+  return detection;
+}
+
 // Warnings come last, so that a failure is one line.
-int detect(const DetectArguments& arguments, std::vector<std::string> warnings) {
-  const CaptureOptions capture_options = arguments.captures.options();
+int detect(const DetectArguments& arguments, const CLI::App& command) {
+  check_sides(arguments);
   check_options(arguments.detection);
   OutputFolder out(arguments.out,
                    {"detections.json", "changes.png", "overlay.png", "depth_overlay.png",
-                    "level_of_detection.png", "level_of_detection.json"},
+                    "level_of_detection.png", "level_of_detection.json", "registration.json"},
                    arguments.overwrite ? Existing::replace : Existing::refuse);
-  const auto initial = open_capture(arguments.initial, capture_options);
-  const auto final = open_capture(arguments.final, capture_options);
-  const Detection detection = detect_static(*initial, *final, arguments.detection, terminal_progress());
+  const Sides sides = open_sides(arguments);
+  const std::string method = arguments.method.empty() ? method_for(sides) : arguments.method;
+  std::optional<Registration> registration;
+  const Detection detection = detect_by(method, arguments, sides, registration);
+  std::vector<std::string> warnings = options_without_a_say(command, method);
   warnings.insert(warnings.end(), detection.warnings.begin(), detection.warnings.end());
 
   const std::string json = to_json(detection.findings);
   write_file(out.path("changes.png"), encode_png(detection.changed));
   write_file(out.path("depth_overlay.png"),
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
-  write_color_overlay(*final, detection, out, warnings);
+  write_color_overlay(*sides.final.front(), detection, out, warnings);
+  if (registration) write_file(out.path("registration.json"), to_json(*registration));
   if (const auto& level = detection.level_of_detection) {
     write_file(out.path("level_of_detection.png"), encode_png(draw_level_of_detection(level->least_mm)));
     write_file(out.path("level_of_detection.json"), to_json(level->summary));
@@ -160,23 +233,28 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   CLI::App& command =
       *program.add_subcommand("detect", "finds what changed between two captures of one scene");
   const auto arguments = std::make_shared<DetectArguments>();
-  command.add_option("INITIAL", arguments->initial, "capture before the work")->required();
-  command.add_option("FINAL", arguments->final, "capture after the work, from the same place")->required();
+  command.add_option("INITIAL", arguments->initial, "capture before the work");
+  command.add_option("FINAL", arguments->final, "capture after the work");
+  command.add_option("--initial", arguments->initial_side, "captures before the work, from nearly one place")
+      ->type_name("CAPTURE");
+  command
+      .add_option("--final", arguments->final_side,
+                  "captures after the work; results are in the first one's view")
+      ->type_name("CAPTURE");
   command.add_option("--out", arguments->out, "folder for the result")->required()->type_name("DIR");
-  command.add_option("--method", arguments->method, "how pixels are compared")
-      ->check(CLI::IsMember(method_names()))
-      ->capture_default_str();
+  command
+      .add_option(
+          "--method", arguments->method,
+          "how captures are compared; without it spatial where their poses differ or a side has several, "
+          "else calibrated")
+      ->check(CLI::IsMember(method_names()));
   add_flags(command, arguments->detection);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");
   command.add_flag("--fail-on-detection", arguments->fail_on_detection,
                    "exit with status 3 when something was found");
-  command.callback([arguments, &outcome, &command] {
-    arguments->detection.method = *std::ranges::find(static_methods, arguments->method,
-                                                     [](StaticMethod method) { return name_of(method); });
-    outcome.status = detect(*arguments, options_without_a_say(command, arguments->detection.method));
-  });
+  command.callback([arguments, &outcome, &command] { outcome.status = detect(*arguments, command); });
 }
 
 }  // namespace rva::cli

@@ -27,13 +27,10 @@ ViewPair sampled(const PlanarPatches& initial, const PlanarPatches& final, int e
 
 // Gauss and Newton, a little damped: directions that nothing holds stay where they are.
 AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
-  constexpr double pattern_px = 0.15;      // of residuals
-  constexpr double usual_offset_px = 0.1;  // of a camera that warms up
-  constexpr double prior = pattern_px * pattern_px / (usual_offset_px * usual_offset_px);
   AlignmentInformation information = sum.information;
   AlignmentStep gradient = sum.gradient;
-  information(6, 6) += prior;
-  gradient[6] += prior * alignment.offset_px;
+  information(6, 6) += offset_prior;
+  gradient[6] += offset_prior * alignment.offset_px;
   information.diagonal().head<6>().array() += 1e-4 * information.diagonal().head<6>().mean();
   return -information.ldlt().solve(gradient);
 }

@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -13,8 +12,8 @@ namespace {
 
 // What all tiles have in common, no scatter shows: on simulated wings errors are three times as large.
 constexpr double shared = 10.0;
-constexpr int tile_columns = 6;
-constexpr int tile_rows = 4;
+constexpr std::size_t tile_columns = 6;
+constexpr std::size_t tile_rows = 4;
 
 /// Sums by tile of the camera that saw the samples.
 class Tiles {
@@ -22,13 +21,13 @@ class Tiles {
   void add(const SurfacePoint& point, const Intrinsics& camera, const AlignmentResidual& residual,
            double weight) {
     const Eigen::Vector2d pixel = camera.project(point.position_m);
-    const auto tile = [](double position, int size, int count) {
-      return std::clamp(static_cast<int>(position / size * count), 0, count - 1);
+    const auto tile = [](double position_px, int size_px, std::size_t count) {
+      const double share = std::clamp((position_px + 0.5) / size_px, 0.0, 1.0);
+      return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
     };
-    const int column = tile(pixel.x(), camera.width, tile_columns);
-    const int row = tile(pixel.y(), camera.height, tile_rows);
-    gradients_.at(static_cast<std::size_t>(row * tile_columns + column)) +=
-        weight * residual.px * residual.by_step;
+    const std::size_t column = tile(pixel.x(), camera.width, tile_columns);
+    const std::size_t row = tile(pixel.y(), camera.height, tile_rows);
+    gradients_.at(row * tile_columns + column) += weight * residual.px * residual.by_step;
     const AlignmentInformation cross = residual.by_step * residual.by_step_of_own.transpose();
     held_ += 0.5 * weight * (cross + cross.transpose());
   }
@@ -41,11 +40,8 @@ class Tiles {
   [[nodiscard]] const AlignmentInformation& held() const { return held_; }
 
  private:
-  std::array<AlignmentStep, static_cast<std::size_t>(tile_columns* tile_rows)> gradients_ = [] {
-    std::array<AlignmentStep, static_cast<std::size_t>(tile_columns * tile_rows)> zeros;
-    zeros.fill(AlignmentStep::Zero());
-    return zeros;
-  }();
+  std::vector<AlignmentStep> gradients_ =
+      std::vector<AlignmentStep>(tile_columns * tile_rows, AlignmentStep::Zero());
   AlignmentInformation held_ = AlignmentInformation::Zero();
 };
 
@@ -60,6 +56,26 @@ AlignmentStep scales(double distance_m, double disparity_m_px) {
   AlignmentStep by;
   by << distance_m, distance_m, distance_m, 1.0, 1.0, 1.0, distance_m * distance_m / disparity_m_px;
   return by;
+}
+
+// Directions that nothing holds are as uncertain as a metre, or a radian at one.
+AlignmentInformation covariance_of(const AlignmentInformation& held, const AlignmentInformation& scatter) {
+  constexpr double nothing = 1e-9;
+  constexpr double next_to_nothing = 1e-4;  // of what holds the direction that is held best
+  const Eigen::SelfAdjointEigenSolver<AlignmentInformation> directions(held);
+  const double least = std::max(nothing, next_to_nothing * directions.eigenvalues().maxCoeff());
+  AlignmentInformation inverse = AlignmentInformation::Zero();
+  AlignmentInformation free = AlignmentInformation::Zero();
+  for (Eigen::Index k = 0; k < directions.eigenvalues().size(); ++k) {
+    const AlignmentStep direction = directions.eigenvectors().col(k);
+    const AlignmentInformation along = direction * direction.transpose();
+    const double information = directions.eigenvalues()[k];
+    if (information > least)
+      inverse += along / information;
+    else
+      free += along;
+  }
+  return shared * inverse * scatter * inverse + free;
 }
 
 }  // namespace
@@ -77,40 +93,21 @@ RegistrationUncertainty uncertainty(const ViewPair& views, const Alignment& alig
     if (!initial_on_final(point, views.final, alignment, final_from_initial, residual)) continue;
     of_initial.add(point, views.initial.camera(), residual, weight_of(residual.px, reach_px));
   }
-  const double distance_m = median_distance_m(views.final_points);
-  const AlignmentStep by = scales(distance_m, views.final.disparity_m_px());
-  AlignmentInformation held = of_final.held() + of_initial.held();
-  // The offset is no stranger: a warm camera drifts by a tenth of a pixel.
-  constexpr double usual_offset_px = 0.1;
-  constexpr double pattern_px = 0.15;
-  held(6, 6) += pattern_px * pattern_px / (usual_offset_px * usual_offset_px);
-  held = by.cwiseInverse().asDiagonal() * held * by.cwiseInverse().asDiagonal();
-  // The same surfaces are sampled in both views: each says the same twice.
-  const AlignmentInformation scatter =
-      2.0 * (by.cwiseInverse().asDiagonal() * (of_final.scatter() + of_initial.scatter()) *
-             by.cwiseInverse().asDiagonal());
-  const Eigen::SelfAdjointEigenSolver<AlignmentInformation> directions(held);
-  // A direction that nothing holds is as uncertain as a metre.
-  constexpr double least = 1e-9;
-  AlignmentInformation inverse = AlignmentInformation::Zero();
-  AlignmentInformation free = AlignmentInformation::Zero();
-  const double floor = std::max(least, 1e-4 * directions.eigenvalues().maxCoeff());
-  for (int k = 0; k < 7; ++k) {
-    const AlignmentStep direction = directions.eigenvectors().col(k);
-    const double value = directions.eigenvalues()[k];
-    if (value > floor)
-      inverse += direction * direction.transpose() / value;
-    else
-      free += direction * direction.transpose();
-  }
-  const AlignmentInformation covariance = shared * inverse * scatter * inverse + free;
-  const Eigen::SelfAdjointEigenSolver<PoseCovariance> worst(PoseCovariance(covariance.topLeftCorner<6, 6>()));
   RegistrationUncertainty result;
-  result.distance_m = distance_m;
-  result.worst_m = std::sqrt(std::max(0.0, worst.eigenvalues()[5]));
-  result.worst = worst.eigenvectors().col(5);
-  const auto unscaled = by.head<6>().cwiseInverse().asDiagonal();
-  result.covariance = unscaled * covariance.topLeftCorner<6, 6>() * unscaled;
+  result.distance_m = median_distance_m(views.final_points);
+  const AlignmentStep unit = scales(result.distance_m, views.final.disparity_m_px()).cwiseInverse();
+  AlignmentInformation held = of_final.held() + of_initial.held();
+  held(6, 6) += offset_prior;
+  // The same surfaces are sampled in both views: each says the same twice.
+  const AlignmentInformation scatter = 2.0 * (of_final.scatter() + of_initial.scatter());
+  const PoseCovariance covariance = covariance_of(unit.asDiagonal() * held * unit.asDiagonal(),
+                                                  unit.asDiagonal() * scatter * unit.asDiagonal())
+                                        .topLeftCorner<6, 6>();
+  const Eigen::SelfAdjointEigenSolver<PoseCovariance> directions(covariance);
+  result.worst_m = std::sqrt(std::max(0.0, directions.eigenvalues()[5]));
+  result.worst = directions.eigenvectors().col(5);
+  const auto metres_to_radians = unit.head<6>().asDiagonal();
+  result.covariance = metres_to_radians * covariance * metres_to_radians;
   return result;
 }
 

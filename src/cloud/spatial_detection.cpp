@@ -61,7 +61,10 @@ class Run {
     findings().runtime.regions_ms = ms_since(regions_start);
     findings().runtime.total_ms = ms_since(start);
     throw_if_interrupted();
-    warn_of_blindness(comparison, detection_.warnings);
+    warn_of_blindness(comparison,
+                      "edges and what is far differ too much from place to place (more captures a side, a "
+                      "servo step or a few apart, help)",
+                      detection_.warnings);
     findings().method = "spatial";
     findings().coverage = comparison.coverage;
     findings().final_from_initial = registration.initial_from_final.inverse();

@@ -77,7 +77,8 @@ double disparity_m_px(const CaptureInfo& info) {
   return info.depth.fx * baseline_m;
 }
 
-void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_blindness(const Comparison& comparison, std::string_view why,
+                       std::vector<std::string>& warnings) {
   constexpr double little = 0.5;
   constexpr double much = 0.05;
   const double compared = comparison.coverage.compared;
@@ -86,10 +87,8 @@ void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& w
   }
   if (comparison.blind > much) {
     warnings.push_back(
-        fmt::format("in {:.0f} % of what was compared, depth varied so much that a change of {:.0f} mm would "
-                    "not have been "
-                    "found: something moved while a capture was recorded, or edges flickered",
-                    100.0 * comparison.blind, 1000.0 * blind_from_m));
+        fmt::format("in {:.0f} % of what was compared, a change of {:.0f} mm would not have been found: {}",
+                    100.0 * comparison.blind, 1000.0 * blind_from_m, why));
   }
 }
 

@@ -51,6 +51,8 @@ struct Detection {
 [[nodiscard]] double disparity_m_px(const CaptureInfo& info);
 
 /// What the figures say against believing an empty list of findings.
-void warn_of_blindness(const Comparison& comparison, std::vector<std::string>& warnings);
+/// @param why such places are, as a rule
+void warn_of_blindness(const Comparison& comparison, std::string_view why,
+                       std::vector<std::string>& warnings);
 
 }  // namespace rva

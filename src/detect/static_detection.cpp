@@ -54,7 +54,8 @@ class Run {
     require_one_camera(initial.info(), final.info());
     if (poses_differ(initial.info(), final.info())) {
       result_.warnings.emplace_back(
-          "the captures' poses say that the camera moved: pixels were compared all the same, and what differs "
+          "the captures' poses say that the camera moved: pixels were compared all the same, and what "
+          "differs "
           "may be the view");
     }
   }
@@ -68,7 +69,9 @@ class Run {
     findings().runtime.regions_ms = ms_since(regions_start);
     findings().runtime.total_ms = ms_since(start);
     throw_if_interrupted();
-    warn_of_blindness(comparison, result_.warnings);
+    warn_of_blindness(comparison,
+                      "depth varied, since something moved while a capture was recorded, or edges flickered",
+                      result_.warnings);
     findings().method = name_of(options_.method);
     findings().coverage = comparison.coverage;
     state_parameters(options_.regions);

@@ -299,7 +299,7 @@ class DetectTest(program.ProgramTest):
     def test_moved_camera_is_warned_about(self):
         initial = self.write('a', self.initial_frames, pose={'base': 'b1', 'pan_deg': 0})
         final = self.write('b', self.final_frames, pose={'base': 'b1', 'pan_deg': 5})
-        done = self.succeed('detect', initial, final, '--out', self.out)
+        done = self.succeed('detect', initial, final, '--method', 'calibrated', '--out', self.out)
         self.assertRegex(done.stderr, r'\Arva: warning: [^\n]*moved[^\n]*\n\Z')
 
     def test_json_prints_the_file(self):

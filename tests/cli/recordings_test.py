@@ -1,10 +1,14 @@
-"""What the calibrated detector makes of real recordings. Skipped where there are none.
+"""What the detectors make of real recordings. Skipped where there are none.
 
 usage: recordings_test.py RVA SHARED
 """
+import json
+import math
 import pathlib
 import sys
 import unittest
+
+import numpy as np
 
 import program
 
@@ -42,6 +46,36 @@ class RecordingsTest(program.ProgramTest):
     def test_where_an_arm_moves_while_recording_no_depth_within_reach_is_called_changed(self):
         for finding in self.findings('arm-realsense'):
             self.assertGreater(finding['position_m'][2], 5.0)
+
+    def test_of_a_room_in_which_nothing_changes_views_are_laid_over_each_other_or_refused(self):
+        room = SHARED / 'data' / 'room-kinect'
+        if not room.exists():
+            self.skipTest(f'{room} is not there')
+        # Published poses are no better than about 10 mm and 0.4 degree.
+        limits = {'frame040': (0.015, 0.6), 'frame080': (0.040, 1.5), 'frame160': (0.040, 1.5),
+                  'frame300': (0.040, 1.5)}
+        laid = []
+        for frame, (most_m, most_deg) in limits.items():
+            with self.subTest(frame):
+                out = self.folder / frame
+                done = self.rva('detect', room / 'frame000', room / frame, '--method', 'spatial', '--out', out)
+                if done.returncode == 1:
+                    self.check_line(done.stderr, ['laid over each other'])
+                    continue
+                laid.append(frame)
+                found = json.loads((out / 'detections.json').read_text())
+                self.assertLessEqual(len(found['detections']), 2)
+                off = np.linalg.inv(published(room, frame)) @ np.array(found['final_from_initial']).reshape(4, 4)
+                self.assertLess(np.linalg.norm(off[:3, 3]), most_m)
+                self.assertLess(math.degrees(math.acos(min(1.0, (np.trace(off[:3, :3]) - 1) / 2))), most_deg)
+        self.assertIn('frame040', laid)
+
+
+def published(room, frame):
+    """frame_from_frame000 by the recording's own poses."""
+    initial, final = (np.array(json.loads((room / name / 'capture.json').read_text())['pose']['world_from_camera'])
+                      .reshape(4, 4) for name in ('frame000', frame))
+    return np.linalg.inv(final) @ initial
 
 
 if __name__ == '__main__':

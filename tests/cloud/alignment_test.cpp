@@ -9,21 +9,21 @@ namespace {
 
 class AlignmentTest : public testing::Test {
  protected:
-  const Transform initial_pose = test::pose(0.05, 0.0, 3.0);
-  const Transform final_pose = test::pose(-0.04, 0.03, -4.0);
-  const DepthView initial_view = test::look(test::bay(), initial_pose);
-  const DepthView final_view = test::look(test::bay(), final_pose);
-  const PlanarPatches initial{initial_view, 8, 8};
-  const PlanarPatches final{final_view, 8, 8};
-  const Alignment truth{initial_pose.inverse() * final_pose, 0.0};
+  const Transform initial_pose_ = test::pose(0.05, 0.0, 3.0);
+  const Transform final_pose_ = test::pose(-0.04, 0.03, -4.0);
+  const DepthView initial_view_ = test::look(test::bay(), initial_pose_);
+  const DepthView final_view_ = test::look(test::bay(), final_pose_);
+  const PlanarPatches initial_{initial_view_, 8, 8};
+  const PlanarPatches final_{final_view_, 8, 8};
+  const Alignment truth_{initial_pose_.inverse() * final_pose_, 0.0};
 };
 
 TEST_F(AlignmentTest, ResidualsVanishWhereViewsLieOverEachOther) {
   int compared = 0;
   int small = 0;
   AlignmentResidual residual;
-  for (const SurfacePoint& point : points_of(final, 1)) {
-    if (!final_on_initial(point, initial, truth, residual)) continue;
+  for (const SurfacePoint& point : points_of(final_, 1)) {
+    if (!final_on_initial(point, initial_, truth_, residual)) continue;
     ++compared;
     small += std::abs(residual.px) < 0.02 ? 1 : 0;
   }
@@ -31,34 +31,42 @@ TEST_F(AlignmentTest, ResidualsVanishWhereViewsLieOverEachOther) {
   EXPECT_GT(small, 0.9 * compared) << "the rest is seen by one view alone";
 }
 
-// Both directions, every component of the step, against differences.
-TEST_F(AlignmentTest, DerivativesAreThoseOfTheResidual) {
-  Alignment off =
-      moved(truth, (AlignmentStep() << 0.003, -0.002, 0.004, 0.002, -0.003, 0.004, 0.05).finished());
+// Against differences, every component of the step; how many could be checked.
+template <typename ResidualOf>
+int check_derivatives(const ResidualOf& residual_of, const Alignment& at) {
   constexpr double h = 1e-6;
+  AlignmentResidual here;
+  if (!residual_of(at, here) || std::abs(here.px) > 0.5) return 0;
   int checked = 0;
-  const auto check = [&](const auto& residual_of) {
-    AlignmentResidual here;
-    if (!residual_of(off, here) || std::abs(here.px) > 0.5) return;
-    for (int k = 0; k < 7; ++k) {
-      AlignmentResidual ahead;
-      AlignmentResidual behind;
-      if (!residual_of(moved(off, h * AlignmentStep::Unit(k)), ahead)) continue;
-      if (!residual_of(moved(off, -h * AlignmentStep::Unit(k)), behind)) continue;
-      const double slope = (ahead.px - behind.px) / (2 * h);
-      if (std::abs(slope) > 1e3) continue;  // the point fell onto another patch in between
-      EXPECT_NEAR(here.by_step[k], slope, 1e-3 * std::abs(slope) + 1e-3);
-      ++checked;
-    }
-  };
-  for (const SurfacePoint& point : points_of(final, 4))
-    check([&](const Alignment& at, AlignmentResidual& residual) {
-      return final_on_initial(point, initial, at, residual);
-    });
-  for (const SurfacePoint& point : points_of(initial, 4))
-    check([&](const Alignment& at, AlignmentResidual& residual) {
-      return initial_on_final(point, final, at, at.initial_from_final.inverse(), residual);
-    });
+  for (int k = 0; k < 7; ++k) {
+    AlignmentResidual ahead;
+    AlignmentResidual behind;
+    if (!residual_of(moved(at, h * AlignmentStep::Unit(k)), ahead)) continue;
+    if (!residual_of(moved(at, -h * AlignmentStep::Unit(k)), behind)) continue;
+    const double slope = (ahead.px - behind.px) / (2 * h);
+    if (std::abs(slope) > 1e3) continue;  // the point fell onto another patch in between
+    EXPECT_NEAR(here.by_step[k], slope, 1e-3 * std::abs(slope) + 1e-3);
+    ++checked;
+  }
+  return checked;
+}
+
+TEST_F(AlignmentTest, DerivativesAreThoseOfTheResidual) {
+  const Alignment off =
+      moved(truth_, (AlignmentStep() << 0.003, -0.002, 0.004, 0.002, -0.003, 0.004, 0.05).finished());
+  int checked = 0;
+  for (const SurfacePoint& point : points_of(final_, 4)) {
+    const auto residual_of = [&](const Alignment& at, AlignmentResidual& residual) {
+      return final_on_initial(point, initial_, at, residual);
+    };
+    checked += check_derivatives(residual_of, off);
+  }
+  for (const SurfacePoint& point : points_of(initial_, 4)) {
+    const auto residual_of = [&](const Alignment& at, AlignmentResidual& residual) {
+      return initial_on_final(point, final_, at, at.initial_from_final.inverse(), residual);
+    };
+    checked += check_derivatives(residual_of, off);
+  }
   EXPECT_GT(checked, 500);
 }
 
@@ -66,8 +74,8 @@ TEST_F(AlignmentTest, SlopesOfBothViewsAgreeOnOneSurface) {
   AlignmentResidual residual;
   int compared = 0;
   int alike = 0;
-  for (const SurfacePoint& point : points_of(final, 2)) {
-    if (!final_on_initial(point, initial, truth, residual) || std::abs(residual.px) > 0.02) continue;
+  for (const SurfacePoint& point : points_of(final_, 2)) {
+    if (!final_on_initial(point, initial_, truth_, residual) || std::abs(residual.px) > 0.02) continue;
     const AlignmentStep own = residual.by_step_of_own / residual.by_step_of_own.norm();
     const AlignmentStep other = residual.by_step / residual.by_step.norm();
     alike += own.dot(other) > 0.98 ? 1 : 0;

@@ -31,7 +31,7 @@ TEST(Registration, FindsWhereTheCameraWasPut) {
   for (const Move& move : moves()) {
     const Transform truth = move.from.inverse() * move.to;
     const Registration found =
-        register_views(look(bay(), move.from, {0.1, 0.0, seed++}), look(bay(), move.to, {0.1, 0.0, seed++}));
+        register_views(look(bay(), move.from, {0.1, 0.0, seed}), look(bay(), move.to, {0.1, 0.0, seed + 1}));
     EXPECT_TRUE(found.trusted()) << found.doubt;
     EXPECT_LT(error_of(found.initial_from_final, truth).mm, 3.0);
     EXPECT_LT(error_of(found.initial_from_final, truth).deg, 0.25);
