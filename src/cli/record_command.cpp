@@ -1,5 +1,10 @@
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "camera/recording.hpp"
 #include "cli/camera_uri.hpp"
@@ -11,6 +16,10 @@
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "depth/capture_writer.hpp"
+#include "robot/dither.hpp"
+#include "sim/scene/scene_file.hpp"
+#include "sim/simulated_camera.hpp"
+#include "sim/simulated_robot.hpp"
 
 namespace rva::cli {
 namespace {
@@ -20,6 +29,7 @@ struct RecordArguments {
   std::string out;
   std::size_t frames = 40;
   std::uint64_t seed = 1;
+  int dither = 1;
   CaptureFlags recording;
   bool overwrite = false;
 };
@@ -42,6 +52,47 @@ void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   print("{}\n", arguments.out);
 }
 
+std::string dither_name(int number) { return fmt::format("dither-{:02}", number); }
+
+// What several captures in one folder may hold, each in a folder of its own.
+std::vector<std::string> dithered_capture_files() {
+  std::vector<std::string> files;
+  for (int k = 0; k < most_dithers; ++k) {
+    for (const std::string& file : capture_files()) files.push_back(dither_name(k) + "/" + file);
+  }
+  return files;
+}
+
+// Nobody watches a simulated robot: its time goes by as fast as the work is done.
+Clock unhurried(double& now_s) {
+  return {[&now_s] { return now_s; }, [&now_s](double duration_s) { now_s += duration_s; }};
+}
+
+void record_dithered(const RecordArguments& arguments) {
+  constexpr std::string_view simulated = "sim:";
+  if (!arguments.camera.starts_with(simulated))
+    throw UsageError("--dither", "needs a robot that turns the camera", "give --camera sim:SCENE");
+  OutputFolder out(arguments.out, dithered_capture_files(),
+                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  const Scene scene = load_scene(arguments.camera.substr(simulated.size()));
+  double now_s = 0.0;
+  const Clock clock = unhurried(now_s);
+  SimulatedRobot robot({}, clock.now_s);
+  SimulatedCamera camera(scene, StereoSensorOptions{}, arguments.seed, ColorFrames::all,
+                         [&robot] { return robot.true_joints(); });
+  int number = 0;
+  for (const PanTilt& offset : dither_offsets(arguments.dither)) {
+    approach(robot, {scene.stand.pan_deg + offset.pan_deg, scene.stand.tilt_deg + offset.tilt_deg}, clock);
+    const std::filesystem::path folder = out.path(dither_name(number++));
+    std::error_code ignored;  // the writer says what is wrong
+    std::filesystem::create_directory(folder, ignored);
+    const CaptureWriter writer(folder, camera.info());
+    record(camera, arguments.frames, writer, terminal_progress());
+  }
+  out.commit();
+  print("{}\n", arguments.out);
+}
+
 }  // namespace
 
 void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
@@ -55,9 +106,19 @@ void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
   command.add_option("--seed", arguments->seed, "of a simulated camera's noise")
       ->check(any_seed())
       ->capture_default_str();
+  command
+      .add_option("--dither", arguments->dither,
+                  "captures, a few servo steps apart, in folders dither-00, dither-01, ... of DIR")
+      ->check(number_within(1, most_dithers))
+      ->capture_default_str();
   arguments->recording.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier capture in DIR");
-  command.callback([arguments, &command] { record_capture(command, *arguments); });
+  command.callback([arguments, &command] {
+    if (command.count("--dither") > 0)
+      record_dithered(*arguments);
+    else
+      record_capture(command, *arguments);
+  });
 }
 
 }  // namespace rva::cli

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/options.hpp"
+#include "robot/dither.hpp"
 #include "robot/robot.hpp"
 
 namespace rva {
@@ -12,7 +13,7 @@ namespace rva {
 struct SimulatedRobotOptions {
   double speed_deg_s = 90.0;
   double backlash_deg = 0.3;
-  double resolution_deg = 0.325;
+  double resolution_deg = servo_step_deg;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.speed_deg_s, OptionField{"speed", "deg_s", 0.1, 1000, "how fast either joint turns"});

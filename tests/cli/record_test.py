@@ -129,6 +129,25 @@ class FromSimulation(RecordTest):
         self.replay(self.recording, 1, '--overwrite')
         self.assertEqual(len(frame_files(self.out)), 1)
 
+    def test_dithered_captures_are_of_one_base_a_few_servo_steps_apart(self):
+        self.succeed('record', '--camera', f'sim:{WALL}', '--frames', 1, '--dither', 3, '--out', self.out)
+        folders = sorted(path.name for path in self.out.iterdir())
+        self.assertEqual(folders, ['dither-00', 'dither-01', 'dither-02'])
+        poses = [description(self.out / folder)['pose'] for folder in folders]
+        self.assertEqual({pose['base'] for pose in poses}, {'b1'})
+        for pose, (pan, tilt) in zip(poses, ((0, 0), (4, 5), (2, 6))):
+            self.assertAlmostEqual(pose['pan_deg'], 0.325 * pan, places=9)
+            self.assertAlmostEqual(pose['tilt_deg'], 0.325 * tilt, places=9)
+        self.succeed('record', '--camera', f'sim:{WALL}', '--frames', 1, '--dither', 2, '--out', self.out, '--overwrite')
+        self.assertEqual(len(list(self.out.iterdir())), 2)
+
+    def test_dither_needs_a_robot(self):
+        self.check_usage('record', '--camera', f'replay:{self.recording}', '--dither', 2, '--out', self.out,
+                         names=['--dither'])
+        for dither in (0, 17, -1, 'two'):
+            self.check_usage('record', '--camera', f'sim:{WALL}', '--dither', dither, '--out', self.out,
+                             names=['--dither'])
+
     def test_wrong_usage(self):
         for uri in ('', 'sim:', 'replay:', 'sim', str(WALL), 'SIM:x', 'http://camera', ':', f' sim:{WALL}', 'a\nb:c'):
             with self.subTest(uri):
