@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cloud/rendered_view.hpp"
+#include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
 
 namespace rva {
@@ -147,29 +148,33 @@ class FreeSpace {
   Surroundings final_surroundings_;
 };
 
+void judge(const FreeSpace& space, const DepthView& final, int u, int v, DisparityChange& change) {
+  constexpr float least_px = 1e-3F;  // of a disparity, and of a deviation: what is judged has both
+  const float after_px = final.disparity_px(u, v);
+  if (after_px <= 0.0F) return;
+  change.after_px(u, v) = after_px;
+  const std::optional<float> change_px = space.change_px(u, v);
+  if (!change_px) return;
+  change.before_px(u, v) = std::max(after_px - *change_px, least_px);
+  const bool inside = u >= margin_px && v >= margin_px && u < final.camera.width - margin_px &&
+                      v < final.camera.height - margin_px;
+  if (!inside) return;
+  change.judged(u, v) = mask_set;
+  change.deviation_px(u, v) = std::max(final.deviation_px(u, v), least_px);
+}
+
 }  // namespace
 
 DisparityChange free_space_change(const DepthView& initial, const DepthView& final,
                                   const Transform& initial_from_final, double offset_px) {
-  constexpr float least_px = 1e-3F;  // of a disparity, and of a deviation: what is judged has both
   DisparityChange change(final.camera.width, final.camera.height);
   const DepthView before = without_offset(initial, static_cast<float>(offset_px));
   const FreeSpace space(before, final, initial_from_final);
-  for (int v = 0; v < final.camera.height; ++v) {
-    for (int u = 0; u < final.camera.width; ++u) {
-      const float after_px = final.disparity_px(u, v);
-      if (after_px <= 0.0F) continue;
-      change.after_px(u, v) = after_px;
-      const std::optional<float> change_px = space.change_px(u, v);
-      if (!change_px) continue;
-      change.before_px(u, v) = std::max(after_px - *change_px, least_px);
-      const bool inside = u >= margin_px && v >= margin_px && u < final.camera.width - margin_px &&
-                          v < final.camera.height - margin_px;
-      if (!inside) continue;
-      change.judged(u, v) = mask_set;
-      change.deviation_px(u, v) = std::max(final.deviation_px(u, v), least_px);
+  parallel_bands(final.camera.height, [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      for (int u = 0; u < final.camera.width; ++u) judge(space, final, u, v, change);
     }
-  }
+  });
   return change;
 }
 

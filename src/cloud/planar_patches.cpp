@@ -1,6 +1,9 @@
 #include "cloud/planar_patches.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/parallel.hpp"
 
 namespace rva {
 namespace {
@@ -72,10 +75,12 @@ PlanarPatches::PlanarPatches(const DepthView& view, int step_px, int window_px)
       camera_(view.camera),
       disparity_m_px_(view.disparity_m_px),
       patches_(view.camera.width / step_px, view.camera.height / step_px) {
-  for (int row = 0; row < rows(); ++row) {
-    for (int column = 0; column < columns(); ++column)
-      patches_(column, row) = fit(view, centre_px(column), centre_px(row), window_px);
-  }
+  parallel_bands(rows(), [&](int first, int end) {
+    for (int row = first; row < end; ++row) {
+      for (int column = 0; column < columns(); ++column)
+        patches_(column, row) = fit(view, centre_px(column), centre_px(row), window_px);
+    }
+  });
 }
 
 int PlanarPatches::index_of(double pixel) const {

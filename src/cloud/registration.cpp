@@ -12,6 +12,7 @@
 
 #include "cloud/agreement.hpp"
 #include "cloud/registration_starts.hpp"
+#include "core/parallel.hpp"
 
 namespace rva {
 namespace {
@@ -80,7 +81,9 @@ void keep_best(std::size_t count, std::vector<Candidate>& candidates) {
 
 void descend(const ViewPair& views, const Descent& descent, std::size_t kept,
              std::vector<Candidate>& candidates) {
-  for (Candidate& candidate : candidates) descend(views, descent, candidate);
+  parallel_bands(static_cast<int>(candidates.size()), [&](int first, int end) {
+    for (int i = first; i < end; ++i) descend(views, descent, candidates[static_cast<std::size_t>(i)]);
+  });
   keep_best(kept, candidates);
 }
 
