@@ -108,7 +108,7 @@ std::string_view name_of_direction(const Eigen::Matrix<double, 6, 1>& direction)
 std::string doubt_of(const Registration& registration, const RegistrationUncertainty& uncertainty,
                      const std::vector<Candidate>& candidates) {
   constexpr double least_overlap = 0.15;
-  constexpr double least_agreeing = 0.6;
+  constexpr double least_agreeing = 0.68;
   constexpr double worst_share = 0.012;  // of the distance
   constexpr double clearly_better = 0.9;
   if (registration.overlap < least_overlap)
@@ -139,8 +139,8 @@ Registration search(const Planes& planes, const RegistrationGuess& guess, int ev
   std::vector<Candidate> candidates = candidates_at(guess);
   const ViewPair coarse = sampled(planes.initial_coarse, planes.final_coarse, every);
   if (!guess.nearby) {
-    descend(coarse, {4, 8.0, 4.0}, 60, candidates);
-    descend(coarse, {5, 4.0, 2.0}, 20, candidates);
+    descend(coarse, {8, 24.0, 4.0}, 100, candidates);
+    descend(coarse, {5, 4.0, 2.0}, 40, candidates);
   }
   descend(coarse, {6, 4.0, 1.0}, 8, candidates);
   descend(sampled(planes.initial_coarse, planes.final_coarse, every / 2), {8, 3.0, 1.0}, 3, candidates);
