@@ -15,8 +15,9 @@ struct CalibratedOptions {
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.false_findings,
-          OptionField{"false-findings", "", 1e-9, 1000,
-                      "calibrated, spatial: findings that an inspection may show on average where nothing changed"});
+          OptionField{
+              "false-findings", "", 1e-9, 1000,
+              "calibrated, spatial: findings that an inspection may show on average where nothing changed"});
   }
 };
 
