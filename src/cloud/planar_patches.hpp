@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
-#include <vector>
 
 #include "cloud/depth_view.hpp"
 

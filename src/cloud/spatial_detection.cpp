@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -13,15 +12,10 @@
 #include "cloud/fused_view.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/stopwatch.hpp"
 
 namespace rva {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Of simulated wings, one to three captures a side (docs/spatial.md). Depth that went missing is no evidence
 // from another place.
@@ -42,24 +36,24 @@ class Run {
   }
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
-    const auto start = Clock::now();
+    const Stopwatch start;
     const DepthView before = view_of(initial, "initial", findings().initial_frames);
     const DepthView after = view_of(final, "final", findings().final_frames);
     throw_if_interrupted();
-    const auto detect_start = Clock::now();
+    const Stopwatch detect_start;
     Registration registration = lay_over(before, after, initial.front()->info(), final.front()->info());
     const CaptureInfo& info = final.front()->info();
     CalibratedComparison calibrated = compare_calibrated(
         free_space_change(before, after, registration.initial_from_final, registration.offset_px),
         after.disparity_m_px / info.depth_unit_m, after.disparity_m_px, slopes_of_moved_cameras,
         options_.calibrated);
-    findings().runtime.detect_ms = fusing_ms_ + ms_since(detect_start);
+    findings().runtime.detect_ms = fusing_ms_ + detect_start.ms();
     Comparison& comparison = calibrated.comparison;
-    const auto regions_start = Clock::now();
+    const Stopwatch regions_start;
     findings().findings =
         measure_regions(find_regions(comparison.changed, options_.regions), comparison, info.depth);
-    findings().runtime.regions_ms = ms_since(regions_start);
-    findings().runtime.total_ms = ms_since(start);
+    findings().runtime.regions_ms = regions_start.ms();
+    findings().runtime.total_ms = start.ms();
     throw_if_interrupted();
     warn_of_blindness(comparison,
                       "edges and what is far differ too much from place to place (more captures a side, a "
@@ -102,9 +96,9 @@ class Run {
         views.back().first_from_view =
             place(views.front().view, views.back().view, captures.front()->info(), info, side);
     }
-    const auto start = Clock::now();
+    const Stopwatch start;
     DepthView fused = fuse(views);
-    fusing_ms_ += ms_since(start);
+    fusing_ms_ += start.ms();
     return fused;
   }
 

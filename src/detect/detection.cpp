@@ -3,26 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/stopwatch.hpp"
 #include "depth/frame_reader.hpp"
 
 namespace rva {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
-
 // A millionth of a degree: rounding in files passes, a servo step does not.
 bool differ(const std::optional<double>& a_deg, const std::optional<double>& b_deg) {
-  return a_deg && b_deg && !close(*a_deg, *b_deg, 1e-6);
+  return a_deg && b_deg && std::abs(*a_deg - *b_deg) > 1e-6;
 }
 
 }  // namespace
@@ -56,16 +48,16 @@ std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view s
 
 DepthStatistics statistics_of(const Capture& capture, std::size_t frames, const Progress& progress,
                               Runtime& runtime) {
-  const auto start = Clock::now();
+  const Stopwatch start;
   double adding_ms = 0.0;
   DepthStatistics statistics(capture.info().depth.width, capture.info().depth.height);
   for_each_depth_frame(capture, frames, progress, [&](const DepthImage& frame) {
-    const auto add_start = Clock::now();
+    const Stopwatch add_start;
     statistics.add(frame);
-    adding_ms += ms_since(add_start);
+    adding_ms += add_start.ms();
   });
   runtime.statistics_ms += adding_ms;
-  runtime.load_ms += ms_since(start) - adding_ms;
+  runtime.load_ms += start.ms() - adding_ms;
   return statistics;
 }
 

@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/stopwatch.hpp"
 
 namespace rva {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
@@ -61,13 +55,13 @@ class Run {
   }
 
   Detection run() {
-    const auto start = Clock::now();
+    const Stopwatch start;
     Comparison comparison = compare();
-    const auto regions_start = Clock::now();
+    const Stopwatch regions_start;
     findings().findings =
         measure_regions(find_regions(comparison.changed, options_.regions), comparison, final_.info().depth);
-    findings().runtime.regions_ms = ms_since(regions_start);
-    findings().runtime.total_ms = ms_since(start);
+    findings().runtime.regions_ms = regions_start.ms();
+    findings().runtime.total_ms = start.ms();
     throw_if_interrupted();
     warn_of_blindness(comparison,
                       "depth varied, since something moved while a capture was recorded, or edges flickered",
@@ -103,15 +97,15 @@ class Run {
   }
 
   Comparison constant() {
-    const auto load_start = Clock::now();
+    const Stopwatch load_start;
     const DepthImage before = initial_.depth(0);
     const DepthImage after = final_.depth(0);
-    findings().runtime.load_ms = ms_since(load_start);
+    findings().runtime.load_ms = load_start.ms();
     findings().initial_frames = findings().final_frames = 1;
     state_parameters(options_.constant);
-    const auto detect_start = Clock::now();
+    const Stopwatch detect_start;
     Comparison comparison = compare_constant(before, after, final_.info().depth_unit_m, options_.constant);
-    findings().runtime.detect_ms = ms_since(detect_start);
+    findings().runtime.detect_ms = detect_start.ms();
     return comparison;
   }
 
@@ -131,11 +125,11 @@ class Run {
     const DepthStatistics before = statistics(initial_, findings().initial_frames);
     const DepthStatistics after = statistics(final_, findings().final_frames);
     state_parameters(options_.calibrated);
-    const auto detect_start = Clock::now();
+    const Stopwatch detect_start;
     const CaptureInfo& info = final_.info();
     CalibratedComparison calibrated =
         compare_calibrated(before, after, info.depth_unit_m, disparity_m_px(info), options_.calibrated);
-    findings().runtime.detect_ms = ms_since(detect_start);
+    findings().runtime.detect_ms = detect_start.ms();
     result_.level_of_detection =
         LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
     return std::move(calibrated.comparison);
@@ -151,9 +145,9 @@ class Run {
     const DepthStatistics before = statistics(initial_, findings().initial_frames);
     const DepthStatistics after = statistics(final_, findings().final_frames);
     state_parameters(options_.gaussian);
-    const auto detect_start = Clock::now();
+    const Stopwatch detect_start;
     Comparison comparison = compare_gaussian(before, after, final_.info().depth_unit_m, options_.gaussian);
-    findings().runtime.detect_ms = ms_since(detect_start);
+    findings().runtime.detect_ms = detect_start.ms();
     return comparison;
   }
 

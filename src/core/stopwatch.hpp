@@ -1,0 +1,19 @@
+// How long work takes, for those who read a result.
+#pragma once
+
+#include <chrono>
+
+namespace rva {
+
+/// Runs from when it is made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace rva
