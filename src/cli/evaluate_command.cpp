@@ -12,6 +12,7 @@
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "evaluate/evaluation_json.hpp"
+#include "evaluate/moved_report.hpp"
 #include "sim/scene/scene_file.hpp"
 
 namespace rva::cli {
@@ -21,6 +22,8 @@ struct EvaluateArguments {
   std::string out;
   std::string scene;
   StudyOptions study;
+  bool moved = false;
+  std::vector<int> captures{MovedStudyOptions{}.captures};
   bool overwrite = false;
   bool resume = false;
 };
@@ -53,25 +56,58 @@ void evaluate(const EvaluateArguments& arguments) {
   print("{}{}\n", to_table(tally(inspections)), arguments.out);
 }
 
+void evaluate_moved(const EvaluateArguments& arguments) {
+  check_options(arguments.study);
+  MovedStudyOptions options;
+  options.inspections = arguments.study.inspections;
+  options.first_seed = arguments.study.first_seed;
+  options.captures = arguments.captures;
+  Existing existing = arguments.overwrite ? Existing::replace : Existing::refuse;
+  (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
+  const auto keep = [&](const std::vector<MovedInspection>& inspections) {
+    OutputFolder out(arguments.out, {file_name}, existing);
+    write_file(out.path(file_name), to_json(inspections));
+    out.commit();
+    existing = Existing::replace;
+  };
+  const std::vector<MovedInspection> inspections = run_moved_study(options, terminal_progress(), keep);
+  print("{}{}\n", to_table(inspections), arguments.out);
+}
+
 }  // namespace
 
 void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& command = *program.add_subcommand(
-      "evaluate", "measures on simulated inspections how reliably the static methods detect");
+      "evaluate", "measures on simulated inspections how reliably the methods detect");
   const auto arguments = std::make_shared<EvaluateArguments>();
   command.add_option("--out", arguments->out, "folder for evaluation.json")->required()->type_name("DIR");
-  command.add_option("--scene", arguments->scene,
-                     "inspect this scene again and again; without it, wings and debris drawn by chance");
-  command.add_option("--frames", arguments->study.frames, "depth frames of either capture, ascending")
-      ->delimiter(',')
-      ->type_name("N,N...")
-      ->capture_default_str();
+  CLI::Option* const scene =
+      command.add_option("--scene", arguments->scene,
+                         "inspect this scene again and again; without it, wings and debris drawn by chance");
+  CLI::Option* const frames =
+      command.add_option("--frames", arguments->study.frames, "depth frames of either capture, ascending")
+          ->delimiter(',')
+          ->type_name("N,N...")
+          ->capture_default_str();
   add_flags(command, arguments->study);
   CLI::Option* const overwrite =
       command.add_flag("--overwrite", arguments->overwrite, "replace an earlier evaluation in DIR");
-  command.add_flag("--resume", arguments->resume, "go on with an evaluation in DIR that was interrupted")
-      ->excludes(overwrite);
-  command.callback([arguments] { evaluate(*arguments); });
+  CLI::Option* const resume =
+      command.add_flag("--resume", arguments->resume, "go on with an evaluation in DIR that was interrupted")
+          ->excludes(overwrite);
+  CLI::Option* const moved = command
+                                 .add_flag("--moved", arguments->moved,
+                                           "spatial, with the robot put back elsewhere, instead of the "
+                                           "static methods; 10 frames a capture")
+                                 ->excludes(frames)
+                                 ->excludes(scene)
+                                 ->excludes(resume);
+  command.add_option("--captures", arguments->captures, "--moved: dithered captures a side, ascending")
+      ->delimiter(',')
+      ->type_name("M,M...")
+      ->capture_default_str()
+      ->needs(moved);
+  command.callback([arguments] { arguments->moved ? evaluate_moved(*arguments) : evaluate(*arguments); });
 }
 
 }  // namespace rva::cli

@@ -8,18 +8,14 @@
 #include <optional>
 #include <string_view>
 
-#include "cloud/free_space.hpp"
 #include "cloud/fused_view.hpp"
+#include "cloud/spatial_comparison.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/stopwatch.hpp"
 
 namespace rva {
 namespace {
-
-// Of simulated wings, one to three captures a side (docs/spatial.md). Depth that went missing is no evidence
-// from another place.
-constexpr UsualSlopes slopes_of_moved_cameras{{0.9, 0.45}, {1.5, 0.8}};
 
 // Where the captures' poses put one in the frame of the other; empty where they say nothing about each other.
 std::optional<Transform> known_transform(const CaptureInfo& to, const CaptureInfo& from) {
@@ -43,10 +39,8 @@ class Run {
     const Stopwatch detect_start;
     Registration registration = lay_over(before, after, initial.front()->info(), final.front()->info());
     const CaptureInfo& info = final.front()->info();
-    CalibratedComparison calibrated = compare_calibrated(
-        free_space_change(before, after, registration.initial_from_final, registration.offset_px),
-        after.disparity_m_px / info.depth_unit_m, after.disparity_m_px, slopes_of_moved_cameras,
-        options_.calibrated);
+    CalibratedComparison calibrated =
+        compare_spatial(before, after, registration, info.depth_unit_m, options_.calibrated);
     findings().runtime.detect_ms = fusing_ms_ + detect_start.ms();
     Comparison& comparison = calibrated.comparison;
     const Stopwatch regions_start;

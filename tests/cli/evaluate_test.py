@@ -52,7 +52,30 @@ class EvaluateTest(program.ProgramTest):
                 self.check_line(done.stderr, ['--resume'])
         self.assertEqual(json.loads((self.out / 'evaluation.json').read_text()), whole)
 
+    def test_a_robot_that_was_put_back_elsewhere(self):
+        done = self.succeed('evaluate', '--moved', '--captures', '1,2', '--inspections', 1, '--first-seed', 7, '--out',
+                            self.out)
+        report = json.loads((self.out / 'evaluation.json').read_text())
+        self.assertEqual((report['format'], report['version']), ('rva-evaluation-moved', 1))
+        (inspection,) = report['inspections']
+        self.assertTrue(0.1 < inspection['move_m'] < 0.45)
+        self.assertLess(inspection['turn_deg'], 16)
+        self.assertEqual([(entry['captures'], entry['allowed']) for entry in inspection['results']],
+                         [(captures, allowed) for captures in (1, 2) for allowed in (0.001, 0.05, 0.5, 5.0)])
+        for entry in inspection['registrations']:
+            self.assertTrue(entry['doubt'] or entry['error_mm'] < 10, entry)
+        for entry in inspection['results']:
+            self.assertEqual(len(entry['found']), len(inspection['targets']))
+        self.assertIn('registration: median', done.stdout)
+
     def test_bad_input(self):
+        for options in (['--moved', '--frames', '10'], ['--moved', '--captures', '4,1'], ['--moved', '--captures', '17'],
+                        ['--captures', '2'], ['--moved', '--resume']):
+            with self.subTest(options):
+                done = self.rva('evaluate', *options, '--out', self.out)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.check_line(done.stderr, ['--'])
+                self.assertFalse(self.out.exists())
         out = ['--out', self.out]
         for options, names in ((['--frames', '10,5'], ['--frames']), (['--frames', '1'], ['--frames']),
                                (['--inspections', 0], ['--inspections'])):

@@ -1,0 +1,35 @@
+// What a study of moved cameras says, summed up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluate/moved_study.hpp"
+
+namespace rva {
+
+/// Counts over all inspections, at one setting with so many captures a side.
+struct MovedTally {
+  int captures = 1;
+  double allowed = 0.0;
+  std::size_t inspections = 0;
+  std::size_t false_when_clean = 0;
+  std::size_t false_with_debris = 0;
+  std::size_t big_found = 0;
+  std::size_t big = 0;  ///< big pieces that count
+  std::size_t large_found = 0;
+  std::size_t large = 0;  ///< of those, the ones of which more than 120 pixels are visible
+  std::size_t found = 0;
+  std::size_t targets = 0;  ///< all that count
+};
+
+/// In the order of the results.
+[[nodiscard]] std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections);
+
+/// Tables of findings and of registrations, with intervals of 95 %.
+[[nodiscard]] std::string to_table(const std::vector<MovedInspection>& inspections);
+
+/// `evaluation.json` of a study of moved cameras (docs/spatial.md).
+[[nodiscard]] std::string to_json(const std::vector<MovedInspection>& inspections);
+
+}  // namespace rva

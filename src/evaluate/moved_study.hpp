@@ -1,0 +1,68 @@
+// How reliably change is found where the camera was moved: many simulated inspections.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/options.hpp"
+#include "core/progress.hpp"
+#include "evaluate/judgement.hpp"
+
+namespace rva {
+
+struct MovedStudyOptions {
+  int inspections = 20;
+  std::uint64_t first_seed = 1;
+  std::vector<int> captures{1, 4, 8};  ///< a side, dithered; ascending
+  int frames = 10;                     ///< of each capture
+};
+
+/// What one detection must find.
+struct MovedTarget {
+  Target target;
+  /// 15 mm across, 10 mm high, the smaller two of its sides.
+  bool big = false;
+  /// Half of it lies in space that the first initial capture saw through.
+  bool seen_free = false;
+
+  /// Visible, within 1 m, where there was free space.
+  [[nodiscard]] bool counts() const { return target.is_visible() && target.distance_m <= 1.0 && seen_free; }
+};
+
+/// How the views of one inspection were laid over each other.
+struct MovedRegistration {
+  int captures = 1;
+  double error_mm = 0.0;
+  double error_deg = 0.0;
+  std::string doubt;  ///< empty where it was trusted
+};
+
+/// One setting with so many captures a side.
+struct MovedResult {
+  int captures = 1;
+  double allowed = 0.0;               ///< false findings
+  std::size_t false_when_clean = 0;   ///< findings where nothing changed
+  std::size_t false_with_debris = 0;  ///< findings far from all debris
+  std::vector<bool> found;            ///< of each target; none where the registration was not trusted
+};
+
+struct MovedInspection {
+  std::uint64_t seed = 0;
+  double move_m = 0.0;
+  double turn_deg = 0.0;
+  std::vector<MovedTarget> targets;
+  std::vector<MovedRegistration> registrations;  ///< without debris and with it, for each number of captures
+  std::vector<MovedResult> results;
+};
+
+/// Runs one inspection after the other: dithered captures before, others from elsewhere in which nothing
+/// changed, and others with debris (random_moved_wing()).
+/// @param keep called after each
+/// @throws UsageError for options out of range; Interrupted
+[[nodiscard]] std::vector<MovedInspection> run_moved_study(
+    const MovedStudyOptions& options, const Progress& progress,
+    const std::function<void(const std::vector<MovedInspection>&)>& keep);
+
+}  // namespace rva

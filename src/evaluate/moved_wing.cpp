@@ -1,0 +1,67 @@
+#include "evaluate/moved_wing.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+#include "evaluate/random_wing.hpp"
+#include "sim/scene/drop_zone.hpp"
+#include "sim/scene/random_debris.hpp"
+
+namespace rva {
+namespace {
+
+constexpr double from_ribs_m = 0.18;
+constexpr double middle_m = 0.7;  // of the bay, from the near spar
+
+void drop(Scene& scene, std::uint64_t seed) {
+  RandomDebris debris;
+  debris.seed = seed;
+  debris.within = {scene.bay.min().head<2>(), scene.bay.max().head<2>()};
+  debris.from_m = default_look_down_m(scene);
+  debris.count = 5;
+  debris.kinds = {"flashlight", "flashlight-small", "screwdriver", "socket", "tape-roll", "glove", "clip",
+                  "rag"};
+  (void)place_at_random(debris, scene);
+  debris.group = 1;
+  debris.count = 4;
+  debris.kinds = {"collar-0.27", "collar-0.36", "collar-0.44", "collar-0.53", "bolt-m6", "nut-plate"};
+  (void)place_at_random(debris, scene);
+}
+
+void stand_somewhere(const Eigen::AlignedBox3d& bay, Random& random, CameraStand& stand) {
+  constexpr double deg = 180.0 / std::numbers::pi;
+  const double reach_m = bay.max().x() - from_ribs_m;
+  stand.position_m = {random.uniform(-reach_m, reach_m), random.uniform(0.05, 0.25), 0.0};
+  const double ahead_deg = deg * std::atan2(stand.position_m.x(), middle_m - stand.position_m.y());
+  stand.heading_deg = ahead_deg + random.uniform(-5.0, 5.0);
+}
+
+bool moved_as_wanted(const CameraStand& a, const CameraStand& b) {
+  const double move_m = (a.position_m - b.position_m).norm();
+  return move_m >= 0.15 && move_m <= 0.4 && std::abs(a.heading_deg - b.heading_deg) <= 15.0;
+}
+
+}  // namespace
+
+MovedWing random_moved_wing(std::uint64_t seed) {
+  MovedWing wing;
+  wing.before = random_wing(seed);
+  wing.after = wing.before;
+  drop(wing.after, seed);
+  Random random(mix(seed, 0x30BE));
+  CameraStand& before = wing.before.stand;
+  CameraStand& after = wing.after.stand;
+  before.base = "b1";
+  after.base = "b2";
+  before.pan_deg = after.pan_deg = 0.0;
+  after.tilt_deg = random.uniform(-28.0, -18.0);
+  before.tilt_deg = after.tilt_deg + random.uniform(-2.0, 2.0);
+  do {
+    stand_somewhere(wing.after.bay, random, after);
+    stand_somewhere(wing.after.bay, random, before);
+  } while (!moved_as_wanted(before, after));
+  return wing;
+}
+
+}  // namespace rva

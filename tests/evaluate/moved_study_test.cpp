@@ -1,0 +1,93 @@
+#include "evaluate/moved_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "evaluate/moved_report.hpp"
+#include "evaluate/moved_wing.hpp"
+#include "sim/scene/camera_stand.hpp"
+
+namespace rva {
+namespace {
+
+TEST(MovedWing, RobotsStandApartInOneBayAndOnlyTheLaterOneSeesDebris) {
+  for (std::uint64_t seed = 1; seed < 40; ++seed) {
+    const MovedWing wing = random_moved_wing(seed);
+    const Transform move =
+        world_from_camera(wing.before.stand).inverse() * world_from_camera(wing.after.stand);
+    EXPECT_GT(move.translation().norm(), 0.1);
+    EXPECT_LT(move.translation().norm(), 0.45);
+    EXPECT_NE(wing.before.stand.base, wing.after.stand.base);
+    for (const CameraStand& stand : {wing.before.stand, wing.after.stand})
+      EXPECT_LT(std::abs(stand.position_m.x()), wing.after.bay.max().x() - 0.17);
+    const auto debris = [](const Scene& scene) {
+      return std::ranges::count(scene.objects, Role::debris, &SceneObject::role);
+    };
+    EXPECT_EQ(debris(wing.before), 0);
+    EXPECT_GT(debris(wing.after), 3);
+    EXPECT_EQ(wing.before.objects.size() + static_cast<std::size_t>(debris(wing.after)),
+              wing.after.objects.size());
+  }
+}
+
+MovedTarget target(double distance_m, int visible_px, bool big, bool seen_free) {
+  MovedTarget target;
+  target.target.kind = "socket";
+  target.target.distance_m = distance_m;
+  target.target.visible_px = visible_px;
+  target.target.unhidden_px = 200.0;
+  target.big = big;
+  target.seen_free = seen_free;
+  return target;
+}
+
+MovedInspection inspection() {
+  MovedInspection inspection;
+  inspection.seed = 7;
+  inspection.targets = {target(0.5, 200, true, true),  target(0.5, 110, true, true),
+                        target(0.5, 150, false, true), target(1.1, 200, true, true),
+                        target(0.5, 200, true, false), target(0.5, 20, true, true)};
+  inspection.registrations = {{4, 1.0, 0.1, ""}, {4, 157.0, 0.1, "two places"}};
+  inspection.results = {{4, 0.05, 2, 1, {true, false, true, true, true, true}}};
+  return inspection;
+}
+
+TEST(MovedReport, CountsWhatIsVisibleNearAndWasSeenAsFree) {
+  const std::vector<MovedTally> tallies = tally({inspection(), inspection()});
+  ASSERT_EQ(tallies.size(), 1U);
+  const MovedTally& sum = tallies[0];
+  EXPECT_EQ(sum.inspections, 2U);
+  EXPECT_EQ(sum.false_when_clean, 4U);
+  EXPECT_EQ(sum.false_with_debris, 2U);
+  EXPECT_EQ(sum.targets, 6U);
+  EXPECT_EQ(sum.found, 4U);
+  EXPECT_EQ(sum.big, 4U);
+  EXPECT_EQ(sum.big_found, 2U);
+  EXPECT_EQ(sum.large, 2U);
+  EXPECT_EQ(sum.large_found, 2U);
+}
+
+TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
+  const std::string table = to_table({inspection()});
+  EXPECT_THAT(table, testing::HasSubstr("1/2 50 %"));
+  EXPECT_THAT(table,
+              testing::HasSubstr("1 of 2 within 4 mm and 0.25 degrees; 1 refused; 0 trusted and wrong"));
+  const auto json = nlohmann::json::parse(to_json({inspection()}));
+  EXPECT_EQ(json["inspections"][0]["registrations"][1]["doubt"], "two places");
+  EXPECT_EQ(json["inspections"][0]["targets"].size(), 6U);
+  EXPECT_EQ(json["inspections"][0]["results"][0]["found"][1], false);
+}
+
+TEST(MovedStudy, RefusesCapturesThatDoNotGrow) {
+  for (const std::vector<int>& captures : {std::vector<int>{}, {0}, {4, 4}, {8, 1}, {17}}) {
+    MovedStudyOptions options;
+    options.captures = captures;
+    EXPECT_THROW((void)run_moved_study(options, {}, {}), UsageError);
+  }
+}
+
+}  // namespace
+}  // namespace rva
