@@ -1,5 +1,7 @@
 #include "evaluate/intervals.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cassert>
@@ -29,6 +31,20 @@ Interval rate_interval(std::size_t count, std::size_t trials) {
   if (count > 0) interval.low = boost::math::gamma_p_inv(k, tail) / n;
   interval.high = boost::math::gamma_p_inv(k + 1.0, 1.0 - tail) / n;
   return interval;
+}
+
+std::string stated_share(std::size_t successes, std::size_t trials) {
+  if (trials == 0) return "-";
+  const Interval interval = share_interval(successes, trials);
+  return fmt::format("{}/{} {:.0f} % ({:.0f}-{:.0f})", successes, trials,
+                     100.0 * static_cast<double>(successes) / static_cast<double>(trials),
+                     100.0 * interval.low, 100.0 * interval.high);
+}
+
+std::string stated_rate(std::size_t count, std::size_t trials) {
+  const Interval interval = rate_interval(count, trials);
+  return fmt::format("{:.3g} ({:.2g}-{:.2g})", static_cast<double>(count) / static_cast<double>(trials),
+                     interval.low, interval.high);
 }
 
 }  // namespace rva

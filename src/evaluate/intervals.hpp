@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace rva {
 
@@ -18,5 +19,11 @@ struct Interval {
 /// Of a mean count per trial, `count` seen in all, if counts are scattered by chance (Garwood 1936). There
 /// must be one trial at least.
 [[nodiscard]] Interval rate_interval(std::size_t count, std::size_t trials);
+
+/// "successes/trials share % (interval)", for a table; "-" without a trial.
+[[nodiscard]] std::string stated_share(std::size_t successes, std::size_t trials);
+
+/// "mean (interval)", for a table. There must be one trial at least.
+[[nodiscard]] std::string stated_rate(std::size_t count, std::size_t trials);
 
 }  // namespace rva

@@ -35,20 +35,6 @@ void add(const MovedInspection& inspection, const MovedResult& result, MovedTall
   }
 }
 
-std::string share(std::size_t successes, std::size_t trials) {
-  if (trials == 0) return "-";
-  const Interval interval = share_interval(successes, trials);
-  return fmt::format("{}/{} {:.0f} % ({:.0f}-{:.0f})", successes, trials,
-                     100.0 * static_cast<double>(successes) / static_cast<double>(trials),
-                     100.0 * interval.low, 100.0 * interval.high);
-}
-
-std::string rate(std::size_t count, std::size_t trials) {
-  const Interval interval = rate_interval(count, trials);
-  return fmt::format("{:.2f} ({:.2f}-{:.2f})", static_cast<double>(count) / static_cast<double>(trials),
-                     interval.low, interval.high);
-}
-
 /// Of all inspections with so many captures a side.
 struct Registrations {
   std::vector<double> mm;
@@ -120,8 +106,9 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
                                   "big debris found", "of that over 120 px", "all debris found");
   for (const MovedTally& of : tally(inspections)) {
     fmt::format_to(std::back_inserter(table), line, of.captures, fmt::format("{:g}", of.allowed),
-                   rate(of.false_when_clean, of.inspections), rate(of.false_with_debris, of.inspections),
-                   share(of.big_found, of.big), share(of.large_found, of.large), share(of.found, of.targets));
+                   stated_rate(of.false_when_clean, of.inspections),
+                   stated_rate(of.false_with_debris, of.inspections), stated_share(of.big_found, of.big),
+                   stated_share(of.large_found, of.large), stated_share(of.found, of.targets));
   }
   for (auto& [captures, of] : registrations_of(inspections)) {
     fmt::format_to(std::back_inserter(table),

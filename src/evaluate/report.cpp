@@ -41,20 +41,6 @@ void add(const Inspection& inspection, const Result& result, Tally& tally) {
   if (all) ++tally.all_found;
 }
 
-std::string share(std::size_t successes, std::size_t trials) {
-  if (trials == 0) return "-";
-  const Interval interval = share_interval(successes, trials);
-  return fmt::format("{}/{} {:.0f} % ({:.0f}-{:.0f})", successes, trials,
-                     100.0 * static_cast<double>(successes) / static_cast<double>(trials),
-                     100.0 * interval.low, 100.0 * interval.high);
-}
-
-std::string rate(std::size_t count, std::size_t trials) {
-  const Interval interval = rate_interval(count, trials);
-  return fmt::format("{:.3g} ({:.2g}-{:.2g})", static_cast<double>(count) / static_cast<double>(trials),
-                     interval.low, interval.high);
-}
-
 }  // namespace
 
 std::vector<Tally> tally(const std::vector<Inspection>& inspections) {
@@ -82,11 +68,12 @@ std::string to_table(const std::vector<Tally>& tallies) {
   for (const Tally& tally : tallies) {
     fmt::format_to(
         std::back_inserter(table), line, tally.frames, tally.detector.method,
-        fmt::format("{:g}", tally.detector.setting), rate(tally.false_when_clean, tally.inspections),
-        rate(tally.false_with_debris, tally.inspections), share(tally.found, tally.targets),
-        tally.found_when_clean, share(tally.shown_found, tally.shown_targets),
-        share(tally.small_found, tally.small_targets),
-        share(tally.small_shown_found, tally.small_shown_targets), share(tally.all_found, tally.inspections));
+        fmt::format("{:g}", tally.detector.setting), stated_rate(tally.false_when_clean, tally.inspections),
+        stated_rate(tally.false_with_debris, tally.inspections), stated_share(tally.found, tally.targets),
+        tally.found_when_clean, stated_share(tally.shown_found, tally.shown_targets),
+        stated_share(tally.small_found, tally.small_targets),
+        stated_share(tally.small_shown_found, tally.small_shown_targets),
+        stated_share(tally.all_found, tally.inspections));
   }
   return table;
 }
