@@ -21,6 +21,8 @@ constexpr int hole_reach_px = 4;
 constexpr float one_surface_px = 1.2F;
 // Farther than this behind what was seen, a point was hidden.
 constexpr float behind_px = 1.0F;
+// And by more than this in front, it is another surface.
+constexpr float in_front_px = 1.0F;
 constexpr float nearest_m = 0.05F;
 
 cv::Mat square(int reach_px) { return cv::Mat::ones(2 * reach_px + 1, 2 * reach_px + 1, CV_8U); }
@@ -106,7 +108,9 @@ class FreeSpace {
     const std::optional<float> along_initial_ray = before_px(u, v);
     const std::optional<float> along_final_ray = after_px(u, v);
     if (along_initial_ray && along_final_ray) return lesser(*along_initial_ray, *along_final_ray);
-    if (!along_initial_ray) return along_final_ray;
+    // In front of a surface that was seen, but where nothing was seen from the first place: nobody knows
+    // whether that space was free.
+    if (!along_initial_ray) return along_final_ray < in_front_px ? along_final_ray : std::nullopt;
     return *along_initial_ray > -behind_px ? along_initial_ray : std::nullopt;
   }
 

@@ -89,5 +89,23 @@ TEST(FreeSpace, WhatStandsBeforeWhatWasHiddenIsUnseen) {
   EXPECT_EQ(counts.farther, 0);
 }
 
+TEST(FreeSpace, WhatStandsWhereTheFirstViewWasBlindIsUnseen) {
+  // The first view has no depth on a post, but beside it on the wall that the post stands before in the
+  // second.
+  test::Room post = bay();
+  post.boxes.push_back(test::box(-0.02, 0.02, -0.5, 0.25, 0.5, 0.55));
+  DepthView initial = look(post, before);
+  const DepthView without = look(bay(), before);
+  std::size_t blind = 0;
+  for (std::size_t i = 0; i < initial.disparity_px.size(); ++i) {
+    if (std::abs(initial.disparity_px[i] - without.disparity_px[i]) < 1.0F) continue;
+    initial.disparity_px[i] = 0.0F;
+    ++blind;
+  }
+  ASSERT_GT(blind, 500U);
+  const Counts counts = count(free_space_change(initial, look(post, after), before.inverse() * after, 0.0));
+  EXPECT_EQ(counts.nearer, 0);
+}
+
 }  // namespace
 }  // namespace rva
