@@ -1,6 +1,6 @@
 """Runs the C++ benchmarks and their Python peers in turn, and puts the rows together.
 
-usage: run.py RVA_BENCH OUT.json [--quick]
+usage: run.py RVA_BENCH RVA_MOVED_BENCH OUT.json [--quick]
 """
 import json
 import os
@@ -56,8 +56,15 @@ def run_ours(program, folder):
     return json.loads((folder / 'rows.json').read_text())
 
 
+def moved_rows(program, folder, quick):
+    scenes = pathlib.Path(__file__).parent.parent / 'data' / 'scenes'
+    subprocess.run([program, scenes / 'moved-robot-initial.yaml', scenes / 'moved-robot.yaml', folder / 'moved.json',
+                    *(['--quick'] if quick else [])], check=True)
+    return json.loads((folder / 'moved.json').read_text())
+
+
 def main():
-    program, out = (pathlib.Path(argument) for argument in sys.argv[1:3])
+    program, moved_program, out = (pathlib.Path(argument) for argument in sys.argv[1:4])
     quick = '--quick' in sys.argv
     cv2.setNumThreads(1)
     with tempfile.TemporaryDirectory() as name:
@@ -73,6 +80,7 @@ def main():
                         row[key] = min(row[key], again[key])
         for peer_name, peer, ms in thesis_rows(folder, quick):
             peers[peer_name, peer] = ms
+        rows += moved_rows(moved_program, folder, quick)
     for row in rows:
         if 'peer_ms' not in row and (row['name'], row['peer']) in peers:
             row['peer_ms'] = peers[row['name'], row['peer']]

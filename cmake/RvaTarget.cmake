@@ -27,3 +27,8 @@ endfunction()
 add_library(rva_opencv INTERFACE)
 target_include_directories(rva_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
 target_link_libraries(rva_opencv INTERFACE opencv_core opencv_imgproc)
+
+# Nor are PCL's.
+add_library(rva_pcl INTERFACE)
+target_include_directories(rva_pcl SYSTEM INTERFACE ${PCL_INCLUDE_DIRS})
+target_link_libraries(rva_pcl INTERFACE pcl_common pcl_kdtree pcl_octree pcl_registration pcl_search)

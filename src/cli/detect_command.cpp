@@ -12,6 +12,7 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
+#include "cloud/octree_detection.hpp"
 #include "cloud/spatial_detection.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -26,11 +27,13 @@ namespace {
 constexpr std::array static_methods{StaticMethod::constant, StaticMethod::gaussian, StaticMethod::calibrated};
 
 constexpr std::string_view spatial = "spatial";
+constexpr std::string_view octree = "octree";
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const StaticMethod method : static_methods) names.emplace_back(name_of(method));
   names.emplace_back(spatial);
+  names.emplace_back(octree);
   return names;
 }
 
@@ -43,6 +46,7 @@ struct DetectArguments {
   CaptureFlags captures;
   std::string method;  // empty: by what the captures say
   StaticDetectionOptions detection;
+  OctreeOptions octree;
   bool overwrite = false;
   bool json = false;
   bool fail_on_detection = false;
@@ -105,18 +109,23 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   print("{}\n", arguments.out);
 }
 
-std::vector<std::string_view> names_without_a_say(std::string_view method) {
-  if (method == name_of(StaticMethod::constant)) return {"--sigmas", "--frames", "--false-findings"};
-  if (method == name_of(StaticMethod::gaussian)) return {"--threshold", "--clip", "--false-findings"};
-  return {"--threshold", "--clip", "--sigmas"};
+std::vector<std::string> flags_without_a_say(std::string_view method) {
+  if (method == octree) return {"--threshold", "--clip", "--sigmas", "--frames", "--false-findings"};
+  std::vector<std::string> flags{"--threshold", "--clip", "--sigmas"};
+  if (method == name_of(StaticMethod::constant)) flags = {"--sigmas", "--frames", "--false-findings"};
+  if (method == name_of(StaticMethod::gaussian)) flags = {"--threshold", "--clip", "--false-findings"};
+  OctreeOptions::describe(OctreeOptions{}, [&](const auto& /*value*/, const OptionField& field) {
+    flags.push_back(fmt::format("--{}", field.name));
+  });
+  return flags;
 }
 
 // Options of the other methods, given all the same: the person believes that they do something.
 std::vector<std::string> options_without_a_say(const CLI::App& command, std::string_view method) {
   std::vector<std::string> warnings;
-  for (const std::string_view name : names_without_a_say(method)) {
-    if (command.get_option(std::string(name))->count() == 0) continue;
-    warnings.push_back(fmt::format("{} has no say in --method {}", name, method));
+  for (const std::string& flag : flags_without_a_say(method)) {
+    if (command.get_option(flag)->count() == 0) continue;
+    warnings.push_back(fmt::format("{} has no say in --method {}", flag, method));
   }
   return warnings;
 }
@@ -167,6 +176,18 @@ const Capture& same_view(const Captures& initial, const Capture& final) {
   return **returned;
 }
 
+Detection detect_with_one_a_side(const std::string& method, const DetectArguments& arguments,
+                                 const Sides& sides, bool several) {
+  const Capture& final = *sides.final.front();
+  if (method == octree)
+    return detect_by_octree(*sides.initial.front(), final, arguments.octree, arguments.detection.regions,
+                            terminal_progress());
+  StaticDetectionOptions options = arguments.detection;
+  options.method = *std::ranges::find(static_methods, method, [](StaticMethod of) { return name_of(of); });
+  const Capture& initial = several ? same_view(sides.initial, final) : *sides.initial.front();
+  return detect_static(initial, final, options, terminal_progress());
+}
+
 Detection detect_by(const std::string& method, const DetectArguments& arguments, const Sides& sides,
                     std::optional<Registration>& registration) {
   if (method == spatial) {
@@ -177,16 +198,11 @@ Detection detect_by(const std::string& method, const DetectArguments& arguments,
     registration = std::move(spatially.registration);
     return std::move(spatially.detection);
   }
-  StaticDetectionOptions options = arguments.detection;
-  options.method = *std::ranges::find(static_methods, method, [](StaticMethod of) { return name_of(of); });
-  const Capture& final = *sides.final.front();
   const bool several = sides.initial.size() + sides.final.size() > 2;
-  const Capture& initial = several ? same_view(sides.initial, final) : *sides.initial.front();
-  Detection detection = detect_static(initial, final, options, terminal_progress());
+  Detection detection = detect_with_one_a_side(method, arguments, sides, several);
   if (several)
-    detection.warnings.push_back(fmt::format(
-        "--method {} compared one capture of each side, taken from one place: the others had no say",
-        method));
+    detection.warnings.push_back(
+        fmt::format("--method {} compared one capture of each side: the others had no say", method));
   return detection;
 }
 
@@ -194,10 +210,12 @@ Detection detect_by(const std::string& method, const DetectArguments& arguments,
 int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_sides(arguments);
   check_options(arguments.detection);
-  OutputFolder out(arguments.out,
-                   {"detections.json", "changes.png", "overlay.png", "depth_overlay.png",
-                    "level_of_detection.png", "level_of_detection.json", "registration.json"},
-                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  check_options(arguments.octree);
+  OutputFolder out(
+      arguments.out,
+      {"detections.json", "changes.png", "overlay.png", "depth_overlay.png", "level_of_detection.png",
+       "level_of_detection.json", "registration.json", "changed_points.png"},
+      arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
   const std::string method = arguments.method.empty() ? method_for(sides) : arguments.method;
   std::optional<Registration> registration;
@@ -210,6 +228,10 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   write_file(out.path("depth_overlay.png"),
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
   write_color_overlay(*sides.final.front(), detection, out, warnings);
+  if (method == octree && sides.final.front()->color_frames() > 0)
+    write_file(out.path("changed_points.png"),
+               encode_png(draw_changed_points(sides.final.front()->color(0), detection.changed,
+                                              detection.final_m, sides.final.front()->info())));
   if (registration) write_file(out.path("registration.json"), to_json(*registration));
   if (const auto& level = detection.level_of_detection) {
     write_file(out.path("level_of_detection.png"), encode_png(draw_level_of_detection(level->least_mm)));
@@ -249,6 +271,7 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
           "else calibrated")
       ->check(CLI::IsMember(method_names()));
   add_flags(command, arguments->detection);
+  add_flags(command, arguments->octree);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");

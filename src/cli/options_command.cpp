@@ -2,6 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
+#include "cloud/octree_detection.hpp"
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
 #include "evaluate/study.hpp"
@@ -11,8 +12,7 @@ namespace rva::cli {
 namespace {
 
 template <typename Options>
-void print_table(const char* command) {
-  print("\n## `{}`\n\n| option | default | range | what it does |\n| --- | --- | --- | --- |\n", command);
+void print_rows() {
   Options::describe(Options{}, [](const auto& value, const OptionField& field) {
     const std::string unit = field.unit.empty() ? "" : fmt::format(" {}", field.unit);
     print("| `--{}` | {}{} | {} to {}{} | {} |\n", field.name, value, unit, field.min, field.max, unit,
@@ -20,10 +20,16 @@ void print_table(const char* command) {
   });
 }
 
+template <typename... Options>
+void print_table(const char* command) {
+  print("\n## `{}`\n\n| option | default | range | what it does |\n| --- | --- | --- | --- |\n", command);
+  (print_rows<Options>(), ...);
+}
+
 // docs/options.md is this text; a test compares the two.
 void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
-  print_table<StaticDetectionOptions>("rva detect");
+  print_table<StaticDetectionOptions, OctreeOptions>("rva detect");
   print_table<NoiseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");

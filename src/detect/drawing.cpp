@@ -25,6 +25,16 @@ Box scaled(const Box& box, const Image<float>& from, const ColorImage& to) {
           std::max(1, static_cast<int>(box.height * along_v))};
 }
 
+// Where the colour imager sees a pixel of the depth image; empty behind it. It must know the transform.
+std::optional<Eigen::Vector2d> on_color(const CaptureInfo& capture, const Eigen::Vector2d& pixel,
+                                        double depth_m) {
+  const Eigen::Vector3d in_color = *capture.color_from_depth * capture.depth.deproject(pixel, depth_m);
+  if (in_color.z() <= 0.0) return std::nullopt;
+  return capture.color->project(in_color);
+}
+
+bool is_placed(const CaptureInfo& capture) { return capture.color && capture.color_from_depth; }
+
 // The part of [low, high] that lies on an axis of `length` pixels, as first pixel and count.
 std::pair<int, int> clipped(double low, double high, int length) {
   const int first = static_cast<int>(std::clamp(std::round(low), 0.0, length - 1.0));
@@ -58,19 +68,16 @@ void draw_box(cv::Mat& picture, const Box& box, int id, const cv::Scalar& color)
 
 std::optional<Box> box_on_color(const Finding& finding, const Image<float>& final_m,
                                 const CaptureInfo& capture, const ColorImage& color) {
-  if (!capture.color || !capture.color_from_depth) return scaled(finding.box, final_m, color);
+  if (!is_placed(capture)) return scaled(finding.box, final_m, color);
   const auto width = static_cast<std::uint32_t>(final_m.width());
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
   for (const std::uint32_t i : finding.pixels) {
     if (final_m[i] <= 0.0F) continue;
-    const Eigen::Vector3d in_depth =
-        capture.depth.deproject(Eigen::Vector2d(i % width, i / width), final_m[i]);
-    const Eigen::Vector3d in_color = *capture.color_from_depth * in_depth;
-    if (in_color.z() <= 0.0) continue;
-    const Eigen::Vector2d pixel = capture.color->project(in_color);
-    low = low.cwiseMin(pixel);
-    high = high.cwiseMax(pixel);
+    const auto pixel = on_color(capture, Eigen::Vector2d(i % width, i / width), final_m[i]);
+    if (!pixel) continue;
+    low = low.cwiseMin(*pixel);
+    high = high.cwiseMax(*pixel);
   }
   const bool on_image =
       high.x() >= 0.0 && high.y() >= 0.0 && low.x() < color.width() && low.y() < color.height();
@@ -104,6 +111,29 @@ ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>
   cv::Mat picture = as_mat(colors);
   for (const Finding& finding : findings) draw_box(picture, finding.box, finding.id, white);
   return colors;
+}
+
+ColorImage draw_changed_points(ColorImage color, const Mask& changed, const Image<float>& final_m,
+                               const CaptureInfo& capture) {
+  for (Rgb& pixel : color.pixels()) {
+    const auto grey = static_cast<std::uint8_t>((299 * pixel.r + 587 * pixel.g + 114 * pixel.b) / 1000);
+    pixel = {grey, grey, grey};
+  }
+  const Eigen::Vector2d scale(static_cast<double>(color.width()) / changed.width(),
+                              static_cast<double>(color.height()) / changed.height());
+  const auto width = static_cast<std::size_t>(changed.width());
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    if (changed[i] == 0 || final_m[i] <= 0.0F) continue;
+    const std::size_t row = i / width;
+    const Eigen::Vector2d at(static_cast<double>(i % width), static_cast<double>(row));
+    const auto seen = is_placed(capture) ? on_color(capture, at, final_m[i]) : at.cwiseProduct(scale);
+    if (!seen) continue;
+    const Eigen::Vector2d nearest = seen->array().round();
+    const bool inside = nearest.x() >= 0.0 && nearest.y() >= 0.0 && nearest.x() < color.width() &&
+                        nearest.y() < color.height();
+    if (inside) color(static_cast<int>(nearest.x()), static_cast<int>(nearest.y())) = {0, 255, 0};
+  }
+  return color;
 }
 
 }  // namespace rva

@@ -31,4 +31,10 @@ struct Overlay {
 /// image; black where nothing was measured, blue near, red far.
 [[nodiscard]] ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>& findings);
 
+/// Every changed pixel green on the colour image turned grey (thesis figure 3.19), at the pixel nearest to
+/// its point; scaled from one image to the other where the capture does not tell how the imagers stand.
+/// @param changed, final_m one size
+[[nodiscard]] ColorImage draw_changed_points(ColorImage color, const Mask& changed,
+                                             const Image<float>& final_m, const CaptureInfo& capture);
+
 }  // namespace rva

@@ -79,6 +79,19 @@ class MovedCameraTest(SimulationTest):
         self.check_fails('detect', '--initial', self.initial, self.initial, '--final', self.final, '--out',
                          self.folder / 'other', '--method', 'constant', names=['spatial'])
 
+    def test_octree_is_the_thesis_pipeline(self):
+        # One step and half a metre: the whole takes a minute.
+        found = self.detect(self.final, self.final, '--method', 'octree', '--icp-iterations', 1, '--octree-far', 0.5)
+        self.assertEqual((found['method'], found['frames']), ('octree', {'initial': 1, 'final': 1}))
+        self.assertEqual(found['parameters']['octree_cell_m'], 0.05)
+        self.assertEqual(found['detections'], [])
+        self.assertGreater(found['coverage']['compared'], 0.1)
+        points = read_image(self.out / 'changed_points.png')
+        self.assertEqual(points.shape, (480, 848, 3))
+        self.assertEqual(np.ptp(points.astype(int), axis=2).max(), 0, 'nothing changed, so all is grey')
+        self.check_fails('detect', self.initial, self.final, '--method', 'octree', '--octree-far', 0.06, '--out',
+                         self.folder / 'other', names=['--octree-far'])
+
     def test_says_which_captures_are_missing(self):
         for sides in ((), (self.initial,), ('--initial', self.initial), ('--final', self.final),
                       (self.initial, self.final, '--initial', self.initial, '--final', self.final)):

@@ -6,55 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "tests/cloud/box_room.hpp"
-#include "tests/depth/stacks.hpp"
+#include "tests/cloud/shots.hpp"
 
 namespace rva {
 namespace {
 
 using test::bay;
+using test::littered;
 using test::pose;
-
-constexpr double unit_m = 1e-4;
-
-struct Shot {
-  Transform at = pose(0, 0, 0);
-  std::optional<std::string> base;
-  std::uint64_t seed = 1;
-};
-
-std::unique_ptr<Capture> shoot(const test::Room& room, const Shot& shot) {
-  CaptureInfo info;
-  info.format = "rva-capture";
-  info.depth = test::small_camera();
-  info.depth_unit_m = unit_m;
-  info.camera = CameraInfo{"", "", test::baseline_m};
-  if (shot.base) info.pose = Pose{shot.base, std::nullopt, std::nullopt, shot.at};
-  std::vector<DepthImage> frames;
-  for (std::uint64_t k = 0; k < 4; ++k) {
-    const DepthView view = test::look(room, shot.at, {0.1, 0.0, 100 * shot.seed + k});
-    DepthImage frame(view.camera.width, view.camera.height);
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (!view.seen(i)) continue;
-      frame[i] = static_cast<std::uint16_t>(
-          std::lround(view.disparity_m_px / static_cast<double>(view.disparity_px[i]) / unit_m));
-    }
-    frames.push_back(std::move(frame));
-  }
-  return std::make_unique<test::MemoryCapture>(info, std::move(frames));
-}
-
-Captures side(const test::Room& room, std::initializer_list<Shot> shots) {
-  Captures captures;
-  for (const Shot& shot : shots) captures.push_back(shoot(room, shot));
-  return captures;
-}
-
-test::Room littered() {
-  test::Room room = bay();
-  room.boxes.push_back(test::box(-0.05, 0.05, 0.20, 0.25, 0.65, 0.70));
-  return room;
-}
+using test::shoot;
+using test::side;
 
 const Transform before = pose(0.12, 0.0, -5);
 const Transform after = pose(-0.1, 0.02, 4);

@@ -80,5 +80,34 @@ TEST(Overlay, SurvivesFindingsAtTheBorder) {
   }
 }
 
+TEST(ChangedPoints, AreGreenOnGreyWhereTheColorImagerSeesThem) {
+  ColorImage color(200, 160);
+  for (Rgb& pixel : color.pixels()) pixel = {200, 40, 90};
+  Mask changed(100, 80);
+  changed(40, 30) = mask_set;
+  changed(10, 10) = mask_set;  // without a depth it has no place
+  Image<float> final_m(100, 80);
+  final_m(40, 30) = 0.5F;
+  final_m(50, 50) = 0.5F;
+  const ColorImage drawn = draw_changed_points(color, changed, final_m, two_imagers(0.05));
+  const Rgb green{0, 255, 0};
+  EXPECT_EQ(std::ranges::count(drawn.pixels(), green), 1);
+  EXPECT_EQ(drawn(91, 61), green) << "(40 - 49.5) * 2 + 99.5 + 0.05 * 100 / 0.5, and rounded";
+  const Rgb grey = drawn(0, 0);
+  EXPECT_EQ(grey.r, grey.g);
+  EXPECT_EQ(grey.g, grey.b);
+  EXPECT_EQ(std::ranges::count(drawn.pixels(), grey), 200 * 160 - 1);
+}
+
+TEST(ChangedPoints, AreScaledWhereNothingIsKnownOfTheColorImager) {
+  CaptureInfo capture = two_imagers(0.05);
+  capture.color_from_depth.reset();
+  Mask changed(100, 80);
+  changed(40, 30) = mask_set;
+  const ColorImage drawn =
+      draw_changed_points(ColorImage(200, 160), changed, Image<float>(100, 80, 1.0F), capture);
+  EXPECT_EQ(drawn(80, 60), (Rgb{0, 255, 0}));
+}
+
 }  // namespace
 }  // namespace rva

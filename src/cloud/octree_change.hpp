@@ -1,0 +1,21 @@
+// The thesis' change of clouds (chapter 3.3, figure 3.18), with the library that it used.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cloud/point_cloud.hpp"
+#include "geometry/transform.hpp"
+
+namespace rva {
+
+/// Points of the final cloud in cells that hold none of the initial one (PCL's
+/// OctreePointCloudChangeDetector).
+/// @param final_from_initial lays the initial cloud over the final one
+/// @param cell_m             edge of a cell, above 0
+/// @return positions in `final`, ascending
+[[nodiscard]] std::vector<std::size_t> points_in_new_cells(const PointCloud& initial, const PointCloud& final,
+                                                           const Transform& final_from_initial,
+                                                           double cell_m);
+
+}  // namespace rva

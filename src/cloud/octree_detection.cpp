@@ -1,0 +1,95 @@
+#include "cloud/octree_detection.hpp"
+
+#include <utility>
+
+#include "cloud/octree_change.hpp"
+#include "cloud/point_cloud.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "core/stopwatch.hpp"
+
+namespace rva {
+namespace {
+
+Eigen::AlignedBox3f crop_of(const OctreeOptions& options) {
+  constexpr float nearest_m = 0.05F;
+  constexpr float aside_m = 1000.0F;
+  return {Eigen::Vector3f(-aside_m, -static_cast<float>(options.above_m), nearest_m),
+          Eigen::Vector3f(aside_m, static_cast<float>(options.below_m), static_cast<float>(options.far_m))};
+}
+
+PointCloud cloud_of(const DepthImage& depth, const CaptureInfo& info, const OctreeOptions& options,
+                    const char* side) {
+  PointCloud cloud = deproject(depth, info.depth, info.depth_unit_m, crop_of(options));
+  if (cloud.points_m.empty())
+    throw Error(std::string(side) + " capture", "no point is left of its first depth image",
+                "crop less (--octree-far, --octree-above, --octree-below)");
+  return cloud;
+}
+
+// Each point stands for its pixel.
+Comparison compare(const PointCloud& cloud, const std::vector<std::size_t>& changed, const DepthImage& depth,
+                   double unit_m) {
+  Comparison comparison(depth.width(), depth.height());
+  std::size_t measured = 0;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    comparison.final_m[i] = static_cast<float>(depth[i] * unit_m);
+    measured += depth[i] > 0 ? 1 : 0;
+  }
+  for (const std::size_t position : changed) {
+    comparison.changed[cloud.pixels[position]] = mask_set;
+    comparison.evidence[cloud.pixels[position]] = 1.0F;
+  }
+  const auto all = static_cast<double>(depth.size());
+  comparison.coverage.compared = static_cast<double>(cloud.pixels.size()) / all;
+  comparison.coverage.beyond_clip = static_cast<double>(measured - cloud.pixels.size()) / all;
+  comparison.coverage.invalid = 1.0 - static_cast<double>(measured) / all;
+  return comparison;
+}
+
+}  // namespace
+
+Detection detect_by_octree(const Capture& initial, const Capture& final, const OctreeOptions& options,
+                           const RegionOptions& regions, const Progress& progress) {
+  check_options(options);
+  check_options(regions);
+  Detection detection;
+  Findings& findings = detection.findings;
+  findings.method = "octree";
+  findings.initial_frames = findings.final_frames = 1;
+  const auto state = [&](const auto& value, const OptionField& field) {
+    findings.parameters.emplace_back(json_name(field), value);
+  };
+  OctreeOptions::describe(options, state);
+  RegionOptions::describe(regions, state);
+
+  const Stopwatch start;
+  const DepthImage before = initial.depth(0);
+  const DepthImage after = final.depth(0);
+  findings.runtime.load_ms = start.ms();
+  const Stopwatch detect_start;
+  const PointCloud initial_cloud = cloud_of(before, initial.info(), options, "initial");
+  const PointCloud final_cloud = cloud_of(after, final.info(), options, "final");
+  findings.final_from_initial = register_incrementally(initial_cloud, final_cloud, options.icp, progress);
+  const std::vector<std::size_t> changed =
+      points_in_new_cells(initial_cloud, final_cloud, findings.final_from_initial, options.cell_m);
+  Comparison comparison = compare(final_cloud, changed, after, final.info().depth_unit_m);
+  findings.runtime.detect_ms = detect_start.ms();
+  throw_if_interrupted();
+
+  const Stopwatch regions_start;
+  findings.findings =
+      measure_regions(find_regions(comparison.changed, regions), comparison, final.info().depth);
+  for (Finding& finding : findings.findings) finding.kind = ChangeKind::added;  // it sees nothing that went
+  findings.runtime.regions_ms = regions_start.ms();
+  findings.runtime.total_ms = start.ms();
+  findings.coverage = comparison.coverage;
+  detection.changed = std::move(comparison.changed);
+  detection.final_m = std::move(comparison.final_m);
+  detection.warnings.emplace_back(
+      "octree calls what came into view a change, sees nothing that went, and does not know how far off its "
+      "registration is");
+  return detection;
+}
+
+}  // namespace rva
