@@ -1,6 +1,8 @@
 // How well two views agree once one is moved onto the other.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "cloud/alignment.hpp"
@@ -8,12 +10,25 @@
 
 namespace rva {
 
+/// Samples' positions, so many at once, a coordinate each: what vector instructions take.
+struct SampleBlock {
+  static constexpr Eigen::Index most = 64;
+  using Numbers = Eigen::Array<float, most, 1>;
+  std::array<Numbers, 3> position_m;
+  Eigen::Index count = 0;  ///< behind these, positions are none
+};
+
 /// Two views, and samples of them.
 struct ViewPair {
+  /// @param every so many patches a sample is taken of, along rows and columns
+  ViewPair(const PlanarPatches& initial_patches, const PlanarPatches& final_patches, int every);
+
   const PlanarPatches& initial;
   const PlanarPatches& final;
-  std::vector<SurfacePoint> initial_points;
-  std::vector<SurfacePoint> final_points;
+  std::vector<SurfaceSample> initial_samples;
+  std::vector<SurfaceSample> final_samples;
+  std::vector<SampleBlock> initial_blocks;  ///< of the same samples
+  std::vector<SampleBlock> final_blocks;
 };
 
 /// Sums over samples of either view held against the planes of the other.
@@ -30,6 +45,7 @@ struct Agreement {
   [[nodiscard]] double score() const;
 };
 
+/// What final_on_initial() and initial_on_final() say of all samples, summed up; in single precision.
 /// @param reach_px residuals from which on a sample has no say
 [[nodiscard]] Agreement agreement(const ViewPair& views, const Alignment& alignment, double reach_px);
 

@@ -47,8 +47,8 @@ Alignment moved(const Alignment& alignment, const AlignmentStep& step) {
   return {motion * alignment.initial_from_final, alignment.offset_px + step[6]};
 }
 
-std::vector<SurfacePoint> points_of(const PlanarPatches& patches, int every) {
-  std::vector<SurfacePoint> points;
+std::vector<SurfaceSample> samples_of(const PlanarPatches& patches, int every) {
+  std::vector<SurfaceSample> points;
   for (int row = every / 2; row < patches.rows(); row += every) {
     for (int column = every / 2; column < patches.columns(); column += every) {
       const PlanarPatch& patch = patches.at(column, row);
@@ -62,7 +62,7 @@ std::vector<SurfacePoint> points_of(const PlanarPatches& patches, int every) {
   return points;
 }
 
-bool final_on_initial(const SurfacePoint& final_point, const PlanarPatches& initial,
+bool final_on_initial(const SurfaceSample& final_point, const PlanarPatches& initial,
                       const Alignment& alignment, AlignmentResidual& residual) {
   const Eigen::Vector3d point = alignment.initial_from_final * final_point.position_m;
   Fall onto;
@@ -74,7 +74,7 @@ bool final_on_initial(const SurfacePoint& final_point, const PlanarPatches& init
 }
 
 // A step moves the final view's frame: to it, the initial point moves the other way.
-bool initial_on_final(const SurfacePoint& initial_point, const PlanarPatches& final,
+bool initial_on_final(const SurfaceSample& initial_point, const PlanarPatches& final,
                       const Alignment& alignment, const Transform& final_from_initial,
                       AlignmentResidual& residual) {
   Fall onto;

@@ -25,14 +25,14 @@ using AlignmentInformation = Eigen::Matrix<double, 7, 7>;
 [[nodiscard]] Alignment moved(const Alignment& alignment, const AlignmentStep& step);
 
 /// A place on a surface that a view saw, in its camera's frame.
-struct SurfacePoint {
+struct SurfaceSample {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   /// By a point's position: its disparity less what the surface has at its pixel. px / m
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
 /// The centres of patches, of every so many rows and columns.
-[[nodiscard]] std::vector<SurfacePoint> points_of(const PlanarPatches& patches, int every);
+[[nodiscard]] std::vector<SurfaceSample> samples_of(const PlanarPatches& patches, int every);
 
 /// Residuals are in disparity, where noise is even: what the moved point should have, less what the plane has
 /// where it projects to. Above 0, the point lies in front of the surface.
@@ -43,9 +43,9 @@ struct AlignmentResidual {
 };
 
 /// @return false where the point falls onto no plane
-[[nodiscard]] bool final_on_initial(const SurfacePoint& final_point, const PlanarPatches& initial,
+[[nodiscard]] bool final_on_initial(const SurfaceSample& final_point, const PlanarPatches& initial,
                                     const Alignment& alignment, AlignmentResidual& residual);
-[[nodiscard]] bool initial_on_final(const SurfacePoint& initial_point, const PlanarPatches& final,
+[[nodiscard]] bool initial_on_final(const SurfaceSample& initial_point, const PlanarPatches& final,
                                     const Alignment& alignment, const Transform& final_from_initial,
                                     AlignmentResidual& residual);
 

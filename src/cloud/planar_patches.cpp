@@ -72,6 +72,7 @@ PlanarPatch fit(const DepthView& view, double centre_u, double centre_v, int win
 
 PlanarPatches::PlanarPatches(const DepthView& view, int step_px, int window_px)
     : step_px_(step_px),
+      by_step_px_(1.0 / step_px),
       camera_(view.camera),
       disparity_m_px_(view.disparity_m_px),
       patches_(view.camera.width / step_px, view.camera.height / step_px) {
@@ -81,27 +82,6 @@ PlanarPatches::PlanarPatches(const DepthView& view, int step_px, int window_px)
         patches_(column, row) = fit(view, centre_px(column), centre_px(row), window_px);
     }
   });
-}
-
-int PlanarPatches::index_of(double pixel) const {
-  return static_cast<int>(std::floor((pixel + 0.5) / step_px_));
-}
-
-const PlanarPatch* PlanarPatches::find(double u, double v) const {
-  // Compared as numbers first: what is far outside has no int.
-  if (!(u > -0.5 && v > -0.5 && u < camera_.width && v < camera_.height)) return nullptr;
-  const int column = index_of(u);
-  const int row = index_of(v);
-  if (column >= columns() || row >= rows()) return nullptr;
-  const PlanarPatch& patch = patches_(column, row);
-  return patch.disparity_px > 0.0F ? &patch : nullptr;
-}
-
-double PlanarPatches::disparity_px(const PlanarPatch& patch, double u, double v) const {
-  const double du = u - centre_px(index_of(u));
-  const double dv = v - centre_px(index_of(v));
-  return static_cast<double>(patch.disparity_px) + static_cast<double>(patch.slope_u) * du +
-         static_cast<double>(patch.slope_v) * dv;
 }
 
 }  // namespace rva

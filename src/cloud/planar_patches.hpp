@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
 
 #include "cloud/depth_view.hpp"
 
@@ -26,19 +27,42 @@ class PlanarPatches {
   [[nodiscard]] int rows() const { return patches_.height(); }
   [[nodiscard]] const PlanarPatch& at(int column, int row) const { return patches_(column, row); }
   /// The patch in whose cell a pixel lies; null outside the image and where there is no plane.
-  [[nodiscard]] const PlanarPatch* find(double u, double v) const;
+  template <std::floating_point Number>
+  [[nodiscard]] const PlanarPatch* find(Number u, Number v) const {
+    // Compared as numbers first: what is far outside has no int.
+    constexpr auto left = static_cast<Number>(-0.5);
+    if (!(u > left && v > left && u < static_cast<Number>(camera_.width) &&
+          v < static_cast<Number>(camera_.height)))
+      return nullptr;
+    const int column = index_of(u);
+    const int row = index_of(v);
+    if (column >= columns() || row >= rows()) return nullptr;
+    const PlanarPatch& patch = patches_(column, row);
+    return patch.disparity_px > 0.0F ? &patch : nullptr;
+  }
   /// Pixel at the centre of a column or row of the grid.
   [[nodiscard]] double centre_px(int index) const { return step_px_ * (index + 0.5) - 0.5; }
   /// What the patch's plane has at a pixel of its cell.
-  [[nodiscard]] double disparity_px(const PlanarPatch& patch, double u, double v) const;
+  template <std::floating_point Number>
+  [[nodiscard]] Number disparity_px(const PlanarPatch& patch, Number u, Number v) const {
+    const Number du = u - static_cast<Number>(centre_px(index_of(u)));
+    const Number dv = v - static_cast<Number>(centre_px(index_of(v)));
+    return static_cast<Number>(patch.disparity_px) + static_cast<Number>(patch.slope_u) * du +
+           static_cast<Number>(patch.slope_v) * dv;
+  }
 
   [[nodiscard]] const Intrinsics& camera() const { return camera_; }
   [[nodiscard]] double disparity_m_px() const { return disparity_m_px_; }
 
  private:
-  [[nodiscard]] int index_of(double pixel) const;
+  // Pixels that lie on the image are -0.5 and more, so that cutting off rounds down.
+  template <std::floating_point Number>
+  [[nodiscard]] int index_of(Number pixel) const {
+    return static_cast<int>((pixel + static_cast<Number>(0.5)) * static_cast<Number>(by_step_px_));
+  }
 
   int step_px_;
+  double by_step_px_;
   Intrinsics camera_;
   double disparity_m_px_;
   Image<PlanarPatch> patches_;

@@ -22,10 +22,6 @@ constexpr int fine_step_px = 4;
 constexpr int window_px = 8;           // of a patch: about the matcher's own
 constexpr double last_reach_px = 0.6;  // four deviations of a matcher's fixed pattern
 
-ViewPair sampled(const PlanarPatches& initial, const PlanarPatches& final, int every) {
-  return {initial, final, points_of(initial, every), points_of(final, every)};
-}
-
 // Gauss and Newton, a little damped: directions that nothing holds stay where they are.
 AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
   AlignmentInformation information = sum.information;
@@ -137,14 +133,14 @@ struct Planes {
 /// @param every so many patches a sample is taken of, in the search
 Registration search(const Planes& planes, const RegistrationGuess& guess, int every) {
   std::vector<Candidate> candidates = candidates_at(guess);
-  const ViewPair coarse = sampled(planes.initial_coarse, planes.final_coarse, every);
+  const ViewPair coarse(planes.initial_coarse, planes.final_coarse, every);
   if (!guess.nearby) {
     descend(coarse, {8, 24.0, 4.0}, 100, candidates);
     descend(coarse, {5, 4.0, 2.0}, 40, candidates);
   }
   descend(coarse, {6, 4.0, 1.0}, 8, candidates);
-  descend(sampled(planes.initial_coarse, planes.final_coarse, every / 2), {8, 3.0, 1.0}, 3, candidates);
-  const ViewPair fine = sampled(planes.initial_fine, planes.final_fine, 2);
+  descend(ViewPair(planes.initial_coarse, planes.final_coarse, every / 2), {8, 3.0, 1.0}, 3, candidates);
+  const ViewPair fine(planes.initial_fine, planes.final_fine, 2);
   descend(fine, {6, 1.5, last_reach_px}, 3, candidates);
   const Alignment& best = candidates.front().alignment;
   const Agreement sum = agreement(fine, best, last_reach_px);

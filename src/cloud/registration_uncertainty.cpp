@@ -18,7 +18,7 @@ constexpr std::size_t tile_rows = 4;
 /// Sums by tile of the camera that saw the samples.
 class Tiles {
  public:
-  void add(const SurfacePoint& point, const Intrinsics& camera, const AlignmentResidual& residual,
+  void add(const SurfaceSample& point, const Intrinsics& camera, const AlignmentResidual& residual,
            double weight) {
     const Eigen::Vector2d pixel = camera.project(point.position_m);
     const auto tile = [](double position_px, int size_px, std::size_t count) {
@@ -45,9 +45,9 @@ class Tiles {
   AlignmentInformation held_ = AlignmentInformation::Zero();
 };
 
-double median_distance_m(const std::vector<SurfacePoint>& points) {
+double median_distance_m(const std::vector<SurfaceSample>& points) {
   std::vector<double> distances_m;
-  for (const SurfacePoint& point : points) distances_m.push_back(point.position_m.z());
+  for (const SurfaceSample& point : points) distances_m.push_back(point.position_m.z());
   return distances_m.empty() ? 1.0 : quantile(distances_m, 0.5);
 }
 
@@ -84,17 +84,17 @@ RegistrationUncertainty uncertainty(const ViewPair& views, const Alignment& alig
   Tiles of_final;
   Tiles of_initial;
   AlignmentResidual residual;
-  for (const SurfacePoint& point : views.final_points) {
+  for (const SurfaceSample& point : views.final_samples) {
     if (!final_on_initial(point, views.initial, alignment, residual)) continue;
     of_final.add(point, views.final.camera(), residual, weight_of(residual.px, reach_px));
   }
   const Transform final_from_initial = alignment.initial_from_final.inverse();
-  for (const SurfacePoint& point : views.initial_points) {
+  for (const SurfaceSample& point : views.initial_samples) {
     if (!initial_on_final(point, views.final, alignment, final_from_initial, residual)) continue;
     of_initial.add(point, views.initial.camera(), residual, weight_of(residual.px, reach_px));
   }
   RegistrationUncertainty result;
-  result.distance_m = median_distance_m(views.final_points);
+  result.distance_m = median_distance_m(views.final_samples);
   const AlignmentStep unit = scales(result.distance_m, views.final.disparity_m_px()).cwiseInverse();
   AlignmentInformation held = of_final.held() + of_initial.held();
   held(6, 6) += offset_prior;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cloud/agreement.hpp"
 #include "tests/cloud/box_room.hpp"
 
 namespace rva {
@@ -22,7 +23,7 @@ TEST_F(AlignmentTest, ResidualsVanishWhereViewsLieOverEachOther) {
   int compared = 0;
   int small = 0;
   AlignmentResidual residual;
-  for (const SurfacePoint& point : points_of(final_, 1)) {
+  for (const SurfaceSample& point : samples_of(final_, 1)) {
     if (!final_on_initial(point, initial_, truth_, residual)) continue;
     ++compared;
     small += std::abs(residual.px) < 0.02 ? 1 : 0;
@@ -55,13 +56,13 @@ TEST_F(AlignmentTest, DerivativesAreThoseOfTheResidual) {
   const Alignment off =
       moved(truth_, (AlignmentStep() << 0.003, -0.002, 0.004, 0.002, -0.003, 0.004, 0.05).finished());
   int checked = 0;
-  for (const SurfacePoint& point : points_of(final_, 4)) {
+  for (const SurfaceSample& point : samples_of(final_, 4)) {
     const auto residual_of = [&](const Alignment& at, AlignmentResidual& residual) {
       return final_on_initial(point, initial_, at, residual);
     };
     checked += check_derivatives(residual_of, off);
   }
-  for (const SurfacePoint& point : points_of(initial_, 4)) {
+  for (const SurfaceSample& point : samples_of(initial_, 4)) {
     const auto residual_of = [&](const Alignment& at, AlignmentResidual& residual) {
       return initial_on_final(point, final_, at, at.initial_from_final.inverse(), residual);
     };
@@ -74,7 +75,7 @@ TEST_F(AlignmentTest, SlopesOfBothViewsAgreeOnOneSurface) {
   AlignmentResidual residual;
   int compared = 0;
   int alike = 0;
-  for (const SurfacePoint& point : points_of(final_, 2)) {
+  for (const SurfaceSample& point : samples_of(final_, 2)) {
     if (!final_on_initial(point, initial_, truth_, residual) || std::abs(residual.px) > 0.02) continue;
     const AlignmentStep own = residual.by_step_of_own / residual.by_step_of_own.norm();
     const AlignmentStep other = residual.by_step / residual.by_step.norm();
@@ -83,6 +84,45 @@ TEST_F(AlignmentTest, SlopesOfBothViewsAgreeOnOneSurface) {
   }
   EXPECT_GT(compared, 100);
   EXPECT_GT(alike, 0.95 * compared) << "but where a patch bends over a corner";
+}
+
+// One by one, in double precision.
+void add(const AlignmentResidual& residual, double reach_px, Agreement& sum) {
+  const double weight = weight_of(residual.px, reach_px);
+  sum.compared += 1.0;
+  sum.agreeing += weight;
+  sum.in_front += residual.px >= reach_px ? 1.0 : 0.0;
+  sum.gradient += weight * residual.px * residual.by_step;
+  sum.information += weight * residual.by_step * residual.by_step.transpose();
+}
+
+TEST_F(AlignmentTest, AgreementIsTheSumOverSamples) {
+  const Alignment off =
+      moved(truth_, (AlignmentStep() << 0.02, -0.01, 0.03, 0.04, -0.03, 0.06, 0.05).finished());
+  const ViewPair views(initial_, final_, 2);
+  const Transform final_from_initial = off.initial_from_final.inverse();
+  for (const double reach_px : {1.0, 6.0}) {
+    Agreement wanted;
+    AlignmentResidual residual;
+    for (const SurfaceSample& sample : samples_of(final_, 2)) {
+      if (final_on_initial(sample, initial_, off, residual)) add(residual, reach_px, wanted);
+    }
+    for (const SurfaceSample& sample : samples_of(initial_, 2)) {
+      if (initial_on_final(sample, final_, off, final_from_initial, residual))
+        add(residual, reach_px, wanted);
+    }
+    const Agreement sum = agreement(views, off, reach_px);
+    EXPECT_GT(wanted.compared, 300.0);
+    if (reach_px < 2.0) {
+      EXPECT_GT(wanted.in_front, 10.0);
+    }
+    // In single precision, one of many samples falls onto the next patch.
+    EXPECT_NEAR(sum.compared, wanted.compared, 1.0);
+    EXPECT_NEAR(sum.in_front, wanted.in_front, 1.0);
+    EXPECT_NEAR(sum.agreeing, wanted.agreeing, 0.5);
+    EXPECT_LT((sum.gradient - wanted.gradient).norm(), 0.01 * wanted.gradient.norm());
+    EXPECT_LT((sum.information - wanted.information).norm(), 0.01 * wanted.information.norm());
+  }
 }
 
 TEST(TukeysWeight, FallsFromOneToNothing) {
