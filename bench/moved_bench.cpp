@@ -199,7 +199,8 @@ class MovedCamera {
     const DepthView after = view_of(final_);
     const Registration registration = register_views(before, after);
     const Comparison comparison =
-        compare_spatial(before, after, registration, final_.info.depth_unit_m, {}).comparison;
+        compare_spatial(change_from_elsewhere(before, after, registration), final_.info.depth_unit_m, {})
+            .comparison;
     sink = sink + measure_regions(find_regions(comparison.changed, {}), comparison, final_.info.depth).size();
   }
 

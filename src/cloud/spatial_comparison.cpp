@@ -1,5 +1,7 @@
 #include "cloud/spatial_comparison.hpp"
 
+#include <utility>
+
 #include "cloud/free_space.hpp"
 
 namespace rva {
@@ -11,12 +13,23 @@ constexpr UsualSlopes slopes_of_moved_cameras{{0.9, 0.45}, {1.5, 0.8}};
 
 }  // namespace
 
-CalibratedComparison compare_spatial(const DepthView& initial, const DepthView& final,
-                                     const Registration& registration, double unit_m,
+SpatialChange change_from_elsewhere(const DepthView& initial, const DepthView& final,
+                                    const Registration& registration) {
+  return {free_space_change(initial, final, registration.initial_from_final, registration.offset_px),
+          slopes_of_moved_cameras, final.disparity_m_px};
+}
+
+SpatialChange change_from_same_places(std::vector<PlacedChange> changes, const Intrinsics& camera,
+                                      double disparity_m_px) {
+  DisparityChange fused = fuse(std::move(changes), camera, disparity_m_px);
+  const UsualSlopes slopes = usual_slopes(fused.frames);
+  return {std::move(fused), slopes, disparity_m_px};
+}
+
+CalibratedComparison compare_spatial(const SpatialChange& change, double unit_m,
                                      const CalibratedOptions& options) {
-  return compare_calibrated(
-      free_space_change(initial, final, registration.initial_from_final, registration.offset_px),
-      final.disparity_m_px / unit_m, final.disparity_m_px, slopes_of_moved_cameras, options);
+  return compare_calibrated(change.change, change.disparity_m_px / unit_m, change.disparity_m_px,
+                            change.slopes, options);
 }
 
 }  // namespace rva

@@ -1,17 +1,36 @@
-// What changed between two views that lie over each other.
+// What changed between two sides, whether the camera came back or not.
 #pragma once
 
+#include <vector>
+
 #include "cloud/depth_view.hpp"
+#include "cloud/fused_change.hpp"
 #include "cloud/registration.hpp"
 #include "detect/calibrated/calibrated.hpp"
 
 namespace rva {
 
-/// Change by free space, judged as the calibrated detector judges change.
+/// A change, and how the tails of what unchanged places show in such a one usually fall off.
+struct SpatialChange {
+  DisparityChange change;
+  UsualSlopes slopes;
+  double disparity_m_px = 0.0;  ///< focal length times baseline of the final camera
+};
+
+/// By free space, between views that lie over each other.
 /// @param registration to be trusted
-/// @param unit_m       metres of one step of the depth images
-[[nodiscard]] CalibratedComparison compare_spatial(const DepthView& initial, const DepthView& final,
-                                                   const Registration& registration, double unit_m,
+[[nodiscard]] SpatialChange change_from_elsewhere(const DepthView& initial, const DepthView& final,
+                                                  const Registration& registration);
+
+/// Pixel by pixel, between captures of which each final one has an initial one of the same pose.
+/// @param changes        at least one, all of `camera`; the result is in the first one's view
+/// @param disparity_m_px focal length times baseline
+[[nodiscard]] SpatialChange change_from_same_places(std::vector<PlacedChange> changes,
+                                                    const Intrinsics& camera, double disparity_m_px);
+
+/// Judged as the calibrated detector judges change.
+/// @param unit_m metres of one step of the depth images
+[[nodiscard]] CalibratedComparison compare_spatial(const SpatialChange& change, double unit_m,
                                                    const CalibratedOptions& options);
 
 }  // namespace rva

@@ -24,6 +24,27 @@ std::optional<Transform> known_transform(const CaptureInfo& to, const CaptureInf
   return to.pose->world_from_camera->inverse() * *from.pose->world_from_camera;
 }
 
+// Of each final capture the initial one of the same pose, by position; none where one of them has none.
+std::vector<std::size_t> exact_returns(const Captures& initial, const Captures& final) {
+  std::vector<std::size_t> returns;
+  for (const auto& capture : final) {
+    const auto same = std::ranges::find_if(initial, [&](const auto& candidate) {
+      return known_transform(candidate->info(), capture->info()) &&
+             candidate->info().depth == capture->info().depth &&
+             candidate->info().depth_unit_m == capture->info().depth_unit_m &&
+             !poses_differ(candidate->info(), capture->info());
+    });
+    if (same == initial.end()) return {};
+    returns.push_back(static_cast<std::size_t>(same - initial.begin()));
+  }
+  return returns;
+}
+
+struct Compared {
+  CalibratedComparison calibrated;
+  Registration registration;
+};
+
 class Run {
  public:
   Run(const SpatialDetectionOptions& options, const Progress& progress)
@@ -33,15 +54,10 @@ class Run {
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
     const Stopwatch start;
-    const DepthView before = view_of(initial, "initial", findings().initial_frames);
-    const DepthView after = view_of(final, "final", findings().final_frames);
-    throw_if_interrupted();
-    const Stopwatch detect_start;
-    Registration registration = lay_over(before, after, initial.front()->info(), final.front()->info());
+    const std::vector<std::size_t> returns = exact_returns(initial, final);
+    auto [calibrated, registration] =
+        returns.empty() ? from_elsewhere(initial, final) : from_the_same_places(initial, final, returns);
     const CaptureInfo& info = final.front()->info();
-    CalibratedComparison calibrated =
-        compare_spatial(before, after, registration, info.depth_unit_m, options_.calibrated);
-    findings().runtime.detect_ms = fusing_ms_ + detect_start.ms();
     Comparison& comparison = calibrated.comparison;
     const Stopwatch regions_start;
     findings().findings =
@@ -67,6 +83,50 @@ class Run {
  private:
   Findings& findings() { return detection_.findings; }
 
+  Compared from_elsewhere(const Captures& initial, const Captures& final) {
+    const DepthView before = view_of(initial, "initial", findings().initial_frames);
+    const DepthView after = view_of(final, "final", findings().final_frames);
+    throw_if_interrupted();
+    const Stopwatch start;
+    Registration registration = lay_over(before, after, initial.front()->info(), final.front()->info());
+    CalibratedComparison calibrated =
+        compare_spatial(change_from_elsewhere(before, after, registration),
+                        final.front()->info().depth_unit_m, options_.calibrated);
+    findings().runtime.detect_ms = fusing_ms_ + start.ms();
+    return {std::move(calibrated), std::move(registration)};
+  }
+
+  // Where the camera came back exactly, what its matcher gets wrong cancels pixel by pixel.
+  Compared from_the_same_places(const Captures& initial, const Captures& final,
+                                const std::vector<std::size_t>& returns) {
+    const CaptureInfo& first = final.front()->info();
+    const double disparity_by_depth = disparity_m_px(first) / first.depth_unit_m;
+    std::vector<PlacedChange> changes;
+    for (std::size_t k = 0; k < final.size(); ++k) {
+      const Capture& capture = *final[k];
+      const DepthStatistics before =
+          statistics_of(*initial[returns[k]], "initial", findings().initial_frames);
+      const DepthStatistics after = statistics_of(capture, "final", findings().final_frames);
+      changes.push_back({disparity_change(before, after, disparity_by_depth),
+                         known_transform(first, capture.info()).value_or(Transform::Identity())});
+    }
+    throw_if_interrupted();
+    const Stopwatch start;
+    CalibratedComparison calibrated =
+        compare_spatial(change_from_same_places(std::move(changes), first.depth, disparity_m_px(first)),
+                        first.depth_unit_m, options_.calibrated);
+    findings().runtime.detect_ms = start.ms();
+    Registration registration;
+    registration.agreeing = registration.overlap = 1.0;
+    return {std::move(calibrated), std::move(registration)};
+  }
+
+  DepthStatistics statistics_of(const Capture& capture, std::string_view side, std::size_t& frames) {
+    const std::size_t used = frames_to_use(capture, options_.frames, side, detection_.warnings);
+    frames += used;
+    return rva::statistics_of(capture, used, progress_, findings().runtime);
+  }
+
   void state_parameters() {
     const auto state = [&](const auto& value, const OptionField& field) {
       findings().parameters.emplace_back(json_name(field), value);
@@ -81,9 +141,7 @@ class Run {
     std::vector<PlacedView> views;
     for (const auto& capture : captures) {
       const CaptureInfo& info = capture->info();
-      const std::size_t used = frames_to_use(*capture, options_.frames, side, detection_.warnings);
-      frames += used;
-      const DepthStatistics statistics = statistics_of(*capture, used, progress_, findings().runtime);
+      const DepthStatistics statistics = statistics_of(*capture, side, frames);
       views.push_back({depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info)),
                        Transform::Identity()});
       if (views.size() > 1)

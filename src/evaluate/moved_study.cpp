@@ -119,8 +119,9 @@ MovedRegistration outcome_of(const Registration& registration, const Transform& 
 std::vector<Finding> find(const DepthView& initial, const DepthView& final, const Registration& registration,
                           double unit_m, double allowed) {
   if (!registration.trusted()) return {};
-  const Comparison comparison =
-      compare_spatial(initial, final, registration, unit_m, {.false_findings = allowed}).comparison;
+  const Comparison comparison = compare_spatial(change_from_elsewhere(initial, final, registration), unit_m,
+                                                {.false_findings = allowed})
+                                    .comparison;
   return measure_regions(find_regions(comparison.changed, {.join_px = join_px}), comparison, final.camera);
 }
 

@@ -13,7 +13,6 @@ namespace rva {
 namespace {
 
 using test::bay;
-using test::littered;
 using test::pose;
 using test::shoot;
 using testing::ElementsAre;

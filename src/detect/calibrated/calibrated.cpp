@@ -88,13 +88,16 @@ double blind_share(const DisparityChange& change, const Image<float>& level_mm) 
 
 }  // namespace
 
+UsualSlopes usual_slopes(std::size_t frames) {
+  return frames < 2 ? slopes_of_single_frames : slopes_of_means;
+}
+
 CalibratedComparison compare_calibrated(const DepthStatistics& initial, const DepthStatistics& final,
                                         double unit_m, double disparity_m_px,
                                         const CalibratedOptions& options) {
   const double disparity_by_depth = disparity_m_px / unit_m;
   const DisparityChange change = disparity_change(initial, final, disparity_by_depth);
-  return compare_calibrated(change, disparity_by_depth, disparity_m_px,
-                            change.frames < 2 ? slopes_of_single_frames : slopes_of_means, options);
+  return compare_calibrated(change, disparity_by_depth, disparity_m_px, usual_slopes(change.frames), options);
 }
 
 CalibratedComparison compare_calibrated(const DisparityChange& change, double disparity_by_depth,

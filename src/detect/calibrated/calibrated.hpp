@@ -34,6 +34,10 @@ struct UsualSlopes {
   ByPlace<double> loss;
 };
 
+/// Of a camera that did not move.
+/// @param frames of the side that has fewer
+[[nodiscard]] UsualSlopes usual_slopes(std::size_t frames);
+
 /// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 7,
 /// 15 and 31 pixels, and marks what is higher than `false_findings` places of an unchanged image would be,
 /// both nearer and farther (docs/calibrated.md).
