@@ -1,6 +1,9 @@
-"""Draws free-response curves of an evaluation: found share against false findings per inspection.
+"""Draws free-response curves of evaluations: found share against false findings per inspection.
 
-usage: free_response.py EVALUATION.json PICTURE.png
+usage: free_response.py EVALUATION.json... PICTURE.png
+
+An evaluation of a camera that stayed has a panel for each number of frames, one of a camera that was moved has
+a panel of its own.
 """
 import json
 import pathlib
@@ -10,36 +13,59 @@ import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt
 
-STYLES = {'constant': ('C2', '^'), 'gaussian': ('C0', 's'), 'calibrated': ('C1', 'o')}
+MARKERS = {'constant': '^', 'gaussian': 's', 'calibrated': 'o', 'octree': 'v', 'spatial': 'o'}
 
 
-def draw(axes, tallies, frames):
-    for method, (color, marker) in STYLES.items():
-        chosen = [t for t in tallies if t['method'] == method and t['frames'] == frames]
-        # None seen is drawn at the upper end of its interval: a logarithm has no place for nothing.
-        false = [max(t['false_when_clean'], 0) / t['inspections'] or t['false_rate_95'][1] for t in chosen]
-        found = [t['found'] / t['targets'] for t in chosen]
-        errors = [[f - t['found_share_95'][0] for f, t in zip(found, chosen)],
-                  [t['found_share_95'][1] - f for f, t in zip(found, chosen)]]
-        axes.errorbar(false, found, yerr=errors, color=color, marker=marker, linestyle='-', label=method)
-        for x, y, t in zip(false, found, chosen):
-            axes.annotate(f"{t['setting']:g}", (x, y), textcoords='offset points', xytext=(4, 5), fontsize=7)
-    axes.set_xscale('log')
-    axes.set_ylim(0, 1)
-    axes.set_title(f'{frames} frames')
-    axes.set_xlabel('false findings per unchanged inspection')
+def curve(axes, tallies, label, found, targets, share_95):
+    # None seen is drawn at the upper end of its interval: a logarithm has no place for nothing.
+    false = [t['false_when_clean'] / t['inspections'] or t['false_rate_95'][1] for t in tallies]
+    shares = [t[found] / t[targets] for t in tallies]
+    errors = [[s - t[share_95][0] for s, t in zip(shares, tallies)],
+              [t[share_95][1] - s for s, t in zip(shares, tallies)]]
+    axes.errorbar(false, shares, yerr=errors, marker=MARKERS[tallies[0]['method']], label=label)
+    for x, y, t in zip(false, shares, tallies):
+        axes.annotate(f"{t['setting']:g}", (x, y), textcoords='offset points', xytext=(4, 5), fontsize=7)
+
+
+def stayed(tallies):
+    """Panels of a camera that stayed: title, and what draws it."""
+    for frames in sorted({t['frames'] for t in tallies}):
+        def draw(axes, frames=frames):
+            for method in ('constant', 'gaussian', 'calibrated'):
+                chosen = [t for t in tallies if t['method'] == method and t['frames'] == frames]
+                curve(axes, chosen, method, 'found', 'targets', 'found_share_95')
+        yield f'{frames} frames', 'share of the visible debris found', draw
+
+
+def moved(tallies):
+    """The panel of a camera that was moved."""
+    def draw(axes):
+        for method, captures in sorted({(t['method'], t['captures']) for t in tallies}):
+            chosen = [t for t in tallies if (t['method'], t['captures']) == (method, captures)]
+            label = method if method == 'octree' else f"{captures} capture{'s' if captures > 1 else ''} a side"
+            curve(axes, chosen, label, 'big_found', 'big', 'big_share_95')
+    yield 'camera moved', 'share of the big debris found', draw
+
+
+def panels_of(path):
+    evaluation = json.loads(pathlib.Path(path).read_text())
+    return (moved if evaluation['format'] == 'rva-evaluation-moved' else stayed)(evaluation['tallies'])
 
 
 def main():
-    tallies = json.loads(pathlib.Path(sys.argv[1]).read_text())['tallies']
-    counts = sorted({t['frames'] for t in tallies})
-    figure, panels = plt.subplots(1, len(counts), figsize=(4.5 * len(counts), 4), squeeze=False)
-    for axes, frames in zip(panels[0], counts):
-        draw(axes, tallies, frames)
-    panels[0][0].set_ylabel('share of the visible debris found')
-    panels[0][0].legend(loc='lower right')
+    *evaluations, picture = sys.argv[1:]
+    panels = [panel for path in evaluations for panel in panels_of(path)]
+    figure, plots = plt.subplots(1, len(panels), figsize=(4.5 * len(panels), 4), squeeze=False)
+    for axes, (title, share, draw) in zip(plots[0], panels):
+        draw(axes)
+        axes.set_xscale('log')
+        axes.set_ylim(0, 1)
+        axes.set_title(title)
+        axes.set_xlabel('false findings per unchanged inspection')
+        axes.set_ylabel(share)
+        axes.legend(loc='lower right')
     figure.tight_layout()
-    figure.savefig(sys.argv[2], dpi=100)
+    figure.savefig(picture, dpi=100)
 
 
 if __name__ == '__main__':

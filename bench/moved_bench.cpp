@@ -14,8 +14,6 @@
 #include <string>
 
 #include "bench/interleaved.hpp"
-#include "cloud/incremental_icp.hpp"
-#include "cloud/octree_change.hpp"
 #include "cloud/octree_detection.hpp"
 #include "cloud/pcl_cloud.hpp"
 #include "cloud/registration.hpp"
@@ -185,7 +183,7 @@ class MovedCamera {
     time_interleaved(once, 1);
     rows.push_back(row(ours_, once[0], "registration"));
     rows.back()["ours_error"] = ours_error_;
-    rows.back()["peer_error"] = error_of(final_from_initial_, truth_);
+    rows.back()["peer_error"] = error_of(clouds_.final_from_initial, truth_);
     std::vector<Candidate> rest{{"octree", [&] { octree(); }}};
     time_interleaved(rest, rounds_of_gicp);
     rest[0].least_ms += once[0].least_ms;
@@ -205,25 +203,19 @@ class MovedCamera {
   }
 
   void register_as_the_thesis() {
-    final_from_initial_ =
-        register_incrementally(cloud_of(initial_, whole_), cloud_of(final_, whole_), {}, Progress());
+    clouds_ = register_clouds({initial_.first, initial_.info}, {final_.first, final_.info}, {}, Progress());
   }
 
-  // What detect_by_octree() does beside registration.
   void octree() const {
-    const PointCloud before = cloud_of(initial_, whole_);
-    const PointCloud after = cloud_of(final_, whole_);
-    const OctreeOptions options;
-    Mask changed(final_.info.depth.width, final_.info.depth.height);
-    for (const std::size_t i : points_in_new_cells(before, after, final_from_initial_, options.cell_m))
-      changed[after.pixels[i]] = mask_set;
-    sink = sink + find_regions(changed, {}).size();
+    const Comparison comparison =
+        compare_clouds(clouds_, {final_.first, final_.info}, OctreeOptions{}.cell_m);
+    sink = sink + measure_regions(find_regions(comparison.changed, {}), comparison, final_.info.depth).size();
   }
 
   const Side& initial_;
   const Side& final_;
   Transform truth_;  // final_from_initial
-  Transform final_from_initial_;
+  RegisteredClouds clouds_;
   Candidate ours_;
   Json ours_error_;
   Eigen::AlignedBox3f whole_{Eigen::Vector3f(-10, -1, near_m),

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,11 +19,16 @@
 namespace rva::cli {
 namespace {
 
+const std::map<std::string, CameraReturn> returns{
+    {"elsewhere", CameraReturn::elsewhere}, {"near", CameraReturn::near}, {"exact", CameraReturn::exact}};
+
 struct EvaluateArguments {
   std::string out;
   std::string scene;
   StudyOptions study;
   bool moved = false;
+  bool octree = false;
+  std::string how = "elsewhere";
   std::vector<int> captures{MovedStudyOptions{}.captures};
   bool overwrite = false;
   bool resume = false;
@@ -62,6 +68,8 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.inspections = arguments.study.inspections;
   options.first_seed = arguments.study.first_seed;
   options.captures = arguments.captures;
+  options.how = returns.at(arguments.how);
+  options.octree = arguments.octree;
   Existing existing = arguments.overwrite ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
@@ -97,7 +105,7 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
           ->excludes(overwrite);
   CLI::Option* const moved = command
                                  .add_flag("--moved", arguments->moved,
-                                           "spatial, with the robot put back elsewhere, instead of the "
+                                           "spatial, with a camera that came back, instead of the "
                                            "static methods; 10 frames a capture")
                                  ->excludes(frames)
                                  ->excludes(scene)
@@ -106,6 +114,17 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
       ->delimiter(',')
       ->type_name("M,M...")
       ->capture_default_str()
+      ->needs(moved);
+  command
+      .add_option(
+          "--return", arguments->how,
+          "--moved: where the camera came back to: elsewhere (the robot was lifted out), near (one or "
+          "two servo steps off), exact")
+      ->check(CLI::IsMember(returns))
+      ->type_name("WHERE")
+      ->capture_default_str()
+      ->needs(moved);
+  command.add_flag("--with-octree", arguments->octree, "--moved: the thesis' pipeline too, a minute a pair")
       ->needs(moved);
   command.callback([arguments] { arguments->moved ? evaluate_moved(*arguments) : evaluate(*arguments); });
 }

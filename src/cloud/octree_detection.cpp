@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "cloud/octree_change.hpp"
-#include "cloud/point_cloud.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/stopwatch.hpp"
@@ -18,36 +17,43 @@ Eigen::AlignedBox3f crop_of(const OctreeOptions& options) {
           Eigen::Vector3f(aside_m, static_cast<float>(options.below_m), static_cast<float>(options.far_m))};
 }
 
-PointCloud cloud_of(const DepthImage& depth, const CaptureInfo& info, const OctreeOptions& options,
-                    const char* side) {
-  PointCloud cloud = deproject(depth, info.depth, info.depth_unit_m, crop_of(options));
+PointCloud cloud_of(const DepthFrame& frame, const OctreeOptions& options, const char* side) {
+  PointCloud cloud = deproject(frame.depth, frame.info.depth, frame.info.depth_unit_m, crop_of(options));
   if (cloud.points_m.empty())
     throw Error(std::string(side) + " capture", "no point is left of its first depth image",
                 "crop less (--octree-far, --octree-above, --octree-below)");
   return cloud;
 }
 
-// Each point stands for its pixel.
-Comparison compare(const PointCloud& cloud, const std::vector<std::size_t>& changed, const DepthImage& depth,
-                   double unit_m) {
+}  // namespace
+
+RegisteredClouds register_clouds(const DepthFrame& initial, const DepthFrame& final,
+                                 const OctreeOptions& options, const Progress& progress) {
+  RegisteredClouds clouds{cloud_of(initial, options, "initial"), cloud_of(final, options, "final")};
+  clouds.final_from_initial = register_incrementally(clouds.initial, clouds.final, options.icp, progress);
+  return clouds;
+}
+
+Comparison compare_clouds(const RegisteredClouds& clouds, const DepthFrame& final, double cell_m) {
+  const DepthImage& depth = final.depth;
   Comparison comparison(depth.width(), depth.height());
   std::size_t measured = 0;
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    comparison.final_m[i] = static_cast<float>(depth[i] * unit_m);
+    comparison.final_m[i] = static_cast<float>(depth[i] * final.info.depth_unit_m);
     measured += depth[i] > 0 ? 1 : 0;
   }
-  for (const std::size_t position : changed) {
-    comparison.changed[cloud.pixels[position]] = mask_set;
-    comparison.evidence[cloud.pixels[position]] = 1.0F;
+  const std::vector<std::uint32_t>& pixels = clouds.final.pixels;
+  for (const std::size_t position :
+       points_in_new_cells(clouds.initial, clouds.final, clouds.final_from_initial, cell_m)) {
+    comparison.changed[pixels[position]] = mask_set;
+    comparison.evidence[pixels[position]] = 1.0F;
   }
   const auto all = static_cast<double>(depth.size());
-  comparison.coverage.compared = static_cast<double>(cloud.pixels.size()) / all;
-  comparison.coverage.beyond_clip = static_cast<double>(measured - cloud.pixels.size()) / all;
+  comparison.coverage.compared = static_cast<double>(pixels.size()) / all;
+  comparison.coverage.beyond_clip = static_cast<double>(measured - pixels.size()) / all;
   comparison.coverage.invalid = 1.0 - static_cast<double>(measured) / all;
   return comparison;
 }
-
-}  // namespace
 
 Detection detect_by_octree(const Capture& initial, const Capture& final, const OctreeOptions& options,
                            const RegionOptions& regions, const Progress& progress) {
@@ -68,12 +74,10 @@ Detection detect_by_octree(const Capture& initial, const Capture& final, const O
   const DepthImage after = final.depth(0);
   findings.runtime.load_ms = start.ms();
   const Stopwatch detect_start;
-  const PointCloud initial_cloud = cloud_of(before, initial.info(), options, "initial");
-  const PointCloud final_cloud = cloud_of(after, final.info(), options, "final");
-  findings.final_from_initial = register_incrementally(initial_cloud, final_cloud, options.icp, progress);
-  const std::vector<std::size_t> changed =
-      points_in_new_cells(initial_cloud, final_cloud, findings.final_from_initial, options.cell_m);
-  Comparison comparison = compare(final_cloud, changed, after, final.info().depth_unit_m);
+  const DepthFrame final_frame{after, final.info()};
+  const RegisteredClouds clouds = register_clouds({before, initial.info()}, final_frame, options, progress);
+  findings.final_from_initial = clouds.final_from_initial;
+  Comparison comparison = compare_clouds(clouds, final_frame, options.cell_m);
   findings.runtime.detect_ms = detect_start.ms();
   throw_if_interrupted();
 

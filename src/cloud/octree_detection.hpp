@@ -2,9 +2,11 @@
 #pragma once
 
 #include "cloud/incremental_icp.hpp"
+#include "cloud/point_cloud.hpp"
 #include "core/options.hpp"
 #include "core/progress.hpp"
 #include "depth/capture.hpp"
+#include "detect/comparison.hpp"
 #include "detect/detection.hpp"
 #include "detect/regions.hpp"
 
@@ -28,6 +30,29 @@ struct OctreeOptions {
     IncrementalIcpOptions::describe(self.icp, visit);
   }
 };
+
+/// A depth image, and what is known of it.
+struct DepthFrame {
+  const DepthImage& depth;
+  const CaptureInfo& info;
+};
+
+/// Two clouds, cropped, in the frames of their cameras, and where one lies in the other.
+struct RegisteredClouds {
+  PointCloud initial;
+  PointCloud final;
+  Transform final_from_initial = Transform::Identity();
+};
+
+/// @throws Error where nothing is left, where the clouds cannot be registered, or where the lens bends rays;
+///         Interrupted
+[[nodiscard]] RegisteredClouds register_clouds(const DepthFrame& initial, const DepthFrame& final,
+                                               const OctreeOptions& options, const Progress& progress);
+
+/// What stands in cells that were empty before, pixel by pixel of the final image.
+/// @param cell_m edge of a cell, above 0
+[[nodiscard]] Comparison compare_clouds(const RegisteredClouds& clouds, const DepthFrame& final,
+                                        double cell_m);
 
 /// Deprojects the first depth image of either capture, crops, registers from no motion at all, whatever poses
 /// say, and calls the points in cells that were empty before changed.

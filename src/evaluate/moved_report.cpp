@@ -6,8 +6,13 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <tuple>
+#include <utility>
 
+#include "cloud/octree_detection.hpp"
 #include "core/quantile.hpp"
+#include "detect/calibrated/calibrated.hpp"
 #include "evaluate/intervals.hpp"
 
 namespace rva {
@@ -44,11 +49,13 @@ struct Registrations {
   std::size_t trusted_and_wrong = 0;  ///< off by more than 20 mm or a degree
 };
 
-std::map<int, Registrations> registrations_of(const std::vector<MovedInspection>& inspections) {
-  std::map<int, Registrations> all;
+/// By method and captures a side.
+std::map<std::pair<std::string, int>, Registrations> registrations_of(
+    const std::vector<MovedInspection>& inspections) {
+  std::map<std::pair<std::string, int>, Registrations> all;
   for (const MovedInspection& inspection : inspections) {
     for (const MovedRegistration& one : inspection.registrations) {
-      Registrations& sum = all[one.captures];
+      Registrations& sum = all[{one.method, one.captures}];
       sum.mm.push_back(one.error_mm);
       sum.deg.push_back(one.error_deg);
       sum.within += one.error_mm < 4.0 && one.error_deg < 0.25 ? 1 : 0;
@@ -57,6 +64,59 @@ std::map<int, Registrations> registrations_of(const std::vector<MovedInspection>
     }
   }
   return all;
+}
+
+struct Share {
+  std::size_t found = 0;
+  std::size_t all = 0;
+};
+
+bool is_usual(const MovedResult& result) {
+  return result.setting ==
+         (result.method == "octree" ? OctreeOptions{}.cell_m : CalibratedOptions{}.false_findings);
+}
+
+/// By kind of debris, method and captures a side.
+using Shares = std::map<std::tuple<std::string, std::string, int>, Share>;
+
+void add(const MovedInspection& inspection, const MovedResult& result, Shares& shares) {
+  for (std::size_t i = 0; i < inspection.targets.size(); ++i) {
+    const MovedTarget& target = inspection.targets[i];
+    if (!target.counts()) continue;
+    Share& share = shares[{target.target.kind, result.method, result.captures}];
+    share.found += result.found[i] ? 1 : 0;
+    ++share.all;
+  }
+}
+
+Shares shares_at_usual_setting(const std::vector<MovedInspection>& inspections) {
+  Shares shares;
+  for (const MovedInspection& inspection : inspections) {
+    for (const MovedResult& result : inspection.results) {
+      if (is_usual(result)) add(inspection, result, shares);
+    }
+  }
+  return shares;
+}
+
+Json to_json_value(const Interval& interval) { return {interval.low, interval.high}; }
+
+Json to_json_value(const MovedTally& of) {
+  return {{"method", of.method},
+          {"captures", of.captures},
+          {"setting", of.setting},
+          {"inspections", of.inspections},
+          {"false_when_clean", of.false_when_clean},
+          {"false_rate_95", to_json_value(rate_interval(of.false_when_clean, of.inspections))},
+          {"false_with_debris", of.false_with_debris},
+          {"targets", of.targets},
+          {"found", of.found},
+          {"found_share_95", to_json_value(share_interval(of.found, of.targets))},
+          {"big", of.big},
+          {"big_found", of.big_found},
+          {"big_share_95", to_json_value(share_interval(of.big_found, of.big))},
+          {"large", of.large},
+          {"large_found", of.large_found}};
 }
 
 Json to_json_value(const MovedInspection& inspection) {
@@ -69,13 +129,15 @@ Json to_json_value(const MovedInspection& inspection) {
                                    {"big", of.big},
                                    {"seen_free", of.seen_free}});
   for (const MovedRegistration& of : inspection.registrations)
-    json["registrations"].push_back(Json{{"captures", of.captures},
+    json["registrations"].push_back(Json{{"method", of.method},
+                                         {"captures", of.captures},
                                          {"error_mm", of.error_mm},
                                          {"error_deg", of.error_deg},
                                          {"doubt", of.doubt}});
   for (const MovedResult& of : inspection.results)
-    json["results"].push_back(Json{{"captures", of.captures},
-                                   {"allowed", of.allowed},
+    json["results"].push_back(Json{{"method", of.method},
+                                   {"captures", of.captures},
+                                   {"setting", of.setting},
                                    {"false_when_clean", of.false_when_clean},
                                    {"false_with_debris", of.false_with_debris},
                                    {"found", of.found}});
@@ -90,8 +152,9 @@ std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections) {
     if (tallies.empty()) {
       for (const MovedResult& result : inspection.results) {
         MovedTally empty;
+        empty.method = result.method;
         empty.captures = result.captures;
-        empty.allowed = result.allowed;
+        empty.setting = result.setting;
         tallies.push_back(empty);
       }
     }
@@ -101,27 +164,37 @@ std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections) {
 }
 
 std::string to_table(const std::vector<MovedInspection>& inspections) {
-  constexpr auto line = "{:>8}  {:>7}  {:>22}  {:>19}  {:>24}  {:>24}  {:>24}\n";
-  std::string table = fmt::format(line, "captures", "allowed", "false each, unchanged", "false each, debris",
-                                  "big debris found", "of that over 120 px", "all debris found");
+  constexpr auto line = "{:8}  {:>8}  {:>7}  {:>22}  {:>19}  {:>24}  {:>24}  {:>24}\n";
+  std::string table =
+      fmt::format(line, "method", "captures", "setting", "false each, unchanged", "false each, debris",
+                  "big debris found", "of that over 120 px", "all debris found");
   for (const MovedTally& of : tally(inspections)) {
-    fmt::format_to(std::back_inserter(table), line, of.captures, fmt::format("{:g}", of.allowed),
+    fmt::format_to(std::back_inserter(table), line, of.method, of.captures, fmt::format("{:g}", of.setting),
                    stated_rate(of.false_when_clean, of.inspections),
                    stated_rate(of.false_with_debris, of.inspections), stated_share(of.big_found, of.big),
                    stated_share(of.large_found, of.large), stated_share(of.found, of.targets));
   }
-  for (auto& [captures, of] : registrations_of(inspections)) {
-    fmt::format_to(std::back_inserter(table),
-                   "{:>8}  registration: median {:.2f} mm, {:.3f} degrees; {} of {} within 4 mm and 0.25 "
-                   "degrees; {} refused; {} trusted and wrong\n",
-                   captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size(), of.refused,
-                   of.trusted_and_wrong);
+  for (auto& [key, of] : registrations_of(inspections)) {
+    const auto& [method, captures] = key;
+    fmt::format_to(
+        std::back_inserter(table),
+        "{:8}  {:>8}  registration: median {:.2f} mm, {:.3f} degrees; {} of {} within 4 mm and 0.25 "
+        "degrees; {} refused; {} trusted and wrong\n",
+        method, captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size(), of.refused,
+        of.trusted_and_wrong);
+  }
+  for (const auto& [key, share] : shares_at_usual_setting(inspections)) {
+    const auto& [kind, method, captures] = key;
+    fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:20} {}\n", method, captures, kind,
+                   stated_share(share.found, share.all));
   }
   return table;
 }
 
 std::string to_json(const std::vector<MovedInspection>& inspections) {
   Json json{{"format", "rva-evaluation-moved"}, {"version", 1}};
+  json["tallies"] = Json::array();
+  for (const MovedTally& of : tally(inspections)) json["tallies"].push_back(to_json_value(of));
   json["inspections"] = Json::array();
   for (const MovedInspection& inspection : inspections)
     json["inspections"].push_back(to_json_value(inspection));

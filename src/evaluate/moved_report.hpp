@@ -10,8 +10,9 @@ namespace rva {
 
 /// Counts over all inspections, at one setting with so many captures a side.
 struct MovedTally {
+  std::string method;
   int captures = 1;
-  double allowed = 0.0;
+  double setting = 0.0;
   std::size_t inspections = 0;
   std::size_t false_when_clean = 0;
   std::size_t false_with_debris = 0;
@@ -26,7 +27,8 @@ struct MovedTally {
 /// In the order of the results.
 [[nodiscard]] std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections);
 
-/// Tables of findings and of registrations, with intervals of 95 %.
+/// Tables of findings, of registrations, and of what was found by kind at the usual setting, with intervals
+/// of 95 %.
 [[nodiscard]] std::string to_table(const std::vector<MovedInspection>& inspections);
 
 /// `evaluation.json` of a study of moved cameras (docs/spatial.md).

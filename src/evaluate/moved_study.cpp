@@ -4,63 +4,26 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
-#include "cloud/fused_view.hpp"
+#include "cloud/octree_detection.hpp"
 #include "cloud/registration.hpp"
 #include "cloud/spatial_comparison.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "detect/findings.hpp"
-#include "evaluate/moved_wing.hpp"
-#include "robot/dither.hpp"
+#include "evaluate/dithered_side.hpp"
 
 namespace rva {
 namespace {
 
 constexpr double join_px = 9.0;  // as in the study of a camera that did not move
 constexpr std::array allowed_settings{0.001, 0.05, 0.5, 5.0};
+constexpr std::array cells_m{0.02, 0.05, 0.1, 0.2};  // the thesis has 5 cm
 
-/// Dithered captures of one scene, as far as they have been taken.
-class Side {
- public:
-  Side(Scene scene, std::uint64_t seed, int frames)
-      : scene_(std::move(scene)), seed_(seed), frames_(frames), offsets_(dither_offsets(most_dithers)) {}
-
-  void up_to(int captures) {
-    while (views_.size() < static_cast<std::size_t>(captures)) take();
-  }
-  [[nodiscard]] DepthView fused() const { return fuse(views_); }
-  [[nodiscard]] const DepthView& first() const { return views_.front().view; }
-  [[nodiscard]] double unit_m() const { return unit_m_; }
-  [[nodiscard]] Transform world_from_camera() const { return world_from_first_; }
-  [[nodiscard]] SimulatedCamera camera(std::size_t number) const {
-    Scene scene = scene_;
-    scene.stand.pan_deg += offsets_[number].pan_deg;
-    scene.stand.tilt_deg += offsets_[number].tilt_deg;
-    return {std::move(scene), StereoSensorOptions{}, mix(seed_, number), ColorFrames::none};
-  }
-
- private:
-  void take() {
-    SimulatedCamera camera = this->camera(views_.size());
-    const CaptureInfo info = camera.info();
-    DepthStatistics statistics(info.depth.width, info.depth.height);
-    for (int i = 0; i < frames_; ++i) statistics.add(camera.wait_for_frame()->depth);
-    unit_m_ = info.depth_unit_m;
-    if (views_.empty()) world_from_first_ = camera.world_from_camera();
-    views_.push_back({depth_view(statistics, info.depth, info.depth_unit_m,
-                                 info.depth.fx * info.camera->baseline_m.value()),
-                      world_from_first_.inverse() * camera.world_from_camera()});
-  }
-
-  Scene scene_;
-  std::uint64_t seed_;
-  int frames_;
-  std::vector<PanTilt> offsets_;
-  std::vector<PlacedView> views_;
-  double unit_m_ = 0.0;
-  Transform world_from_first_ = Transform::Identity();
-};
+Transform initial_from_final(const DitheredSide& initial, const DitheredSide& final) {
+  return initial.world_from_camera().inverse() * final.world_from_camera();
+}
 
 bool is_big(const Scene& scene, const std::string& kind) {
   const auto object = std::ranges::find_if(scene.objects, [&](const SceneObject& candidate) {
@@ -73,14 +36,14 @@ bool is_big(const Scene& scene, const std::string& kind) {
 }
 
 // Half of its pixels lie where the initial view has a surface, and before it.
-bool is_seen_free(const Target& target, const Side& initial, const Side& final) {
-  const Transform initial_from_final = initial.world_from_camera().inverse() * final.world_from_camera();
+bool is_seen_free(const Target& target, const DitheredSide& initial, const DitheredSide& final) {
+  const Transform initial_from_here = initial_from_final(initial, final);
   const DepthView& view = initial.first();
   std::size_t free = 0;
   for (const std::uint32_t i : target.pixels) {
     const auto width = static_cast<std::uint32_t>(view.camera.width);
     const Eigen::Vector3d point =
-        initial_from_final * final.first().camera.deproject({i % width, i / width}, target.distance_m);
+        initial_from_here * final.first().camera.deproject({i % width, i / width}, target.distance_m);
     if (point.z() <= 0.0) continue;
     const Eigen::Vector2d pixel = view.camera.project(point);
     if (!view.camera.contains(pixel)) continue;
@@ -94,7 +57,8 @@ bool is_seen_free(const Target& target, const Side& initial, const Side& final) 
   return 2 * free >= target.pixels.size();
 }
 
-std::vector<MovedTarget> targets_of(const MovedWing& wing, const Side& initial, const Side& final) {
+std::vector<MovedTarget> targets_of(const MovedWing& wing, const DitheredSide& initial,
+                                    const DitheredSide& final) {
   std::vector<MovedTarget> targets;
   for (Target& target : visible_targets(final.camera(0))) {
     const bool big = is_big(wing.after, target.kind);
@@ -110,59 +74,107 @@ std::vector<Target> plain(const std::vector<MovedTarget>& targets) {
   return result;
 }
 
-MovedRegistration outcome_of(const Registration& registration, const Transform& truth, int captures) {
-  const Transform off = truth.inverse() * registration.initial_from_final;
-  return {captures, 1000.0 * off.translation().norm(),
-          Eigen::AngleAxisd(off.linear()).angle() * 180.0 / std::numbers::pi, registration.doubt};
+MovedRegistration outcome_of(std::string method, int captures, const Transform& off, std::string doubt) {
+  return {std::move(method), captures, 1000.0 * off.translation().norm(),
+          Eigen::AngleAxisd(off.linear()).angle() * 180.0 / std::numbers::pi, std::move(doubt)};
 }
 
-std::vector<Finding> find(const DepthView& initial, const DepthView& final, const Registration& registration,
-                          double unit_m, double allowed) {
-  if (!registration.trusted()) return {};
-  const Comparison comparison = compare_spatial(change_from_elsewhere(initial, final, registration), unit_m,
-                                                {.false_findings = allowed})
-                                    .comparison;
-  return measure_regions(find_regions(comparison.changed, {.join_px = join_px}), comparison, final.camera);
+std::vector<Finding> findings_of(const Comparison& comparison, const Intrinsics& camera) {
+  return measure_regions(find_regions(comparison.changed, {.join_px = join_px}), comparison, camera);
 }
 
-void inspect(int captures, const Side& before, const Side& unchanged, const Side& changed,
-             MovedInspection& inspection) {
-  const DepthView initial = before.fused();
-  const DepthView clean = unchanged.fused();
-  const DepthView final = changed.fused();
-  const Registration of_clean = register_views(initial, clean);
-  const Registration of_final = register_views(initial, final);
-  const Transform truth = before.world_from_camera().inverse() * changed.world_from_camera();
-  inspection.registrations.push_back(outcome_of(of_clean, truth, captures));
-  inspection.registrations.push_back(outcome_of(of_final, truth, captures));
-  for (const double allowed : allowed_settings) {
-    const Judgement judgement = judge(find(initial, final, of_final, changed.unit_m(), allowed),
-                                      plain(inspection.targets), final.camera.width, final.camera.height);
-    inspection.results.push_back({captures, allowed,
-                                  find(initial, clean, of_clean, unchanged.unit_m(), allowed).size(),
-                                  judgement.false_findings, judgement.found});
+MovedResult result_of(std::string method, int captures, double setting, const std::vector<Finding>& clean,
+                      const std::vector<Finding>& littered, const std::vector<MovedTarget>& targets,
+                      const Intrinsics& camera) {
+  const Judgement judgement = judge(littered, plain(targets), camera.width, camera.height);
+  return {std::move(method), captures, setting, clean.size(), judgement.false_findings, judgement.found};
+}
+
+/// What changed since the side before; nothing where it cannot be known.
+class Compared {
+ public:
+  Compared(CameraReturn how, const DitheredSide& initial, const DitheredSide& final) : final_(final) {
+    if (how == CameraReturn::exact) {
+      change_ =
+          change_from_same_places(final.changes_since(initial), final.first().camera, final.disparity_m_px());
+      return;
+    }
+    // A robot that stayed knows where it looks.
+    const Transform known = initial_from_final(initial, final);
+    const DepthView before = initial.fused();
+    const DepthView after = final.fused();
+    registration_ = how == CameraReturn::near ? register_views(before, after, {known, true})
+                                              : register_views(before, after);
+    if (registration_.trusted()) change_ = change_from_elsewhere(before, after, registration_);
   }
+
+  [[nodiscard]] const Registration& registration() const { return registration_; }
+  [[nodiscard]] std::vector<Finding> findings(double allowed) const {
+    if (!change_) return {};
+    return findings_of(compare_spatial(*change_, final_.unit_m(), {.false_findings = allowed}).comparison,
+                       final_.first().camera);
+  }
+
+ private:
+  const DitheredSide& final_;
+  Registration registration_;
+  std::optional<SpatialChange> change_;
+};
+
+void inspect(CameraReturn how, int captures, const DitheredSide& before, const DitheredSide& unchanged,
+             const DitheredSide& changed, MovedInspection& inspection) {
+  const Compared clean(how, before, unchanged);
+  const Compared littered(how, before, changed);
+  if (how != CameraReturn::exact) {
+    const Transform final_from_initial = initial_from_final(before, changed).inverse();
+    for (const Compared* compared : {&clean, &littered}) {
+      const Registration& registration = compared->registration();
+      inspection.registrations.push_back(outcome_of(
+          "spatial", captures, final_from_initial * registration.initial_from_final, registration.doubt));
+    }
+  }
+  for (const double allowed : allowed_settings)
+    inspection.results.push_back(result_of("spatial", captures, allowed, clean.findings(allowed),
+                                           littered.findings(allowed), inspection.targets,
+                                           changed.first().camera));
+}
+
+// From the first frame of either side, as the thesis does it.
+void inspect_by_octree(const DitheredSide& before, const DitheredSide& unchanged, const DitheredSide& changed,
+                       MovedInspection& inspection) {
+  const RegisteredClouds clean = register_clouds(before.first_frame(), unchanged.first_frame(), {}, {});
+  const RegisteredClouds littered = register_clouds(before.first_frame(), changed.first_frame(), {}, {});
+  const Transform truth = initial_from_final(before, changed);
+  for (const RegisteredClouds* clouds : {&clean, &littered})
+    inspection.registrations.push_back(outcome_of("octree", 1, truth * clouds->final_from_initial, ""));
+  const Intrinsics& camera = changed.first().camera;
+  for (const double cell_m : cells_m)
+    inspection.results.push_back(result_of(
+        "octree", 1, cell_m, findings_of(compare_clouds(clean, unchanged.first_frame(), cell_m), camera),
+        findings_of(compare_clouds(littered, changed.first_frame(), cell_m), camera), inspection.targets,
+        camera));
 }
 
 MovedInspection inspect(const MovedStudyOptions& options, std::uint64_t seed) {
-  const MovedWing wing = random_moved_wing(seed);
+  const MovedWing wing = random_moved_wing(seed, options.how);
   Scene clean = wing.after;
   std::erase_if(clean.objects, [](const SceneObject& object) { return object.role == Role::debris; });
-  Side before(wing.before, mix(seed, 1), options.frames);
-  Side unchanged(clean, mix(seed, 2), options.frames);
-  Side changed(wing.after, mix(seed, 3), options.frames);
+  DitheredSide before(wing.before, mix(seed, 1), options.frames);
+  DitheredSide unchanged(clean, mix(seed, 2), options.frames);
+  DitheredSide changed(wing.after, mix(seed, 3), options.frames);
   MovedInspection inspection;
   inspection.seed = seed;
   for (const int captures : options.captures) {
-    for (Side* side : {&before, &unchanged, &changed}) side->up_to(captures);
+    for (DitheredSide* side : {&before, &unchanged, &changed}) side->up_to(captures);
     if (inspection.targets.empty()) {
-      const Transform move = before.world_from_camera().inverse() * changed.world_from_camera();
+      const Transform move = initial_from_final(before, changed);
       inspection.move_m = move.translation().norm();
       inspection.turn_deg = Eigen::AngleAxisd(move.linear()).angle() * 180.0 / std::numbers::pi;
       inspection.targets = targets_of(wing, before, changed);
     }
-    inspect(captures, before, unchanged, changed, inspection);
+    inspect(options.how, captures, before, unchanged, changed, inspection);
   }
+  if (options.octree) inspect_by_octree(before, unchanged, changed, inspection);
   return inspection;
 }
 

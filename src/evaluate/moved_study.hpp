@@ -1,4 +1,4 @@
-// How reliably change is found where the camera was moved: many simulated inspections.
+// How reliably change is found where the camera was moved, or came back: many simulated inspections.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,17 @@
 #include "core/options.hpp"
 #include "core/progress.hpp"
 #include "evaluate/judgement.hpp"
+#include "evaluate/moved_wing.hpp"
 
 namespace rva {
 
 struct MovedStudyOptions {
+  CameraReturn how = CameraReturn::elsewhere;
   int inspections = 20;
   std::uint64_t first_seed = 1;
   std::vector<int> captures{1, 4, 8};  ///< a side, dithered; ascending
   int frames = 10;                     ///< of each capture
+  bool octree = false;                 ///< the thesis' pipeline too, on one frame a side: a minute each time
 };
 
 /// What one detection must find.
@@ -33,6 +36,7 @@ struct MovedTarget {
 
 /// How the views of one inspection were laid over each other.
 struct MovedRegistration {
+  std::string method;
   int captures = 1;
   double error_mm = 0.0;
   double error_deg = 0.0;
@@ -41,8 +45,9 @@ struct MovedRegistration {
 
 /// One setting with so many captures a side.
 struct MovedResult {
+  std::string method;  ///< "spatial", "octree"
   int captures = 1;
-  double allowed = 0.0;               ///< false findings
+  double setting = 0.0;               ///< false findings allowed; edge of a cell, in metres
   std::size_t false_when_clean = 0;   ///< findings where nothing changed
   std::size_t false_with_debris = 0;  ///< findings far from all debris
   std::vector<bool> found;            ///< of each target; none where the registration was not trusted
@@ -53,12 +58,13 @@ struct MovedInspection {
   double move_m = 0.0;
   double turn_deg = 0.0;
   std::vector<MovedTarget> targets;
-  std::vector<MovedRegistration> registrations;  ///< without debris and with it, for each number of captures
+  /// Without debris and with it, for each number of captures. None where the camera came back exactly.
+  std::vector<MovedRegistration> registrations;
   std::vector<MovedResult> results;
 };
 
-/// Runs one inspection after the other: dithered captures before, others from elsewhere in which nothing
-/// changed, and others with debris (random_moved_wing()).
+/// Runs one inspection after the other: dithered captures before, others after it in which nothing changed,
+/// and others with debris (random_moved_wing()).
 /// @param keep called after each
 /// @throws UsageError for options out of range; Interrupted
 [[nodiscard]] std::vector<MovedInspection> run_moved_study(

@@ -5,6 +5,7 @@
 
 #include "core/random.hpp"
 #include "evaluate/random_wing.hpp"
+#include "robot/dither.hpp"
 #include "sim/scene/drop_zone.hpp"
 #include "sim/scene/random_debris.hpp"
 
@@ -14,17 +15,28 @@ namespace {
 constexpr double from_ribs_m = 0.18;
 constexpr double middle_m = 0.7;  // of the bay, from the near spar
 
-void drop(Scene& scene, std::uint64_t seed) {
+// Where a robot looks.
+Eigen::AlignedBox2d before_robot(const CameraStand& stand) {
+  constexpr double aside_m = 0.3;
+  const double ahead_m = 0.5 * stand.position_m.x();  // robots look at the middle of the bay
+  return {Eigen::Vector2d(ahead_m - aside_m, 0.3), Eigen::Vector2d(ahead_m + aside_m, 0.95)};
+}
+
+// A camera that stays sees smaller things: there are more of them then, and all of them before it.
+void drop(Scene& scene, CameraReturn how, std::uint64_t seed) {
+  const Eigen::AlignedBox2d floor(scene.bay.min().head<2>(), scene.bay.max().head<2>());
+  const bool stayed = how != CameraReturn::elsewhere;
   RandomDebris debris;
   debris.seed = seed;
-  debris.within = {scene.bay.min().head<2>(), scene.bay.max().head<2>()};
+  debris.within = floor;
   debris.from_m = default_look_down_m(scene);
   debris.count = 5;
   debris.kinds = {"flashlight", "flashlight-small", "screwdriver", "socket", "tape-roll", "glove", "clip",
                   "rag"};
   (void)place_at_random(debris, scene);
   debris.group = 1;
-  debris.count = 4;
+  debris.count = stayed ? 12 : 4;
+  if (stayed) debris.within = floor.intersection(before_robot(scene.stand));
   debris.kinds = {"collar-0.27", "collar-0.36", "collar-0.44", "collar-0.53", "bolt-m6", "nut-plate"};
   (void)place_at_random(debris, scene);
 }
@@ -42,13 +54,25 @@ bool moved_as_wanted(const CameraStand& a, const CameraStand& b) {
   return move_m >= 0.15 && move_m <= 0.4 && std::abs(a.heading_deg - b.heading_deg) <= 15.0;
 }
 
+double one_or_two_steps_deg(Random& random) {
+  const double steps = random.uniform(0.0, 1.0) < 0.5 ? 1.0 : 2.0;
+  return (random.uniform(0.0, 1.0) < 0.5 ? -steps : steps) * servo_step_deg;
+}
+
+// Turns only the camera.
+void stay(CameraReturn how, Random& random, const CameraStand& after, CameraStand& before) {
+  before = after;
+  if (how == CameraReturn::exact) return;
+  before.pan_deg += one_or_two_steps_deg(random);
+  before.tilt_deg += one_or_two_steps_deg(random);
+}
+
 }  // namespace
 
-MovedWing random_moved_wing(std::uint64_t seed) {
+MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how) {
   MovedWing wing;
   wing.before = random_wing(seed);
   wing.after = wing.before;
-  drop(wing.after, seed);
   Random random(mix(seed, 0x30BE));
   CameraStand& before = wing.before.stand;
   CameraStand& after = wing.after.stand;
@@ -61,6 +85,8 @@ MovedWing random_moved_wing(std::uint64_t seed) {
     stand_somewhere(wing.after.bay, random, after);
     stand_somewhere(wing.after.bay, random, before);
   } while (!moved_as_wanted(before, after));
+  if (how != CameraReturn::elsewhere) stay(how, random, after, before);
+  drop(wing.after, how, seed);
   return wing;
 }
 

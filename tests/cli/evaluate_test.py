@@ -60,7 +60,7 @@ class EvaluateTest(program.ProgramTest):
         (inspection,) = report['inspections']
         self.assertTrue(0.1 < inspection['move_m'] < 0.45)
         self.assertLess(inspection['turn_deg'], 16)
-        self.assertEqual([(entry['captures'], entry['allowed']) for entry in inspection['results']],
+        self.assertEqual([(entry['captures'], entry['setting']) for entry in inspection['results']],
                          [(captures, allowed) for captures in (1, 2) for allowed in (0.001, 0.05, 0.5, 5.0)])
         for entry in inspection['registrations']:
             self.assertTrue(entry['doubt'] or entry['error_mm'] < 10, entry)
@@ -68,9 +68,23 @@ class EvaluateTest(program.ProgramTest):
             self.assertEqual(len(entry['found']), len(inspection['targets']))
         self.assertIn('registration: median', done.stdout)
 
+    def test_a_camera_that_came_back_to_its_place(self):
+        done = self.succeed('evaluate', '--moved', '--return', 'exact', '--captures', 1, '--inspections', 1,
+                            '--first-seed', 7, '--out', self.out)
+        report = json.loads((self.out / 'evaluation.json').read_text())
+        (inspection,) = report['inspections']
+        self.assertLess(max(inspection['move_m'], inspection['turn_deg']), 1e-9)
+        self.assertNotIn('registrations', inspection)
+        self.assertNotIn('registration', done.stdout)
+        usual = report['tallies'][1]
+        self.assertEqual((usual['method'], usual['captures'], usual['setting']), ('spatial', 1, 0.05))
+        self.assertGreater(usual['big_found'], usual['big'] / 2)
+        self.assertEqual(usual['false_when_clean'], inspection['results'][1]['false_when_clean'])
+
     def test_bad_input(self):
         for options in (['--moved', '--frames', '10'], ['--moved', '--captures', '4,1'], ['--moved', '--captures', '17'],
-                        ['--captures', '2'], ['--moved', '--resume']):
+                        ['--captures', '2'], ['--moved', '--resume'], ['--return', 'near'], ['--with-octree'],
+                        ['--moved', '--return', 'home']):
             with self.subTest(options):
                 done = self.rva('evaluate', *options, '--out', self.out)
                 self.assertEqual(done.returncode, 2, done.stderr)

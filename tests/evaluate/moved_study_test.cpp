@@ -15,7 +15,7 @@ namespace {
 
 TEST(MovedWing, RobotsStandApartInOneBayAndOnlyTheLaterOneSeesDebris) {
   for (std::uint64_t seed = 1; seed < 40; ++seed) {
-    const MovedWing wing = random_moved_wing(seed);
+    const MovedWing wing = random_moved_wing(seed, CameraReturn::elsewhere);
     const Transform move =
         world_from_camera(wing.before.stand).inverse() * world_from_camera(wing.after.stand);
     EXPECT_GT(move.translation().norm(), 0.1);
@@ -30,6 +30,21 @@ TEST(MovedWing, RobotsStandApartInOneBayAndOnlyTheLaterOneSeesDebris) {
     EXPECT_GT(debris(wing.after), 3);
     EXPECT_EQ(wing.before.objects.size() + static_cast<std::size_t>(debris(wing.after)),
               wing.after.objects.size());
+  }
+}
+
+TEST(MovedWing, CamerasThatStayedTurnByNothingOrByOneOrTwoSteps) {
+  for (std::uint64_t seed = 1; seed < 10; ++seed) {
+    const MovedWing exact = random_moved_wing(seed, CameraReturn::exact);
+    EXPECT_TRUE(world_from_camera(exact.before.stand).isApprox(world_from_camera(exact.after.stand)));
+    const MovedWing near = random_moved_wing(seed, CameraReturn::near);
+    EXPECT_EQ(near.before.stand.base, near.after.stand.base);
+    EXPECT_EQ(near.before.stand.position_m, near.after.stand.position_m);
+    for (const double turn_deg : {near.before.stand.pan_deg - near.after.stand.pan_deg,
+                                  near.before.stand.tilt_deg - near.after.stand.tilt_deg}) {
+      const double steps = std::abs(turn_deg) / 0.325;
+      EXPECT_TRUE(std::abs(steps - 1.0) < 1e-9 || std::abs(steps - 2.0) < 1e-9) << steps;
+    }
   }
 }
 
@@ -50,8 +65,8 @@ MovedInspection inspection() {
   inspection.targets = {target(0.5, 200, true, true),  target(0.5, 110, true, true),
                         target(0.5, 150, false, true), target(1.1, 200, true, true),
                         target(0.5, 200, true, false), target(0.5, 20, true, true)};
-  inspection.registrations = {{4, 1.0, 0.1, ""}, {4, 157.0, 0.1, "two places"}};
-  inspection.results = {{4, 0.05, 2, 1, {true, false, true, true, true, true}}};
+  inspection.registrations = {{"spatial", 4, 1.0, 0.1, ""}, {"spatial", 4, 157.0, 0.1, "two places"}};
+  inspection.results = {{"spatial", 4, 0.05, 2, 1, {true, false, true, true, true, true}}};
   return inspection;
 }
 
@@ -78,6 +93,9 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   const auto json = nlohmann::json::parse(to_json({inspection()}));
   EXPECT_EQ(json["inspections"][0]["registrations"][1]["doubt"], "two places");
   EXPECT_EQ(json["inspections"][0]["targets"].size(), 6U);
+  EXPECT_EQ(json["tallies"][0]["method"], "spatial");
+  EXPECT_EQ(json["tallies"][0]["big_found"], 1);
+  EXPECT_EQ(json["tallies"][0]["big"], 2);
   EXPECT_EQ(json["inspections"][0]["results"][0]["found"][1], false);
 }
 
