@@ -55,7 +55,7 @@ def panels_of(path):
 def main():
     *evaluations, picture = sys.argv[1:]
     panels = [panel for path in evaluations for panel in panels_of(path)]
-    figure, plots = plt.subplots(1, len(panels), figsize=(4.5 * len(panels), 4), squeeze=False)
+    figure, plots = plt.subplots(1, len(panels), figsize=(max(4.5 * len(panels), 7), 4), squeeze=False)
     for axes, (title, share, draw) in zip(plots[0], panels):
         draw(axes)
         axes.set_xscale('log')
@@ -63,7 +63,7 @@ def main():
         axes.set_title(title)
         axes.set_xlabel('false findings per unchanged inspection')
         axes.set_ylabel(share)
-        axes.legend(loc='lower right')
+        axes.legend(loc='best')
     figure.tight_layout()
     figure.savefig(picture, dpi=100)
 
