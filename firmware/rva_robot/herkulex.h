@@ -1,0 +1,84 @@
+// Packets of the Herkulex DRS-0101 servos (user manual, chapters 4 to 6).
+#ifndef RVA_ROBOT_HERKULEX_H
+#define RVA_ROBOT_HERKULEX_H
+
+#include <stdint.h>
+
+namespace rva_robot {
+
+namespace herkulex {
+
+enum Request : uint8_t { ram_write = 3, ram_read = 4, i_jog = 5 };
+constexpr uint8_t reply = 0x40;  ///< added to a request
+
+/// Registers in RAM.
+enum Register : uint8_t {
+  ack_policy = 1,
+  acceleration_ratio = 8,  ///< percent of a move; the next one is the longest acceleration, in play units
+  status_error = 48,       ///< the next one is the status detail
+  torque = 52,
+  voltage = 54,  ///< 0.074 V; the next one is the temperature's
+  position = 58  ///< two bytes, low first; ten bits count
+};
+
+enum Torque : uint8_t { torque_on = 0x60 };
+
+enum Error : uint8_t {
+  error_voltage = 0x01,
+  error_reach = 0x02,
+  error_heat = 0x04,
+  error_packet = 0x08,
+  error_overload = 0x10,
+  error_driver = 0x20,
+  error_memory = 0x40,
+  lets_go = error_voltage | error_heat | error_overload | error_driver  ///< of what it holds
+};
+
+enum Detail : uint8_t { moving = 0x01, in_position = 0x02, motor_on = 0x40 };
+
+/// Flags of a jog.
+enum Set : uint8_t { set_stop = 0x01, set_green = 0x04, set_blue = 0x08, set_red = 0x10 };
+
+constexpr uint8_t longest_play = 254;  ///< in units of 11.2 ms
+
+}  // namespace herkulex
+
+/// Angles of the servo: 0.325 degrees a count from the middle.
+int16_t cdeg_of_count(uint16_t count);
+uint16_t count_of_cdeg(int16_t cdeg);
+
+struct Packet {
+  static constexpr uint8_t most_data = 16;
+
+  uint8_t id = 0;
+  uint8_t command = 0;
+  uint8_t data[most_data] = {};
+  uint8_t length = 0;  ///< of the data
+
+  void add(uint8_t byte) {
+    if (length < most_data) data[length++] = byte;
+  }
+};
+
+constexpr uint8_t longest_packet = 7 + Packet::most_data;
+
+/// @return bytes written
+uint8_t encode(const Packet& packet, uint8_t (&bytes)[longest_packet]);
+
+/// Finds packets in what comes; what is damaged is passed over.
+class PacketReader {
+ public:
+  /// @return whether the byte completed a sound packet
+  bool take(uint8_t byte, Packet& packet);
+
+ private:
+  bool complete(Packet& packet) const;
+  void drop_first();
+
+  uint8_t bytes_[longest_packet] = {};
+  uint8_t size_ = 0;
+};
+
+}  // namespace rva_robot
+
+#endif

@@ -1,0 +1,28 @@
+// What the robot may do, in hundredths of a degree as the servos count them.
+#ifndef RVA_ROBOT_LIMITS_H
+#define RVA_ROBOT_LIMITS_H
+
+#include <stdint.h>
+
+namespace rva_robot {
+
+enum Axis : uint8_t { pan = 0, tilt = 1, axes = 2 };
+
+struct AxisLimits {
+  int16_t min_cdeg;
+  int16_t max_cdeg;
+};
+
+/// Both ends are within reach. Upwards, the camera's cable ends the way early.
+constexpr AxisLimits limits[axes] = {{-9000, 9000}, {-9000, 900}};
+
+constexpr int16_t slowest_cdeg_s = 100;
+constexpr int16_t fastest_cdeg_s = 9000;
+
+inline bool within_limits(uint8_t axis, int16_t cdeg) {
+  return cdeg >= limits[axis].min_cdeg && cdeg <= limits[axis].max_cdeg;
+}
+
+}  // namespace rva_robot
+
+#endif

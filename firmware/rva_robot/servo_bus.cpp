@@ -1,0 +1,121 @@
+#include "servo_bus.h"
+
+namespace rva_robot {
+namespace {
+
+constexpr uint8_t answer_within_ms = 6;
+constexpr uint8_t ask_every_ms = 6;  // each servo's position every 12 ms
+constexpr uint16_t ask_supply_every_ms = 500;
+constexpr uint16_t position_bits = 0x3FF;  // what lies above is not documented, and not always 0
+
+// Within what a servo that somebody pushes turns meanwhile.
+bool follows(int16_t cdeg, int16_t before_cdeg, uint32_t since_ms) {
+  constexpr uint8_t cdeg_a_ms = 15;
+  constexpr int32_t rounding_cdeg = 200;
+  const int32_t between = cdeg > before_cdeg ? static_cast<int32_t>(cdeg) - before_cdeg
+                                             : static_cast<int32_t>(before_cdeg) - cdeg;
+  return since_ms < 1000 && between <= rounding_cdeg + static_cast<int32_t>(since_ms) * cdeg_a_ms;
+}
+
+}  // namespace
+
+void Servo::take_position(int16_t new_cdeg, uint32_t now_ms) {
+  const bool believed = (answered && follows(new_cdeg, cdeg, now_ms - measured_ms)) ||
+                        (doubted_ && follows(new_cdeg, doubted_cdeg_, now_ms - doubted_ms_));
+  doubted_ = !believed;
+  doubted_cdeg_ = new_cdeg;
+  doubted_ms_ = now_ms;
+  if (!believed) return;
+  answered = true;
+  cdeg = new_cdeg;
+  measured_ms = now_ms;
+}
+
+void Servo::take_status(uint8_t new_error, uint8_t new_detail) {
+  error = new_error & last_error_;
+  last_error_ = new_error;
+  detail = new_detail;
+}
+
+void ServoBus::take(uint8_t byte, uint32_t now_ms) {
+  Packet packet;
+  if (!reader_.take(byte, packet) || !waiting_) return;
+  // An answer has the register, the number of values, the values, and both bytes of status.
+  if (packet.command != herkulex::ram_read + herkulex::reply || packet.id != servo_id[asked_axis_]) return;
+  if (packet.length != 6 || packet.data[0] != asked_register_ || packet.data[1] != 2) return;
+  waiting_ = false;
+  Servo& servo = servos_[asked_axis_];
+  servo.take_status(packet.data[4], packet.data[5]);
+  if (asked_register_ == herkulex::position) {
+    const uint16_t count = static_cast<uint16_t>(packet.data[2] | (packet.data[3] << 8));
+    servo.take_position(cdeg_of_count(count & position_bits), now_ms);
+  } else {
+    servo.voltage = packet.data[2];
+    servo.heat = packet.data[3];
+    servo.supply_known = true;
+  }
+}
+
+void ServoBus::tick(uint32_t now_ms) {
+  const uint32_t since_ms = now_ms - asked_ms_;
+  if (waiting_ && since_ms < answer_within_ms) return;
+  if (since_ms >= ask_every_ms) ask(now_ms);
+}
+
+bool ServoBus::write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count) {
+  Packet packet;
+  packet.id = servo_id[axis];
+  packet.command = herkulex::ram_write;
+  packet.add(from_register);
+  packet.add(count);
+  for (uint8_t i = 0; i < count; ++i) packet.add(values[i]);
+  return send(packet);
+}
+
+bool ServoBus::move(uint8_t axis, int16_t to_cdeg, uint8_t play) {
+  return jog(axis, count_of_cdeg(to_cdeg), herkulex::set_green, play);
+}
+
+bool ServoBus::stop(uint8_t axis) {
+  const uint16_t here = count_of_cdeg(servos_[axis].cdeg);
+  return jog(axis, here, herkulex::set_stop | herkulex::set_blue, 0);
+}
+
+bool ServoBus::jog(uint8_t axis, uint16_t count, uint8_t set, uint8_t play) {
+  Packet packet;
+  packet.id = servo_id[axis];
+  packet.command = herkulex::i_jog;
+  packet.add(static_cast<uint8_t>(count & 0xFF));
+  packet.add(static_cast<uint8_t>(count >> 8));
+  packet.add(set);
+  packet.add(servo_id[axis]);
+  packet.add(play);
+  return send(packet);
+}
+
+bool ServoBus::send(const Packet& packet) {
+  uint8_t bytes[longest_packet];
+  const uint8_t size = encode(packet, bytes);
+  if (port_.room() < size) return false;
+  port_.write(bytes, size);
+  return true;
+}
+
+// The servos in turn; supply now and then.
+void ServoBus::ask(uint32_t now_ms) {
+  const uint8_t axis = static_cast<uint8_t>(1 - asked_axis_);
+  const bool supply = now_ms - supply_asked_ms_[axis] >= ask_supply_every_ms && servos_[axis].answered;
+  Packet packet;
+  packet.id = servo_id[axis];
+  packet.command = herkulex::ram_read;
+  packet.add(supply ? herkulex::voltage : herkulex::position);
+  packet.add(2);
+  if (!send(packet)) return;
+  if (supply) supply_asked_ms_[axis] = now_ms;
+  asked_axis_ = axis;
+  asked_register_ = packet.data[0];
+  asked_ms_ = now_ms;
+  waiting_ = true;
+}
+
+}  // namespace rva_robot

@@ -1,0 +1,76 @@
+// Both servos: what they were asked, and what they last answered.
+#ifndef RVA_ROBOT_SERVO_BUS_H
+#define RVA_ROBOT_SERVO_BUS_H
+
+#include <stdint.h>
+
+#include "herkulex.h"
+#include "limits.h"
+#include "port.h"
+
+namespace rva_robot {
+
+constexpr uint8_t servo_id[axes] = {1, 2};
+
+/// What is known of one servo. Nothing here is ever a guess.
+struct Servo {
+  bool answered = false;  ///< ever
+  int16_t cdeg = 0;
+  uint32_t measured_ms = 0;
+  uint8_t error = 0;  ///< bits of the last two answers
+  uint8_t detail = 0;
+  bool supply_known = false;
+  uint8_t voltage = 0;  ///< in 0.074 V
+  uint8_t heat = 0;     ///< register 55
+
+  bool known(uint32_t now_ms, uint16_t no_older_ms) const {
+    return answered && now_ms - measured_ms <= no_older_ms;
+  }
+
+  /// The servos' checksum does not cover the lowest bit of any byte, which in a position's upper byte is 83
+  /// degrees, and in a status is a fault. What no servo could have done in the time must be said twice.
+  void take_position(int16_t cdeg, uint32_t now_ms);
+  void take_status(uint8_t error, uint8_t detail);
+
+ private:
+  bool doubted_ = false;
+  int16_t doubted_cdeg_ = 0;
+  uint32_t doubted_ms_ = 0;
+  uint8_t last_error_ = 0;
+};
+
+/// Asks in turn, waits for no answer, and asks again where one was lost.
+class ServoBus {
+ public:
+  explicit ServoBus(Port& port) : port_(port) {}
+
+  void take(uint8_t byte, uint32_t now_ms);
+
+  /// Asks for what is due.
+  void tick(uint32_t now_ms);
+
+  const Servo& servo(uint8_t axis) const { return servos_[axis]; }
+
+  /// Commands have no answer. @return false when there was no room for it
+  bool write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count);
+  bool move(uint8_t axis, int16_t to_cdeg, uint8_t play);
+  bool stop(uint8_t axis);
+
+ private:
+  bool send(const Packet& packet);
+  bool jog(uint8_t axis, uint16_t count, uint8_t set, uint8_t play);
+  void ask(uint32_t now_ms);
+
+  Port& port_;
+  PacketReader reader_;
+  Servo servos_[axes];
+  uint8_t asked_axis_ = tilt;
+  uint8_t asked_register_ = herkulex::position;
+  bool waiting_ = false;
+  uint32_t asked_ms_ = 0;
+  uint32_t supply_asked_ms_[axes] = {0, 0};
+};
+
+}  // namespace rva_robot
+
+#endif
