@@ -51,6 +51,14 @@ bool Board::run_until_ready() {
   return false;
 }
 
+void Board::reset(std::unique_ptr<Firmware> firmware) {
+  firmware_ = std::move(firmware);
+  host_queue_.clear();
+  replies_.clear();
+  packet_.clear();
+  bytes_.clear();
+}
+
 std::vector<std::string> Board::take_lines() { return std::exchange(lines_, {}); }
 
 std::string Board::answer(int number) {
@@ -91,6 +99,7 @@ void Board::carry_host() {
     host_queue_.pop_front();
   }
   for (const std::uint8_t byte : firmware_->to_host) {
+    bytes_.push_back(static_cast<char>(byte));
     if (byte == '\n') {
       if (!line_.empty() && line_.back() == '\r') line_.pop_back();
       lines_.push_back(std::exchange(line_, ""));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/firmware/simulated_servo.hpp"
@@ -65,6 +66,11 @@ class Board {
   /// Runs until the firmware has given positions; @return whether that was within two seconds.
   bool run_until_ready();
 
+  /// The board starts anew; its servos stay as they are.
+  void reset(std::unique_ptr<Firmware> firmware);
+
+  /// Bytes that the host has got since they were last taken.
+  std::string take_bytes() { return std::exchange(bytes_, ""); }
   /// Lines that the host has got, without their ends, since they were last taken.
   std::vector<std::string> take_lines();
   /// The answer to one frame, running for up to 100 ms: "ACK 7"; empty where none came.
@@ -112,6 +118,7 @@ class Board {
   };
   std::deque<Due> replies_;
   std::vector<std::uint8_t> packet_;
+  std::string bytes_;
   std::string line_;
   std::vector<std::string> lines_;
   double last_line_ms_ = 0.0;
