@@ -105,8 +105,10 @@ void Robot::hold_or_recover(uint8_t axis, uint32_t now_ms) {
     if (now_ms - tended_ms_[axis] >= tend_every_ms) clear(axis, now_ms);
     return;
   }
-  const bool due = now_ms - tended_ms_[axis] >= hold_every_ms;
-  if (!due || (held(axis, now_ms) && tended_[axis] && servo.error == 0)) return;
+  const bool due = !tended_[axis] || now_ms - tended_ms_[axis] >= hold_every_ms;
+  if (!due || (held(axis, now_ms) && servo.error == 0)) return;
+  // What a host of before the reset has started, nobody watches any more.
+  if (!tended_[axis]) motions_[axis].stop(now_ms);
   const uint8_t acceleration[2] = {acceleration_percent, longest_acceleration_play};
   if (bus_.write(axis, herkulex::acceleration_ratio, acceleration, 2)) tended_[axis] = true;
   clear(axis, now_ms);
@@ -116,7 +118,7 @@ bool Robot::moving() const { return motions_[pan].moving() || motions_[tilt].mov
 
 bool Robot::held(uint8_t axis, uint32_t now_ms) const {
   const Servo& servo = bus_.servo(axis);
-  return servo.known(now_ms, position_counts_ms) && (servo.detail & herkulex::motor_on) != 0;
+  return tended_[axis] && servo.known(now_ms, position_counts_ms) && (servo.detail & herkulex::motor_on) != 0;
 }
 
 Robot::State Robot::state(uint32_t now_ms) const {

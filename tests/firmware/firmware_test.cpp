@@ -119,6 +119,21 @@ TEST_P(FirmwareTest, HoldsWhatLiesFreeWithoutAJump) {
   }
 }
 
+TEST_P(FirmwareTest, StopsWhatWasUnderWayWhenItIsReset) {
+  Board robot = board({-80.0, -10.0, true});
+  ASSERT_TRUE(robot.run_until_ready());
+  robot.send("80.");
+  robot.run_ms(500);
+  ASSERT_TRUE(robot.pan().moving());
+  robot.reset(GetParam() == Kind::native ? native_firmware() : simulated_board());
+  robot.run_ms(100);
+  EXPECT_FALSE(robot.pan().moving());
+  const double pan_deg = robot.pan().angle_deg();
+  robot.run_ms(1000);
+  EXPECT_NEAR(robot.pan().angle_deg(), pan_deg, 0.01);
+  EXPECT_TRUE(robot.pan().torque());
+}
+
 TEST_P(FirmwareTest, ObeysFramesAndAnswersThem) {
   Board robot = board();
   ASSERT_TRUE(robot.run_until_ready());
