@@ -160,9 +160,7 @@ void judge(const FreeSpace& space, const DepthView& final, int u, int v, Dispari
   const std::optional<float> change_px = space.change_px(u, v);
   if (!change_px) return;
   change.before_px(u, v) = std::max(after_px - *change_px, least_px);
-  const bool inside = u >= margin_px && v >= margin_px && u < final.camera.width - margin_px &&
-                      v < final.camera.height - margin_px;
-  if (!inside) return;
+  if (!inside_margin(u, v, final.camera.width, final.camera.height)) return;
   change.judged(u, v) = mask_set;
   change.deviation_px(u, v) = std::max(final.deviation_px(u, v), least_px);
 }

@@ -13,11 +13,13 @@ namespace {
 
 // A view's depth that differs by more is another surface.
 constexpr float one_surface_px = 1.2F;
+constexpr float least_px = 1e-3F;  // of a disparity that there is
 
 void take_off_drift(DisparityChange& change) {
   const Image<float> drift_px = fit_drift(change).px();
   for (std::size_t i = 0; i < drift_px.size(); ++i) {
-    if (change.before_px[i] > 0.0F) change.before_px[i] = std::max(change.before_px[i] + drift_px[i], 1e-3F);
+    if (change.before_px[i] > 0.0F)
+      change.before_px[i] = std::max(change.before_px[i] + drift_px[i], least_px);
   }
 }
 
@@ -69,10 +71,9 @@ class Fusion {
       add(changes_[k].change, view_from_first_[k] * point, sums);
     fused.before_px(u, v) = sums.before_px;
     const float least = 0.5F * static_cast<float>(changes_.size());
-    const bool inside = u >= margin_px && v >= margin_px && u < surface_.camera.width - margin_px &&
-                        v < surface_.camera.height - margin_px;
-    if (sums.count < least || !inside) return;
-    fused.before_px(u, v) = std::max(after_px - sums.change_px / sums.count, 1e-3F);
+    const Intrinsics& camera = surface_.camera;
+    if (sums.count < least || !inside_margin(u, v, camera.width, camera.height)) return;
+    fused.before_px(u, v) = std::max(after_px - sums.change_px / sums.count, least_px);
     fused.deviation_px(u, v) = std::sqrt(sums.variance_px2 / sums.count);
     fused.judged(u, v) = mask_set;
   }

@@ -192,7 +192,7 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
 }
 
 std::string to_json(const std::vector<MovedInspection>& inspections) {
-  Json json{{"format", "rva-evaluation-moved"}, {"version", 1}};
+  Json json{{"format", "rva-evaluation-moved"}, {"version", 2}};
   json["tallies"] = Json::array();
   for (const MovedTally& of : tally(inspections)) json["tallies"].push_back(to_json_value(of));
   json["inspections"] = Json::array();

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -164,6 +163,7 @@ class SerialRobot::Conversation {
       kind_ = RobotKind::unknown;
       pan_.reset();
       tilt_.reset();
+      state_since_command_.reset();
       answers_.clear();
     }
     changed_.notify_all();

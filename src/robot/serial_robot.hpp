@@ -19,8 +19,8 @@ enum class RobotKind {
 /// the robot, and whoever asks meanwhile gets an Error that says so.
 class SerialRobot : public Robot {
  public:
-  /// Opens the device, which resets the board, and waits for the robot to say what it is: two seconds on a
-  /// board with a boot loader. Another second is left to it to find its servos.
+  /// Opens the device, which resets the board, and waits for the robot to say what it is: a boot loader
+  /// takes a second or two. Another second is left to it to find its servos.
   /// @throws Error as SerialLink; when what is there is no robot, or says nothing; Interrupted
   explicit SerialRobot(const std::string& device);
   ~SerialRobot() override;

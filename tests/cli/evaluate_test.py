@@ -56,7 +56,7 @@ class EvaluateTest(program.ProgramTest):
         done = self.succeed('evaluate', '--moved', '--captures', '1,2', '--inspections', 1, '--first-seed', 7, '--out',
                             self.out)
         report = json.loads((self.out / 'evaluation.json').read_text())
-        self.assertEqual((report['format'], report['version']), ('rva-evaluation-moved', 1))
+        self.assertEqual((report['format'], report['version']), ('rva-evaluation-moved', 2))
         (inspection,) = report['inspections']
         self.assertTrue(0.1 < inspection['move_m'] < 0.45)
         self.assertLess(inspection['turn_deg'], 16)

@@ -10,6 +10,7 @@
 
 #include "firmware/rva_robot/host_input.h"
 #include "firmware/rva_robot/text.h"
+#include "tests/firmware/golden_lines.hpp"
 
 namespace rva::test {
 namespace {
@@ -19,15 +20,6 @@ using rva_robot::HostInput;
 using rva_robot::Line;
 using rva_robot::Refusal;
 using rva_robot::Verb;
-
-std::vector<std::string> golden_lines(const std::string& direction) {
-  std::ifstream file(RVA_GOLDEN_LINES);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with(direction + " ")) lines.push_back(line.substr(direction.size() + 1));
-  }
-  return lines;
-}
 
 std::string frame(const std::string& text) {
   return fmt::format("${}*{:04X}\n", text,

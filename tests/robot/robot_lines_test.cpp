@@ -2,21 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
+
+#include "tests/firmware/golden_lines.hpp"
 
 namespace rva {
 namespace {
 
-std::vector<std::string> golden_lines(const std::string& direction) {
-  std::ifstream file(RVA_GOLDEN_LINES);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with(direction + " ")) lines.push_back(line.substr(direction.size() + 1));
-  }
-  return lines;
-}
+using test::golden_lines;
 
 template <typename Said>
 Said said(const std::string& line) {

@@ -56,7 +56,7 @@ void leave_out_margin(DisparityChange& change) {
   const int height = change.judged.height();
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
-      const bool inside = v >= margin_px && v < height - margin_px && u >= margin_px && u < width - margin_px;
+      const bool inside = inside_margin(u, v, width, height);
       if (inside) continue;
       leave_out(change, static_cast<std::size_t>(&change.judged(u, v) - change.judged.data()));
       change.lost(u, v) = nothing;

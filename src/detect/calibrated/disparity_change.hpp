@@ -10,6 +10,10 @@ namespace rva {
 /// Nothing is judged so near to the image's border: a matcher lacks half of its window there.
 inline constexpr int margin_px = 6;
 
+[[nodiscard]] inline bool inside_margin(int u, int v, int width, int height) {
+  return u >= margin_px && v >= margin_px && u < width - margin_px && v < height - margin_px;
+}
+
 /// All images have the size of the statistics.
 struct DisparityChange {
   DisparityChange(int width, int height)
