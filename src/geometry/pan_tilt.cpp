@@ -5,34 +5,44 @@
 namespace rva {
 namespace {
 
-Transform shifted(double right_m, double forward_m, double up_m) {
-  return Transform(Eigen::Translation3d(right_m, forward_m, up_m));
+Transform turned(const JointAxis& joint, double angle_deg) {
+  return Eigen::Translation3d(joint.at_m) *
+         Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180.0, joint.axis);
 }
 
-Transform turned(double angle_deg, const Eigen::Vector3d& axis) {
-  return Transform(Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180.0, axis));
+// The velocity of a frame that turns about an axis, both seen from that frame.
+Eigen::Matrix<double, 6, 1> twist_about(const JointAxis& joint) {
+  Eigen::Matrix<double, 6, 1> twist;
+  twist << joint.axis, joint.at_m.cross(joint.axis);
+  return twist;
 }
 
-// The robot's x right, y forward, z up from a camera's x right, y down, z forward.
-Transform robot_axes_from_camera_axes() {
-  Transform turn = Transform::Identity();
-  turn.linear() << 1, 0, 0,  //
-      0, 0, 1,               //
-      0, -1, 0;
-  return turn;
+JointAxis seen_from(const Transform& camera_from_carrier, const JointAxis& joint) {
+  return {camera_from_carrier * joint.at_m, camera_from_carrier.linear() * joint.axis};
 }
 
 }  // namespace
 
+Transform PanTiltChain::looking_forward(const Eigen::Vector3d& at_m) {
+  Transform frame_from_camera = Transform::Identity();
+  frame_from_camera.linear() << 1, 0, 0,  //
+      0, 0, 1,                            //
+      0, -1, 0;
+  frame_from_camera.translation() = at_m;
+  return frame_from_camera;
+}
+
 Transform foot_from_camera(const PanTiltChain& chain, const PanTilt& joints) {
-  const Transform foot_from_servo1 =
-      shifted(0.0, 0.0, chain.pan_height_m) * turned(joints.pan_deg, Eigen::Vector3d::UnitZ());
-  const Transform servo1_from_bracket = shifted(0.0, chain.bracket_forward_m, chain.bracket_height_m) *
-                                        turned(joints.tilt_deg, Eigen::Vector3d::UnitX());
-  const Transform bracket_from_camera =
-      shifted(chain.camera_right_m, chain.camera_forward_m, chain.camera_up_m) *
-      robot_axes_from_camera_axes();
-  return foot_from_servo1 * servo1_from_bracket * bracket_from_camera;
+  const Transform foot_from_servo1 = turned(chain.servo1, joints.pan_deg);
+  const Transform servo1_from_bracket = turned(chain.bracket, joints.tilt_deg);
+  return foot_from_servo1 * servo1_from_bracket * chain.bracket_from_camera;
+}
+
+JointTwists joint_twists(const PanTiltChain& chain, const PanTilt& joints) {
+  const Transform servo1_from_camera = turned(chain.bracket, joints.tilt_deg) * chain.bracket_from_camera;
+  const Transform camera_from_foot = foot_from_camera(chain, joints).inverse();
+  return {twist_about(seen_from(camera_from_foot, chain.servo1)),
+          twist_about(seen_from(servo1_from_camera.inverse(), chain.bracket))};
 }
 
 }  // namespace rva

@@ -1,6 +1,8 @@
 // The robot's chain of joints: from its foot to the camera (thesis, equation 2.5).
 #pragma once
 
+#include <Eigen/Core>
+
 #include "geometry/transform.hpp"
 
 namespace rva {
@@ -13,17 +15,33 @@ struct PanTilt {
   bool operator==(const PanTilt&) const = default;
 };
 
-/// Where the joints are. Foot frame: x right, y forward, z up, origin on the ground below the pan axis.
-struct PanTiltChain {
-  double pan_height_m = 0.180;      ///< first servo above the ground
-  double bracket_height_m = 0.060;  ///< tilt axis above the first servo
-  double bracket_forward_m = 0.0;   ///< tilt axis in front of the pan axis
-  double camera_forward_m = 0.020;  ///< depth imager in front of the tilt axis
-  double camera_up_m = 0.010;
-  double camera_right_m = -0.0175;  ///< the left imager sits beside the middle of the camera's body
+/// A servo's axis, in the frame of what carries the servo. A positive angle is a right-handed turn about it.
+struct JointAxis {
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit length
 };
 
-/// foot_from_servo1 * servo1_from_bracket * bracket_from_camera, with the camera's axes as in transform.hpp.
+/// Where the joints are. Each frame has the foot's axes when all angles are 0: x right, y forward, z up. The
+/// foot's origin is on the ground below the pan axis.
+struct PanTiltChain {
+  JointAxis servo1{{0.0, 0.0, 0.180}, Eigen::Vector3d::UnitZ()};   ///< pan, in the foot's frame
+  JointAxis bracket{{0.0, 0.0, 0.060}, Eigen::Vector3d::UnitX()};  ///< tilt, in the first servo's frame
+  /// The left imager sits beside the middle of the camera's body.
+  Transform bracket_from_camera = looking_forward({-0.0175, 0.020, 0.010});
+
+  /// A camera at a place, with its own x right, y down, z forward along a frame's x right, y forward, z up.
+  [[nodiscard]] static Transform looking_forward(const Eigen::Vector3d& at_m);
+};
+
+/// foot_from_servo1 * servo1_from_bracket * bracket_from_camera. The thesis' world is the foot's frame.
 [[nodiscard]] Transform foot_from_camera(const PanTiltChain& chain, const PanTilt& joints);
+
+/// How the camera moves, in its own frame, when a joint turns by 1 rad: a rotation vector and a translation
+/// of what is at the camera's origin.
+struct JointTwists {
+  Eigen::Matrix<double, 6, 1> pan;
+  Eigen::Matrix<double, 6, 1> tilt;
+};
+[[nodiscard]] JointTwists joint_twists(const PanTiltChain& chain, const PanTilt& joints);
 
 }  // namespace rva

@@ -1,0 +1,101 @@
+#include "geometry/robot_geometry_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/json_object.hpp"
+#include "core/path_text.hpp"
+
+namespace rva {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double tolerance = 1e-3;
+
+Eigen::Vector3d vector(const JsonObject& object, const char* key) {
+  const std::vector<double> numbers = object.numbers(key, 3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Eigen::Vector3d place(const JsonObject& object) {
+  constexpr double most_m = 2.0;
+  Eigen::Vector3d at_m = vector(object, "at_m");
+  if (at_m.norm() <= most_m) return at_m;
+  throw Error(object.name_of("at_m"),
+              fmt::format("{:.3g} m away from what carries it, more than {} m", at_m.norm(), most_m),
+              "give metres");
+}
+
+Eigen::Vector3d unit_vector(const JsonObject& object, const char* key) {
+  const Eigen::Vector3d direction = vector(object, key);
+  if (std::abs(direction.norm() - 1.0) <= tolerance) return direction.normalized();
+  throw Error(object.name_of(key),
+              fmt::format("has length {:.6g}, and an axis has length 1", direction.norm()),
+              "divide its numbers by its length");
+}
+
+// Angles mean the same with every robot (pan_tilt.hpp), so that limits and waypoints do, too.
+JointAxis joint(const JsonObject& object, const Eigen::Vector3d& towards, const char* meaning) {
+  JointAxis joint{place(object), unit_vector(object, "axis")};
+  if (joint.axis.dot(towards) > 0.5) return joint;
+  throw Error(object.name_of("axis"), fmt::format("does not point {}", meaning),
+              "turn the axis around, and the sign of this servo's angles with it");
+}
+
+Transform camera(const JsonObject& object) {
+  Transform bracket_from_camera = Transform::Identity();
+  bracket_from_camera.linear() << unit_vector(object, "right"), unit_vector(object, "down"),
+      unit_vector(object, "forward");
+  const Eigen::Matrix3d axes = bracket_from_camera.linear();
+  if (!(axes.transpose() * axes).isApprox(Eigen::Matrix3d::Identity(), 2.0 * tolerance))
+    throw Error(object.name_of("right, down, forward"), "the camera's axes are not at right angles",
+                "give three axes at right angles to each other");
+  if (axes.determinant() < 0.0)
+    throw Error(object.name_of("right, down, forward"), "the camera's axes are left-handed",
+                "turn one of them around: right x down must be forward");
+  bracket_from_camera.linear() = Eigen::Quaterniond(axes).normalized().toRotationMatrix();
+  bracket_from_camera.translation() = place(object);
+  return bracket_from_camera;
+}
+
+Json numbers(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+}  // namespace
+
+PanTiltChain load_robot_geometry(const std::filesystem::path& path) {
+  const std::string file = printable(path);
+  const nlohmann::json json = parse_json(read_text_file(path), file);
+  const JsonObject object(json, file);
+  if (object.optional_string("format") != "rva-robot-geometry")
+    throw Error(file, "is no robot's geometry", "give a file as rva calibrate writes it");
+  if (object.integer("version") != 1)
+    throw Error(object.name_of("version"), "is not 1, the only one that is known", "use a newer rva");
+  return {
+      joint(object.object("servo1"), Eigen::Vector3d::UnitZ(), "up, so that positive pan would not be left"),
+      joint(object.object("bracket"), Eigen::Vector3d::UnitX(),
+            "to the right, so that positive tilt would not be up"),
+      camera(object.object("camera"))};
+}
+
+std::string robot_geometry_json(const PanTiltChain& chain) {
+  const Eigen::Matrix3d axes = chain.bracket_from_camera.linear();
+  const Json json = {
+      {"format", "rva-robot-geometry"},
+      {"version", 1},
+      {"servo1", {{"at_m", numbers(chain.servo1.at_m)}, {"axis", numbers(chain.servo1.axis)}}},
+      {"bracket", {{"at_m", numbers(chain.bracket.at_m)}, {"axis", numbers(chain.bracket.axis)}}},
+      {"camera",
+       {{"at_m", numbers(chain.bracket_from_camera.translation())},
+        {"right", numbers(axes.col(0))},
+        {"down", numbers(axes.col(1))},
+        {"forward", numbers(axes.col(2))}}}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace rva
