@@ -63,11 +63,6 @@ std::vector<std::string> dithered_capture_files() {
   return files;
 }
 
-// Nobody watches a simulated robot: its time goes by as fast as the work is done.
-Clock unhurried(double& now_s) {
-  return {[&now_s] { return now_s; }, [&now_s](double duration_s) { now_s += duration_s; }};
-}
-
 void record_dithered(const RecordArguments& arguments) {
   constexpr std::string_view simulated = "sim:";
   if (!arguments.camera.starts_with(simulated))
@@ -75,8 +70,7 @@ void record_dithered(const RecordArguments& arguments) {
   OutputFolder out(arguments.out, dithered_capture_files(),
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const Scene scene = load_scene(arguments.camera.substr(simulated.size()));
-  double now_s = 0.0;
-  const Clock clock = unhurried(now_s);
+  const Clock clock = unhurried_clock();
   SimulatedRobot robot({}, clock.now_s);
   SimulatedCamera camera(scene, StereoSensorOptions{}, arguments.seed, ColorFrames::all,
                          [&robot] { return robot.true_joints(); });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #include "core/interrupt.hpp"
@@ -23,6 +24,13 @@ struct Clock {
             return std::chrono::duration<double>(since_start).count();
           },
           [](double duration_s) { std::this_thread::sleep_for(std::chrono::duration<double>(duration_s)); }};
+}
+
+/// A time of its own, from 0, that goes by as fast as it is waited for: for what is simulated and watched by
+/// nobody. For one thread.
+[[nodiscard]] inline Clock unhurried_clock() {
+  const auto now_s = std::make_shared<double>(0.0);
+  return {[now_s] { return *now_s; }, [now_s](double duration_s) { *now_s += duration_s; }};
 }
 
 /// Returns when the clock has reached the time, at once if it has. @throws Interrupted soon after a signal

@@ -6,8 +6,9 @@
 
 namespace rva {
 
-SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options, std::function<double()> now_s)
-    : options_(options), now_s_(std::move(now_s)), advanced_s_(now_s_()) {
+SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options, std::function<double()> now_s,
+                               std::uint64_t seed)
+    : options_(options), now_s_(std::move(now_s)), random_(seed), advanced_s_(now_s_()) {
   check_options(options_);
 }
 
@@ -35,12 +36,20 @@ double SimulatedRobot::nearest_step_deg(double angle_deg, const AxisLimits& limi
   return nearest_deg;
 }
 
+double SimulatedRobot::resting_place_deg(double angle_deg, const AxisLimits& limits) {
+  const double step_deg = nearest_step_deg(angle_deg, limits);
+  const double error_deg = options_.rest_error_deg;
+  return error_deg == 0.0
+             ? step_deg
+             : std::clamp(step_deg + random_.uniform(-error_deg, error_deg), limits.min_deg, limits.max_deg);
+}
+
 void SimulatedRobot::move_to(const PanTilt& target) {
   limits().check(target);
   const std::lock_guard lock(mutex_);
   advance_to_now();
-  pan_.target_deg = nearest_step_deg(target.pan_deg, limits().pan);
-  tilt_.target_deg = nearest_step_deg(target.tilt_deg, limits().tilt);
+  pan_.target_deg = resting_place_deg(target.pan_deg, limits().pan);
+  tilt_.target_deg = resting_place_deg(target.tilt_deg, limits().tilt);
 }
 
 void SimulatedRobot::stop() {

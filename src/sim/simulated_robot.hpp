@@ -1,10 +1,12 @@
 // The thesis' robot without the robot: two servos with steps and play.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <mutex>
 
 #include "core/options.hpp"
+#include "core/random.hpp"
 #include "robot/dither.hpp"
 #include "robot/robot.hpp"
 
@@ -14,6 +16,7 @@ struct SimulatedRobotOptions {
   double speed_deg_s = 90.0;
   double backlash_deg = 0.3;
   double resolution_deg = servo_step_deg;
+  double rest_error_deg = 0.0;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.speed_deg_s, OptionField{"speed", "deg_s", 0.1, 1000, "how fast either joint turns"});
@@ -21,6 +24,9 @@ struct SimulatedRobotOptions {
     visit(self.resolution_deg,
           OptionField{"resolution", "deg", 0, 1,
                       "a servo's step; targets and feedback are whole steps, 0 for any angle"});
+    visit(self.rest_error_deg,
+          OptionField{"rest-error", "deg", 0, 0.16,
+                      "how far from its step a servo may come to rest, unseen by itself"});
   }
 };
 
@@ -30,16 +36,18 @@ struct SimulatedRobotOptions {
 /// Targets are rounded to whole steps of the servo (Herkulex DRS-0101: 0.325 deg), towards 0 where the
 /// nearest lies beyond the limits. Behind each servo there is play: turning up (to larger angles) carries
 /// the camera along exactly, turning down leaves it `backlash_deg` behind, and turning back moves nothing
-/// until the play is used up. A joint that always arrives from below therefore has no error.
+/// until the play is used up. A joint that always arrives from below therefore has no error but
+/// rest_error_deg, which is another one, evenly spread, after every command.
 ///
 /// Safe for several threads if `now_s` is.
 class SimulatedRobot : public Robot {
  public:
   /// @param now_s seconds that do not go back; motion is computed from it when somebody asks, nothing runs
   ///              in the background
+  /// @param seed  of rest errors
   /// @throws UsageError when an option is out of range
   explicit SimulatedRobot(const SimulatedRobotOptions& options = {},
-                          std::function<double()> now_s = steady_clock().now_s);
+                          std::function<double()> now_s = steady_clock().now_s, std::uint64_t seed = 1);
 
   [[nodiscard]] RobotLimits limits() const override { return {}; }
   void move_to(const PanTilt& target) override;
@@ -61,10 +69,12 @@ class SimulatedRobot : public Robot {
 
   void advance_to_now();
   [[nodiscard]] double nearest_step_deg(double angle_deg, const AxisLimits& limits) const;
+  [[nodiscard]] double resting_place_deg(double angle_deg, const AxisLimits& limits);
 
   SimulatedRobotOptions options_;
   std::function<double()> now_s_;
   mutable std::mutex mutex_;  // guards all below
+  Random random_;
   double advanced_s_ = 0.0;
   Axis pan_;
   Axis tilt_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <thread>
@@ -193,6 +194,42 @@ TEST(SimulatedRobotThreads, MayCommandAndAskAtTheSameTime) {
         if (n % 10 == 0) robot.stop();
       }
     });
+  }
+}
+
+TEST_F(Simulated, RestsNearItsStepWithoutKnowing) {
+  SimulatedRobotOptions options;
+  options.rest_error_deg = 0.16;
+  SimulatedRobot robot = this->robot(options);
+  SimulatedRobot same = this->robot(options);
+  double least_deg = 1.0;
+  double most_deg = -1.0;
+  for (int k = 0; k < 200; ++k) {
+    arrive(robot, {step_deg * k, 0.0});  // always from below
+    same.move_to({step_deg * k, 0.0});
+    EXPECT_FALSE(robot.moving());
+    EXPECT_NEAR(robot.joints().pan_deg, step_deg * k, 1e-9);
+    const double error_deg = robot.true_joints().pan_deg - step_deg * k;
+    least_deg = std::min(least_deg, error_deg);
+    most_deg = std::max(most_deg, error_deg);
+  }
+  EXPECT_GE(least_deg, -0.16);
+  EXPECT_LT(least_deg, -0.14);
+  EXPECT_LE(most_deg, 0.16);
+  EXPECT_GT(most_deg, 0.14);
+  clock_.now_s += 100.0;
+  EXPECT_EQ(robot.true_joints(), same.true_joints());
+}
+
+TEST_F(Simulated, RestsWithinItsLimits) {
+  SimulatedRobotOptions options;
+  options.rest_error_deg = 0.16;
+  SimulatedRobot robot = this->robot(options);
+  for (int k = 0; k < 50; ++k) {
+    arrive(robot, {0.0, 0.0});
+    arrive(robot, {90.0, 9.0});
+    EXPECT_LE(robot.joints().pan_deg, 90.0);
+    EXPECT_LE(robot.joints().tilt_deg, 9.0);
   }
 }
 
