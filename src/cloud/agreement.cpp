@@ -107,6 +107,7 @@ void add(const Residuals& residuals, float reach_px, Agreement& sum) {
   const Numbers weight = residuals.compared * (1.0F - (residuals.px / reach_px).square()).max(0.0F).square();
   sum.compared += static_cast<double>(residuals.compared.sum());
   sum.agreeing += static_cast<double>(weight.sum());
+  sum.squares += static_cast<double>((weight * residuals.px.square()).sum());
   sum.in_front += static_cast<double>((residuals.px >= reach_px).select(residuals.compared, 0.0F).sum());
   for (std::size_t i = 0; i < residuals.by_step.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

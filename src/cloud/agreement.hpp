@@ -38,6 +38,7 @@ struct Agreement {
   double samples = 0.0;
   double compared = 0.0;  ///< the ones that fall onto a plane of the other view
   double agreeing = 0.0;  ///< sum of weights
+  double squares = 0.0;   ///< of residuals, weighted
   double in_front = 0.0;  ///< without a weight, where the other view saw through: impossible without a change
 
   /// What lies on the other view's surfaces, less what lies where it saw through, to which more weight is

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -99,6 +100,21 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> by
 
 void write_file(const std::filesystem::path& path, std::string_view text) {
   write_file(path, std::as_bytes(std::span(text)));
+}
+
+void replace_file(const std::filesystem::path& path, std::string_view text) {
+  const std::filesystem::path partial = path.native() + ".partial";
+  std::error_code ignored;
+  try {
+    write_file(partial, text);
+  } catch (const Error& error) {
+    std::filesystem::remove(partial, ignored);
+    throw Error(printable(path), error.problem(), error.remedy());
+  }
+  if (::rename(partial.c_str(), path.c_str()) == 0) return;
+  const Error failure = cannot_write(path);
+  std::filesystem::remove(partial, ignored);
+  throw failure;
 }
 
 }  // namespace rva

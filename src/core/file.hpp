@@ -30,4 +30,8 @@ inline constexpr std::uintmax_t max_text_bytes = 16ULL << 20U;
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// The same by way of a file beside it that takes its place: it is there whole, or as it was before.
+/// @throws Error when the disk is full or refuses
+void replace_file(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace rva

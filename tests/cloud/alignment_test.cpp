@@ -91,6 +91,7 @@ void add(const AlignmentResidual& residual, double reach_px, Agreement& sum) {
   const double weight = weight_of(residual.px, reach_px);
   sum.compared += 1.0;
   sum.agreeing += weight;
+  sum.squares += weight * residual.px * residual.px;
   sum.in_front += residual.px >= reach_px ? 1.0 : 0.0;
   sum.gradient += weight * residual.px * residual.by_step;
   sum.information += weight * residual.by_step * residual.by_step.transpose();
@@ -120,6 +121,7 @@ TEST_F(AlignmentTest, AgreementIsTheSumOverSamples) {
     EXPECT_NEAR(sum.compared, wanted.compared, 1.0);
     EXPECT_NEAR(sum.in_front, wanted.in_front, 1.0);
     EXPECT_NEAR(sum.agreeing, wanted.agreeing, 0.5);
+    EXPECT_NEAR(sum.squares, wanted.squares, 0.01 * wanted.squares);
     EXPECT_LT((sum.gradient - wanted.gradient).norm(), 0.01 * wanted.gradient.norm());
     EXPECT_LT((sum.information - wanted.information).norm(), 0.01 * wanted.information.norm());
   }

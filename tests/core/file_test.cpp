@@ -25,6 +25,20 @@ TEST(File, SaysWhatIsMissing) {
   EXPECT_THROW(write_file(folder / "none" / "file", "text"), Error);
 }
 
+TEST(File, IsReplacedWholeOrStaysAsItWas) {
+  const test::TemporaryFolder folder;
+  replace_file(folder / "file", "first");
+  replace_file(folder / "file", "second");
+  EXPECT_EQ(read_text_file(folder / "file"), "second");
+  // Something in the way of the file beside, then of the rename.
+  std::filesystem::create_directories(folder / "file.partial" / "x");
+  EXPECT_THROW(replace_file(folder / "file", "third"), Error);
+  EXPECT_EQ(read_text_file(folder / "file"), "second");
+  std::filesystem::create_directories(folder / "other" / "x");
+  EXPECT_THROW(replace_file(folder / "other", "third"), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder / "other.partial"));
+}
+
 TEST(File, ReportsAFullDisk) {
   // /dev/full is Linux's own: every write to it fails as on a full disk.
   try {

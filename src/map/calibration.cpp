@@ -1,0 +1,216 @@
+#include "map/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace rva {
+namespace {
+
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
+constexpr double m_per_mm = 1e-3;
+
+constexpr Eigen::Index geometry_numbers = 8;
+constexpr Eigen::Index joint_numbers = 2;
+
+/// In metres and radians, against the geometry that was given.
+using GeometryChange = Eigen::Matrix<double, geometry_numbers, 1>;
+
+struct NumberKind {
+  std::string_view name;
+  bool is_turn;
+};
+constexpr std::array<NumberKind, geometry_numbers> kinds{{{"tilt axis, forward of the pan axis", false},
+                                                          {"tilt axis, leaning to the right", true},
+                                                          {"camera, right", false},
+                                                          {"camera, forward", false},
+                                                          {"camera, up", false},
+                                                          {"camera, turned about right", true},
+                                                          {"camera, turned about forward", true},
+                                                          {"camera, turned about up", true}}};
+
+PanTiltChain changed(PanTiltChain chain, const GeometryChange& change) {
+  chain.bracket.at_m.y() += change[0];
+  chain.bracket.axis = Eigen::AngleAxisd(change[1], Eigen::Vector3d::UnitY()) * chain.bracket.axis;
+  const Eigen::Vector3d turn = change.tail<3>();
+  chain.bracket_from_camera.translation() += change.segment<3>(2);
+  chain.bracket_from_camera.linear() =
+      (transform_of((CameraMotion() << turn, Eigen::Vector3d::Zero()).finished()) * chain.bracket_from_camera)
+          .linear();
+  return chain;
+}
+
+// Far enough for a bracket measured by hand, then as for poses.
+constexpr std::array<PosesDescent, 18> descent{{{8, 4, 24.0},
+                                                {8, 4, 20.0},
+                                                {8, 4, 16.0},
+                                                {8, 4, 12.0},
+                                                {8, 4, 10.0},
+                                                {8, 4, 8.0},
+                                                {8, 4, 6.0},
+                                                {8, 4, 4.0},
+                                                {8, 4, 3.0},
+                                                {8, 4, 2.0},
+                                                {8, 4, 2.0},
+                                                {4, 4, 1.5},
+                                                {4, 2, 1.2},
+                                                {4, 2, 0.9},
+                                                {4, 2, 0.7},
+                                                {4, 2, 0.6},
+                                                {4, 2, 0.6},
+                                                {4, 2, 0.6}}};
+
+class Estimation {
+ public:
+  Estimation(std::span<const MapView> views, const PanTiltChain& given, const CalibrationOptions& options)
+      : by_surfaces_(views), given_(given) {
+    for (const MapView& view : views) joints_.push_back(view.joints);
+    const auto unknowns = geometry_numbers + joint_numbers * static_cast<Eigen::Index>(views.size());
+    unknowns_ = Eigen::VectorXd::Zero(unknowns);
+    prior_deviations_ = Eigen::VectorXd::Constant(unknowns, rad_per_deg * options.servo_error_deg);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      prior_deviations_[static_cast<Eigen::Index>(i)] =
+          kinds.at(i).is_turn ? rad_per_deg * options.turn_error_deg : m_per_mm * options.place_error_mm;
+  }
+
+  Calibration run() {
+    const std::vector<Transform> given_poses = poses(unknowns_);
+    const PosesAgreement before =
+        by_surfaces_.agreement(given_poses, by_surfaces_.pairs(given_poses), descent.back());
+    std::vector<ViewNumbers> pairs;
+    for (std::size_t i = 0; i < descent.size(); ++i) {
+      if (i % 6 == 0) pairs = by_surfaces_.pairs(poses(unknowns_));
+      step(by_surfaces_.agreement(poses(unknowns_), pairs, descent.at(i)));
+    }
+    return result(before, by_surfaces_.agreement(poses(unknowns_), pairs, descent.back()));
+  }
+
+ private:
+  [[nodiscard]] PanTiltChain chain(const Eigen::VectorXd& unknowns) const {
+    return changed(given_, unknowns.head<geometry_numbers>());
+  }
+
+  [[nodiscard]] PanTilt joint_error(const Eigen::VectorXd& unknowns, std::size_t view) const {
+    const auto at = geometry_numbers + joint_numbers * static_cast<Eigen::Index>(view);
+    return {unknowns[at] / rad_per_deg, unknowns[at + 1] / rad_per_deg};
+  }
+
+  [[nodiscard]] Transform pose(const Eigen::VectorXd& unknowns, std::size_t view) const {
+    const PanTilt error = joint_error(unknowns, view);
+    return foot_from_camera(chain(unknowns),
+                            {joints_[view].pan_deg + error.pan_deg, joints_[view].tilt_deg + error.tilt_deg});
+  }
+
+  [[nodiscard]] std::vector<Transform> poses(const Eigen::VectorXd& unknowns) const {
+    std::vector<Transform> result;
+    for (std::size_t i = 0; i < joints_.size(); ++i) result.push_back(pose(unknowns, i));
+    return result;
+  }
+
+  // How the cameras move by each unknown, by differences.
+  [[nodiscard]] Eigen::MatrixXd motions_by_unknowns() const {
+    constexpr double difference = 1e-5;
+    Eigen::MatrixXd motions =
+        Eigen::MatrixXd::Zero(6 * static_cast<Eigen::Index>(joints_.size()), unknowns_.size());
+    for (std::size_t view = 0; view < joints_.size(); ++view) {
+      const Transform here = pose(unknowns_, view);
+      for (Eigen::Index k = 0; k < unknowns_.size(); ++k) {
+        const Eigen::Index of_view = (k - geometry_numbers) / joint_numbers;
+        if (k >= geometry_numbers && of_view != static_cast<Eigen::Index>(view)) continue;
+        Eigen::VectorXd other = unknowns_;
+        other[k] += difference;
+        motions.block<6, 1>(6 * static_cast<Eigen::Index>(view), k) =
+            motion_between(here, pose(other, view)) / difference;
+      }
+    }
+    return motions;
+  }
+
+  void step(const PosesAgreement& sum) {
+    const Eigen::MatrixXd motions = motions_by_unknowns();
+    const Eigen::VectorXd prior = prior_deviations_.array().square().inverse();
+    information_ = motions.transpose() * sum.information * motions;
+    information_.diagonal() += prior;
+    const Eigen::VectorXd gradient =
+        motions.transpose() * sum.gradient + Eigen::VectorXd(prior.array() * unknowns_.array());
+    unknowns_ -= information_.ldlt().solve(gradient);
+  }
+
+  [[nodiscard]] Calibration result(const PosesAgreement& before, const PosesAgreement& after) const {
+    Calibration calibration{chain(unknowns_), {}, {}, {}};
+    // What a view's matcher gets wrong is in all of its pairs, which the sum takes for independent: on simulated
+    // bays, lengths err by three times what it says (docs/mapping.md).
+    constexpr double understated = 3.0;
+    const Eigen::MatrixXd covariance =
+        information_.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_.size(), unknowns_.size()));
+    const Eigen::VectorXd deviations = understated * covariance.diagonal().cwiseSqrt();
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      constexpr double little = 0.5;  // of what was not known
+      const auto at = static_cast<Eigen::Index>(i);
+      const double unit = kinds.at(i).is_turn ? rad_per_deg : m_per_mm;
+      calibration.numbers.push_back({std::string(kinds.at(i).name), kinds.at(i).is_turn ? "deg" : "mm",
+                                     unknowns_[at] / unit, deviations[at] / unit,
+                                     deviations[at] < little * prior_deviations_[at]});
+    }
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+      calibration.views.push_back({joint_error(unknowns_, i), before.views[i], after.views[i]});
+    calibration.doubt = doubt_of(calibration);
+    return calibration;
+  }
+
+  static std::string doubt_of(const Calibration& calibration) {
+    constexpr double least_agreeing = 0.6;
+    for (const CalibratedNumber& number : calibration.numbers) {
+      if (!number.held) return fmt::format("the views say too little of '{}'", number.name);
+    }
+    double compared = 0.0;
+    double agreeing = 0.0;
+    for (const CalibratedView& view : calibration.views) {
+      compared += view.after.compared;
+      agreeing += view.after.agreeing;
+    }
+    if (agreeing < least_agreeing * compared)
+      return fmt::format("only {:.0f} % of what the views share lies on the same surfaces",
+                         100.0 * agreeing / compared);
+    return {};
+  }
+
+  OverlappingViews by_surfaces_;
+  PanTiltChain given_;
+  std::vector<PanTilt> joints_;
+  Eigen::VectorXd unknowns_;  // change of the geometry, then errors of pan and tilt of each view
+  Eigen::VectorXd prior_deviations_;
+  Eigen::MatrixXd information_;
+};
+
+void require_turned(std::span<const MapView> views, double PanTilt::*angle, std::string_view joint) {
+  constexpr double least_deg = 10.0;
+  const auto [low, high] =
+      std::ranges::minmax_element(views, {}, [angle](const MapView& view) { return view.joints.*angle; });
+  if ((*high).joints.*angle - (*low).joints.*angle >= least_deg) return;
+  throw Error("views", fmt::format("{} turns by less than {} degrees among them", joint, least_deg),
+              "take views from more angles");
+}
+
+}  // namespace
+
+Calibration calibrate(std::span<const MapView> views, const PanTiltChain& given,
+                      const CalibrationOptions& options) {
+  check_options(options);
+  constexpr std::size_t least_views = 3;
+  if (views.size() < least_views)
+    throw Error("views", fmt::format("{} of them, too few to calibrate from", views.size()),
+                "take a dozen, all over the robot's reach");
+  require_turned(views, &PanTilt::pan_deg, "pan");
+  require_turned(views, &PanTilt::tilt_deg, "tilt");
+  return Estimation(views, given, options).run();
+}
+
+}  // namespace rva

@@ -1,0 +1,38 @@
+#include "map/map_view.hpp"
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "depth/frame_reader.hpp"
+#include "detect/detection.hpp"
+
+namespace rva {
+namespace {
+
+PanTilt joints_of(const CaptureInfo& info, const std::string& name) {
+  if (info.pose && info.pose->pan_deg && info.pose->tilt_deg)
+    return {*info.pose->pan_deg, *info.pose->tilt_deg};
+  throw Error(name, "does not say at which angles the joints were (pose.pan_deg, pose.tilt_deg)",
+              "give captures that a robot's camera took, as rva map writes them");
+}
+
+std::optional<ViewColor> color_of(const Capture& capture) {
+  const CaptureInfo& info = capture.info();
+  if (capture.color_frames() == 0 || !info.color) return std::nullopt;
+  return ViewColor{capture.color(capture.color_frames() - 1), *info.color,
+                   info.color_from_depth.value_or(Transform::Identity())};
+}
+
+}  // namespace
+
+MapView load_map_view(const Capture& capture, const std::string& name) {
+  const CaptureInfo& info = capture.info();
+  const PanTilt joints = joints_of(info, name);
+  DepthStatistics statistics(info.depth.width, info.depth.height);
+  for_each_depth_frame(capture, capture.depth_frames(), {},
+                       [&](const DepthImage& frame) { statistics.add(frame); });
+  return {name, joints, depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info)),
+          color_of(capture)};
+}
+
+}  // namespace rva

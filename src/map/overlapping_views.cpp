@@ -1,0 +1,131 @@
+#include "map/overlapping_views.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+
+#include "core/parallel.hpp"
+
+namespace rva {
+namespace {
+
+constexpr int coarse_step_px = 8;
+constexpr int fine_step_px = 4;
+constexpr int window_px = 8;  // of a patch: about the matcher's own
+
+// What the deviation of a residual is, and how many of them err as one (a matcher's window and its pattern).
+constexpr double residual_px = 0.15;
+constexpr double erring_together = 100.0;
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// A motion in one frame as another frame sees it.
+Matrix6 adjoint(const Transform& to_from) {
+  const Eigen::Matrix3d turn = to_from.linear();
+  Matrix6 result = Matrix6::Zero();
+  result.topLeftCorner<3, 3>() = turn;
+  result.bottomRightCorner<3, 3>() = turn;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    result.block<3, 1>(3, axis) = to_from.translation().cross(turn.col(axis));
+  return result;
+}
+
+void add(const Agreement& pair, const ViewNumbers& numbers, const Transform& first_from_second,
+         PosesAgreement& sum) {
+  const double by_variance = 1.0 / (residual_px * residual_px * erring_together);
+  const auto first = static_cast<Eigen::Index>(6 * numbers.first);
+  const auto second = static_cast<Eigen::Index>(6 * numbers.second);
+  const Matrix6 information = by_variance * pair.information.topLeftCorner<6, 6>();
+  const CameraMotion gradient = by_variance * pair.gradient.head<6>();
+  // The alignment's step is the second camera's motion as the first sees it, less the first's own.
+  const Matrix6 seen = adjoint(first_from_second);
+  const Matrix6 mixed = -information * seen;
+  sum.information.block<6, 6>(first, first) += information;
+  sum.information.block<6, 6>(second, second) += seen.transpose() * information * seen;
+  sum.information.block<6, 6>(first, second) += mixed;
+  sum.information.block<6, 6>(second, first) += mixed.transpose();
+  sum.gradient.segment<6>(first) -= gradient;
+  sum.gradient.segment<6>(second) += seen.transpose() * gradient;
+  for (const std::size_t view : {numbers.first, numbers.second}) {
+    ViewAgreement& agreement = sum.views[view];
+    ++agreement.neighbours;
+    agreement.compared += pair.compared;
+    agreement.agreeing += pair.agreeing;
+    agreement.squares += pair.squares;
+  }
+}
+
+}  // namespace
+
+Transform transform_of(const CameraMotion& motion) {
+  const Eigen::Vector3d rotation = motion.head<3>();
+  const double angle = rotation.norm();
+  Transform result(Eigen::Translation3d(Eigen::Vector3d(motion.tail<3>())));
+  if (angle > 0.0) result.rotate(Eigen::AngleAxisd(angle, rotation / angle));
+  return result;
+}
+
+CameraMotion motion_between(const Transform& first, const Transform& second) {
+  const Transform between = first.inverse() * second;
+  const Eigen::AngleAxisd turn(between.linear());
+  CameraMotion motion;
+  motion << turn.angle() * turn.axis(), between.translation();
+  return motion;
+}
+
+OverlappingViews::OverlappingViews(std::span<const MapView> views) {
+  for (const MapView& view : views) {
+    coarse_.emplace_back(view.depth, coarse_step_px, window_px);
+    fine_.emplace_back(view.depth, fine_step_px, window_px);
+  }
+}
+
+std::vector<ViewNumbers> OverlappingViews::pairs(std::span<const Transform> world_from_camera) const {
+  assert(world_from_camera.size() == size());
+  constexpr double least_overlap = 0.1;
+  constexpr int every = 8;
+  constexpr double any_reach_px = 1e3;
+  std::vector<ViewNumbers> all;
+  for (std::size_t i = 0; i < size(); ++i) {
+    for (std::size_t j = i + 1; j < size(); ++j) all.push_back({i, j});
+  }
+  std::vector<std::uint8_t> overlaps(all.size());
+  parallel_bands(static_cast<int>(all.size()), [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const auto [i, j] = all[static_cast<std::size_t>(k)];
+      const Transform first_from_second = world_from_camera[i].inverse() * world_from_camera[j];
+      const Agreement sum =
+          rva::agreement(ViewPair(coarse_[i], coarse_[j], every), {first_from_second, 0.0}, any_reach_px);
+      overlaps[static_cast<std::size_t>(k)] = sum.compared > least_overlap * sum.samples ? 1 : 0;
+    }
+  });
+  std::vector<ViewNumbers> result;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (overlaps[k] != 0) result.push_back(all[k]);
+  }
+  return result;
+}
+
+PosesAgreement OverlappingViews::agreement(std::span<const Transform> world_from_camera,
+                                           std::span<const ViewNumbers> pairs,
+                                           const PosesDescent& descent) const {
+  assert(world_from_camera.size() == size());
+  assert(descent.step_px == coarse_step_px || descent.step_px == fine_step_px);
+  const std::deque<PlanarPatches>& patches = descent.step_px == fine_step_px ? fine_ : coarse_;
+  std::vector<Agreement> sums(pairs.size());
+  const auto between = [&](const ViewNumbers& pair) -> Transform {
+    return world_from_camera[pair.first].inverse() * world_from_camera[pair.second];
+  };
+  parallel_bands(static_cast<int>(pairs.size()), [&](int begin, int end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      sums[k] = rva::agreement(ViewPair(patches[pairs[k].first], patches[pairs[k].second], descent.every),
+                               {between(pairs[k]), 0.0}, descent.reach_px);
+  });
+  const auto unknowns = static_cast<Eigen::Index>(6 * size());
+  PosesAgreement result{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns),
+                        std::vector<ViewAgreement>(size())};
+  for (std::size_t k = 0; k < pairs.size(); ++k) add(sums[k], pairs[k], between(pairs[k]), result);
+  return result;
+}
+
+}  // namespace rva

@@ -1,0 +1,116 @@
+#include "map/pose_refinement.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <array>
+#include <numbers>
+
+#include "map/overlapping_views.hpp"
+
+namespace rva {
+namespace {
+
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
+constexpr double m_per_mm = 1e-3;
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// Far enough for the error of worn servos, then down to four deviations of a matcher's fixed pattern.
+constexpr std::array<PosesDescent, 9> descent{{{8, 4, 6.0},
+                                               {8, 4, 4.0},
+                                               {8, 4, 3.0},
+                                               {8, 4, 2.0},
+                                               {4, 4, 1.5},
+                                               {4, 2, 1.2},
+                                               {4, 2, 0.9},
+                                               {4, 2, 0.7},
+                                               {4, 2, 0.6}}};
+
+// Of a camera's motion away from where the joints have it.
+Matrix6 prior_information(const PanTiltChain& chain, const PanTilt& joints,
+                          const RefinementOptions& options) {
+  const auto [pan, tilt] = joint_twists(chain, joints);
+  const double servo_rad = rad_per_deg * options.servo_error_deg;
+  const double turn_rad = rad_per_deg * options.turn_error_deg;
+  const double place_m = m_per_mm * options.place_error_mm;
+  Matrix6 covariance = servo_rad * servo_rad * (pan * pan.transpose() + tilt * tilt.transpose());
+  covariance.diagonal().head<3>().array() += turn_rad * turn_rad;
+  covariance.diagonal().tail<3>().array() += place_m * place_m;
+  return covariance.inverse();
+}
+
+class Refinement {
+ public:
+  Refinement(std::span<const MapView> views, const PanTiltChain& chain, const RefinementOptions& options)
+      : by_surfaces_(views) {
+    for (const MapView& view : views) {
+      by_joints_.push_back(foot_from_camera(chain, view.joints));
+      prior_.push_back(prior_information(chain, view.joints, options));
+    }
+    poses_ = by_joints_;
+  }
+
+  std::vector<RefinedPose> run() {
+    pairs_ = by_surfaces_.pairs(poses_);
+    for (const PosesDescent& how : descent) step(by_surfaces_.agreement(poses_, pairs_, how));
+    return results(by_surfaces_.agreement(poses_, pairs_, descent.back()));
+  }
+
+ private:
+  void step(PosesAgreement sum) {
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(6 * i);
+      sum.information.block<6, 6>(at, at) += prior_[i];
+      sum.gradient.segment<6>(at) += prior_[i] * motion_between(by_joints_[i], poses_[i]);
+    }
+    const Eigen::VectorXd motions = -sum.information.ldlt().solve(sum.gradient);
+    for (std::size_t i = 0; i < poses_.size(); ++i)
+      poses_[i] = poses_[i] * transform_of(motions.segment<6>(static_cast<Eigen::Index>(6 * i)));
+  }
+
+  [[nodiscard]] std::vector<RefinedPose> results(const PosesAgreement& sum) const {
+    std::vector<RefinedPose> results;
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      const CameraMotion moved = motion_between(by_joints_[i], poses_[i]);
+      const ViewAgreement& agreement = sum.views[i];
+      RefinedPose pose{poses_[i],
+                       moved.tail<3>().norm() / m_per_mm,
+                       moved.head<3>().norm() / rad_per_deg,
+                       agreement.neighbours,
+                       agreement.share(),
+                       agreement.residual_px(),
+                       {}};
+      pose.doubt = doubt_of(pose);
+      if (!pose.doubt.empty()) pose.foot_from_camera = by_joints_[i];
+      results.push_back(pose);
+    }
+    return results;
+  }
+
+  static std::string doubt_of(const RefinedPose& pose) {
+    constexpr double least_agreeing = 0.5;
+    if (pose.neighbours == 0) return "shares no surface with another view";
+    if (pose.agreeing < least_agreeing)
+      return fmt::format("only {:.0f} % of what it shares with other views lies on the same surfaces",
+                         100.0 * pose.agreeing);
+    return {};
+  }
+
+  OverlappingViews by_surfaces_;
+  std::vector<Transform> by_joints_;
+  std::vector<Matrix6> prior_;
+  std::vector<Transform> poses_;
+  std::vector<ViewNumbers> pairs_;
+};
+
+}  // namespace
+
+std::vector<RefinedPose> refine_poses(std::span<const MapView> views, const PanTiltChain& chain,
+                                      const RefinementOptions& options) {
+  check_options(options);
+  return Refinement(views, chain, options).run();
+}
+
+}  // namespace rva

@@ -1,0 +1,77 @@
+#include "map/view_capture.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "camera/recording.hpp"
+#include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "core/path_text.hpp"
+#include "depth/capture.hpp"
+#include "depth/capture_writer.hpp"
+#include "map/waypoints.hpp"
+#include "robot/dither.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+bool is_near(std::optional<double> angle_deg, double waypoint_deg) {
+  return angle_deg && std::abs(*angle_deg - waypoint_deg) <= arrival_tolerance_deg;
+}
+
+// @return false where there is none yet
+bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo& now,
+              const std::string& base) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return false;
+  const std::unique_ptr<Capture> capture = open_capture(folder);
+  const CaptureInfo& then = capture->info();
+  const Pose pose = then.pose.value_or(Pose{});
+  if (!is_near(pose.pan_deg, waypoint.pan_deg) || !is_near(pose.tilt_deg, waypoint.tilt_deg))
+    throw Error(
+        printable(folder),
+        fmt::format("was not taken at pan {:.2f}, tilt {:.2f} degrees", waypoint.pan_deg, waypoint.tilt_deg),
+        "resume with the same waypoints, or begin anew elsewhere");
+  if (then.depth != now.depth || pose.base != base)
+    throw Error(printable(folder), "was taken by another camera or from another place",
+                "resume with the same camera and --base, or begin anew elsewhere");
+  return true;
+}
+
+void take_view(const Rig& rig, const PanTilt& waypoint, const fs::path& folder,
+               const ViewCaptureOptions& options) {
+  OutputFolder out(folder, capture_files(), Existing::refuse);
+  const PanTilt joints = approach(rig.robot, waypoint, rig.clock);
+  for (std::size_t i = 0; i < options.settling; ++i) static_cast<void>(rig.camera.wait_for_frame());
+  CaptureInfo info = rig.camera.info();
+  info.pose = Pose{rig.base, joints.pan_deg, joints.tilt_deg, foot_from_camera(rig.chain, joints)};
+  record(rig.camera, options.frames, CaptureWriter(out.path(""), info), {});
+  out.commit();
+}
+
+}  // namespace
+
+std::string view_name(std::size_t number) { return fmt::format("{:03}", number); }
+
+void take_views(const Rig& rig, const std::vector<PanTilt>& waypoints, const fs::path& folder,
+                const ViewCaptureOptions& options, const Progress& progress) {
+  check_waypoints(waypoints, rig.robot.limits());
+  const CaptureInfo info = rig.camera.info();
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    if (!is_taken(folder / view_name(i), waypoints[i], info, rig.base)) missing.push_back(i);
+  }
+  std::size_t done = waypoints.size() - missing.size();
+  if (progress) progress("views", done, waypoints.size());
+  for (const std::size_t i : missing) {
+    take_view(rig, waypoints[i], folder / view_name(i), options);
+    if (progress) progress("views", ++done, waypoints.size());
+  }
+}
+
+}  // namespace rva

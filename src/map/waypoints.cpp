@@ -1,0 +1,74 @@
+#include "map/waypoints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/json_object.hpp"
+#include "core/path_text.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::size_t most_waypoints = 1000;
+
+std::vector<double> angles_deg(const GridAxis& axis) {
+  assert(axis.count >= 1);
+  std::vector<double> angles;
+  for (int i = 0; i < axis.count; ++i) {
+    const double share = axis.count == 1 ? 0.0 : static_cast<double>(i) / (axis.count - 1);
+    angles.push_back(axis.from_deg + share * (axis.to_deg - axis.from_deg));
+  }
+  return angles;
+}
+
+}  // namespace
+
+std::vector<PanTilt> grid_waypoints(const GridAxis& pan, const GridAxis& tilt) {
+  std::vector<double> pans_deg = angles_deg(pan);
+  std::vector<PanTilt> waypoints;
+  for (const double tilt_deg : angles_deg(tilt)) {
+    for (const double pan_deg : pans_deg) waypoints.push_back({pan_deg, tilt_deg});
+    std::ranges::reverse(pans_deg);
+  }
+  return waypoints;
+}
+
+std::vector<PanTilt> load_waypoints(const std::filesystem::path& path) {
+  const std::string file = printable(path);
+  const nlohmann::json json = parse_json(read_text_file(path), file);
+  const JsonObject object(json, file);
+  if (object.optional_string("format") != "rva-waypoints")
+    throw Error(file, "is no list of waypoints", "give one as docs/mapping.md shows it");
+  if (object.integer("version") != 1)
+    throw Error(object.name_of("version"), "is not 1, the only one that is known", "use a newer rva");
+  if (!object.has("waypoints") || !json["waypoints"].is_array())
+    throw Error(object.name_of("waypoints"), "not a list", "correct the file");
+  const nlohmann::json& list = json["waypoints"];
+  if (list.empty() || list.size() > most_waypoints)
+    throw Error(object.name_of("waypoints"), fmt::format("holds {}", list.size()),
+                fmt::format("give 1 to {} waypoints", most_waypoints));
+  std::vector<PanTilt> waypoints;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const JsonObject waypoint(list[i], file, fmt::format("waypoints[{}]", i));
+    waypoints.push_back({waypoint.number("pan_deg"), waypoint.number("tilt_deg")});
+  }
+  return waypoints;
+}
+
+void check_waypoints(const std::vector<PanTilt>& waypoints, const RobotLimits& limits) {
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    try {
+      limits.check(waypoints[i]);
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("waypoint {}", i + 1),
+                       fmt::format("{}: {}", error.place(), error.problem()), error.remedy());
+    }
+  }
+}
+
+}  // namespace rva
