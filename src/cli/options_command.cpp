@@ -6,6 +6,9 @@
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
 #include "evaluate/study.hpp"
+#include "map/calibration.hpp"
+#include "map/map_cloud.hpp"
+#include "map/pose_refinement.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva::cli {
@@ -33,6 +36,8 @@ void print_options() {
   print_table<NoiseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");
+  print_table<MapCloudOptions, RefinementOptions>("rva map");
+  print_table<CalibrationOptions>("rva calibrate");
 }
 
 }  // namespace

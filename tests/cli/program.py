@@ -72,3 +72,21 @@ class ProgramTest(unittest.TestCase):
 
     def info(self, capture, *options):
         return json.loads(self.succeed('info', capture, '--json', *options).stdout)
+
+    def on_a_terminal(self, *arguments):
+        """What a person sees on stderr when that is a terminal; stdout is not."""
+        ours, theirs = os.openpty()
+        with subprocess.Popen(self.command(*arguments), stdout=subprocess.DEVNULL, stderr=theirs,
+                              stdin=subprocess.DEVNULL, cwd=self.folder) as process:
+            os.close(theirs)
+            seen = b''.join(iter(lambda: read_terminal(ours), b''))
+            self.assertEqual(process.wait(TIMEOUT_S), 0, seen)
+        os.close(ours)
+        return seen.decode()
+
+
+def read_terminal(terminal):
+    try:
+        return os.read(terminal, 1 << 16)
+    except OSError:  # the other end is closed
+        return b''

@@ -1,6 +1,5 @@
 """Scenes and simulated captures, shared by the tests of one class."""
 import json
-import os
 import pathlib
 import subprocess
 import tempfile
@@ -84,21 +83,3 @@ class SimulationTest(program.ProgramTest):
                 return
             time.sleep(0.01)
         self.fail('it never came to the frames')
-
-    def on_a_terminal(self, *arguments):
-        """What a person sees on stderr when that is a terminal; stdout is not."""
-        ours, theirs = os.openpty()
-        with subprocess.Popen(self.command(*arguments), stdout=subprocess.DEVNULL, stderr=theirs,
-                              stdin=subprocess.DEVNULL, cwd=self.folder) as process:
-            os.close(theirs)
-            seen = b''.join(iter(lambda: read_terminal(ours), b''))
-            self.assertEqual(process.wait(program.TIMEOUT_S), 0, seen)
-        os.close(ours)
-        return seen.decode()
-
-
-def read_terminal(terminal):
-    try:
-        return os.read(terminal, 1 << 16)
-    except OSError:  # the other end is closed
-        return b''

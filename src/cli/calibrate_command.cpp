@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/option_flags.hpp"
+#include "cli/printing.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/path_text.hpp"
+#include "geometry/robot_geometry_file.hpp"
+#include "map/calibration.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva::cli {
+namespace {
+
+struct CalibrateArguments {
+  std::vector<std::string> captures;
+  std::string geometry;
+  std::string out;
+  CalibrationOptions options;
+  bool overwrite = false;
+  bool json = false;
+};
+
+void require_same_place(const CaptureInfo& info, const std::string& name, std::string& base) {
+  const std::string own = info.pose ? info.pose->base.value_or("") : "";
+  if (base.empty()) base = own;
+  if (!own.empty() && own == base) return;
+  throw Error(name, "was not taken from the same place as the others (pose.base)",
+              "give captures of one rva map");
+}
+
+std::vector<MapView> load_views(const std::vector<std::string>& captures) {
+  const Progress progress = terminal_progress();
+  std::vector<MapView> views;
+  std::string base;
+  for (const std::string& path : captures) {
+    const std::unique_ptr<Capture> capture = open_capture(path);
+    require_same_place(capture->info(), printable(path), base);
+    views.push_back(load_map_view(*capture, printable(path)));
+    if (progress) progress("reading", views.size(), captures.size());
+  }
+  return views;
+}
+
+/// All views as one.
+struct Agreements {
+  ViewAgreement before;
+  ViewAgreement after;
+};
+
+Agreements sum_of(const Calibration& calibration) {
+  const auto add = [](const ViewAgreement& view, ViewAgreement& sum) {
+    sum.neighbours += view.neighbours;
+    sum.compared += view.compared;
+    sum.agreeing += view.agreeing;
+    sum.squares += view.squares;
+  };
+  Agreements sum;
+  for (const CalibratedView& view : calibration.views) {
+    add(view.before, sum.before);
+    add(view.after, sum.after);
+  }
+  return sum;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ViewAgreement& agreement) {
+  return {{"agreeing", agreement.share()}, {"residual_px", agreement.residual_px()}};
+}
+
+void print_json(const Calibration& calibration, const std::vector<MapView>& views) {
+  const Agreements sum = sum_of(calibration);
+  Json json = {{"before", json_of(sum.before)},
+               {"after", json_of(sum.after)},
+               {"numbers", Json::array()},
+               {"views", Json::array()}};
+  for (const CalibratedNumber& number : calibration.numbers)
+    json["numbers"].push_back({{"name", number.name},
+                               {"unit", number.unit},
+                               {"change", number.change},
+                               {"deviation", number.deviation}});
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const CalibratedView& view = calibration.views[i];
+    json["views"].push_back({{"capture", views[i].name},
+                             {"pan_error_deg", view.joint_error.pan_deg},
+                             {"tilt_error_deg", view.joint_error.tilt_deg},
+                             {"neighbours", view.after.neighbours},
+                             {"before", json_of(view.before)},
+                             {"after", json_of(view.after)}});
+  }
+  print("{}\n", json.dump(2));
+}
+
+void print_table(const Calibration& calibration, const std::vector<MapView>& views) {
+  print("{:36} {:>8}     {}\n", "against the geometry that was given", "change", "sigma");
+  for (const CalibratedNumber& number : calibration.numbers)
+    print("{:36} {:+8.2f} {:3} {:.2f}\n", number.name, number.change, number.unit, number.deviation);
+  print("\n{:36} {:>6} {:>6} {:>9} {:>9}\n", "view", "pan", "tilt", "residual", "agreeing");
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto& [error, before, after] = calibration.views[i];
+    print("{:36} {:+6.2f} {:+6.2f} {:6.2f} px {:7.0f} %\n", views[i].name, error.pan_deg, error.tilt_deg,
+          after.residual_px(), 100.0 * after.share());
+  }
+  const Agreements sum = sum_of(calibration);
+  print("\nOn the same surfaces: {:.0f} % before, {:.0f} % after.\n", 100.0 * sum.before.share(),
+        100.0 * sum.after.share());
+}
+
+void calibrate_robot(const CalibrateArguments& arguments) {
+  std::error_code ignored;
+  if (!arguments.overwrite && fs::exists(fs::symlink_status(arguments.out, ignored)))
+    throw Error(printable(arguments.out), "is there already", "choose another name, or give --overwrite");
+  check_options(arguments.options);
+  const PanTiltChain given =
+      arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
+  const std::vector<MapView> views = load_views(arguments.captures);
+  const Calibration calibration = calibrate(views, given, arguments.options);
+  if (!calibration.doubt.empty())
+    throw Error("views", calibration.doubt,
+                "take more of them, all over the reach, before something with structure");
+  replace_file(arguments.out, robot_geometry_json(calibration.chain));
+  if (arguments.json)
+    print_json(calibration, views);
+  else
+    print_table(calibration, views);
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& program, Outcome& /*outcome*/) {
+  CLI::App& command = *program.add_subcommand(
+      "calibrate", "finds where the robot's joints and camera are, from views at known joint angles");
+  const auto arguments = std::make_shared<CalibrateArguments>();
+  command
+      .add_option("captures", arguments->captures, "views from one place, as rva map leaves them in .views")
+      ->required()
+      ->type_name("CAPTURE");
+  command
+      .add_option("--geometry", arguments->geometry, "as it was measured; without it, as the robot is built")
+      ->type_name("FILE");
+  command.add_option("--out", arguments->out, "the robot's geometry, for rva map --geometry")
+      ->required()
+      ->type_name("FILE");
+  add_flags(command, arguments->options);
+  command.add_flag("--overwrite", arguments->overwrite, "replace FILE");
+  command.add_flag("--json", arguments->json, "print JSON");
+  command.callback([arguments] { calibrate_robot(*arguments); });
+}
+
+}  // namespace rva::cli

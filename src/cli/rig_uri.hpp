@@ -1,0 +1,29 @@
+// A camera and the robot that carries it, by name.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "camera/camera.hpp"
+#include "core/clock.hpp"
+#include "robot/robot.hpp"
+
+namespace rva::cli {
+
+/// Both, and the time by which they move: that of a simulated robot goes by as fast as the work is done.
+struct OpenRig {
+  std::unique_ptr<Robot> robot;
+  std::unique_ptr<Camera> camera;  ///< may follow the robot: it is closed first
+  Clock clock;
+};
+
+/// @param camera sim:SCENE, which follows a simulated robot as it really stands, another as it says it does;
+///               sim:SCENE,joints=FILE, which follows a file that another program writes
+///               (`<pan_deg> <tilt_deg>`)
+/// @param robot  sim, serial:DEVICE
+/// @param seed   of a simulated camera's noise and a simulated robot's errors
+/// @throws UsageError for a URI of another form; Error when what it names cannot be opened
+[[nodiscard]] OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed);
+
+}  // namespace rva::cli
