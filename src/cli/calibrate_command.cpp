@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "map/calibration.hpp"
@@ -25,28 +27,39 @@ namespace {
 
 struct CalibrateArguments {
   std::vector<std::string> captures;
-  std::string geometry;
+  std::optional<std::string> geometry;
   std::string out;
   CalibrationOptions options;
   bool overwrite = false;
   bool json = false;
 };
 
-void require_same_place(const CaptureInfo& info, const std::string& name, std::string& base) {
-  const std::string own = info.pose ? info.pose->base.value_or("") : "";
-  if (base.empty()) base = own;
-  if (!own.empty() && own == base) return;
-  throw Error(name, "was not taken from the same place as the others (pose.base)",
-              "give captures of one rva map");
+// Of one camera on one robot whose foot stood still, each once.
+void require_same_robot(const CaptureInfo& first, const CaptureInfo& info, const std::string& name) {
+  const auto base = [](const CaptureInfo& of) { return of.pose ? of.pose->base : std::nullopt; };
+  const auto device = [](const CaptureInfo& of) { return of.camera.value_or(CameraInfo{}); };
+  if (!base(info))
+    throw Error(name, "does not say where it was taken (pose.base)", "give captures of one rva map");
+  if (base(info) != base(first))
+    throw Error(name, "was not taken from the same place as the others (pose.base)",
+                "give captures of one rva map");
+  if (info.depth != first.depth || device(info).serial != device(first).serial ||
+      device(info).baseline_m != device(first).baseline_m)
+    throw Error(name, "was not taken by the same camera as the others", "give captures of one rva map");
 }
 
 std::vector<MapView> load_views(const std::vector<std::string>& captures) {
   const Progress progress = terminal_progress();
   std::vector<MapView> views;
-  std::string base;
+  std::optional<CaptureInfo> first;
+  std::set<fs::path> seen;
   for (const std::string& path : captures) {
+    std::error_code ignored;
+    if (!seen.insert(fs::weakly_canonical(path, ignored)).second)
+      throw Error(printable(path), "is given twice", "give each view once");
     const std::unique_ptr<Capture> capture = open_capture(path);
-    require_same_place(capture->info(), printable(path), base);
+    if (!first) first = capture->info();
+    require_same_robot(*first, capture->info(), printable(path));
     views.push_back(load_map_view(*capture, printable(path)));
     if (progress) progress("reading", views.size(), captures.size());
   }
@@ -118,18 +131,31 @@ void print_table(const Calibration& calibration, const std::vector<MapView>& vie
         100.0 * sum.after.share());
 }
 
-void calibrate_robot(const CalibrateArguments& arguments) {
+void require_replaceable(const fs::path& file, bool overwrite) {
   std::error_code ignored;
-  if (!arguments.overwrite && fs::exists(fs::symlink_status(arguments.out, ignored)))
-    throw Error(printable(arguments.out), "is there already", "choose another name, or give --overwrite");
+  if (!fs::exists(fs::symlink_status(file, ignored))) return;
+  if (!overwrite)
+    throw Error(printable(file), "is there already", "choose another name, or give --overwrite");
+  try {
+    if (fs::is_regular_file(fs::symlink_status(file, ignored))) {
+      (void)load_robot_geometry(file);
+      return;
+    }
+  } catch (const Error&) {  // said below
+  }
+  throw Error(printable(file), "is no robot's geometry, so it is not replaced", "choose another name");
+}
+
+void calibrate_robot(const CalibrateArguments& arguments) {
+  require_replaceable(arguments.out, arguments.overwrite);
   check_options(arguments.options);
-  const PanTiltChain given =
-      arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
+  const PanTiltChain given = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
   const std::vector<MapView> views = load_views(arguments.captures);
   const Calibration calibration = calibrate(views, given, arguments.options);
   if (!calibration.doubt.empty())
     throw Error("views", calibration.doubt,
                 "take more of them, all over the reach, before something with structure");
+  throw_if_interrupted();
   replace_file(arguments.out, robot_geometry_json(calibration.chain));
   if (arguments.json)
     print_json(calibration, views);

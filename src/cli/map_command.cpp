@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -8,7 +8,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -17,11 +16,13 @@
 #include "cli/rig_uri.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "core/stopwatch.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "map/map_files.hpp"
 #include "map/view_capture.hpp"
+#include "map/view_folder.hpp"
 #include "map/waypoints.hpp"
 
 namespace fs = std::filesystem;
@@ -32,10 +33,10 @@ namespace {
 struct MapArguments {
   std::string camera;
   std::string robot;
-  std::string waypoints;
+  std::optional<std::string> waypoints;
   std::vector<double> grid;
-  std::string geometry;
-  std::string base;
+  std::optional<std::string> geometry;
+  std::optional<std::string> base;
   std::string out;
   ViewCaptureOptions capture;
   MapCloudOptions cloud;
@@ -47,72 +48,49 @@ struct MapArguments {
   bool json = false;
 };
 
-std::vector<PanTilt> waypoints_of(const MapArguments& arguments) {
-  if (!arguments.waypoints.empty()) return load_waypoints(arguments.waypoints);
-  constexpr double most = 100.0;
-  const std::vector<double>& grid = arguments.grid;
-  for (const double count : {grid[2], grid[5]}) {
-    if (!(count >= 1.0 && count <= most && count == static_cast<int>(count)))
-      throw UsageError("--grid", fmt::format("{} is no number of angles", count),
-                       "give FROM,TO,COUNT of pan, then of tilt");
-  }
-  return grid_waypoints({grid[0], grid[1], static_cast<int>(grid[2])},
-                        {grid[3], grid[4], static_cast<int>(grid[5])});
+GridAxis grid_axis(const double* from_to_count) {
+  const double count = from_to_count[2];
+  if (!(count >= 1.0 && count <= most_waypoints && count == std::floor(count)))
+    throw UsageError("--grid", fmt::format("{} is no number of angles", count),
+                     "give FROM,TO,COUNT of pan, then of tilt");
+  if (count == 1.0 && from_to_count[0] != from_to_count[1])
+    throw UsageError("--grid",
+                     fmt::format("one angle cannot be both {} and {}", from_to_count[0], from_to_count[1]),
+                     "give it twice");
+  return {from_to_count[0], from_to_count[1], static_cast<int>(count)};
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(fs::symlink_status(path, ignored));
+std::vector<PanTilt> waypoints_of(const MapArguments& arguments) {
+  if (arguments.waypoints) return load_waypoints(*arguments.waypoints);
+  const GridAxis pan = grid_axis(arguments.grid.data());
+  const GridAxis tilt = grid_axis(arguments.grid.data() + 3);
+  if (pan.count * tilt.count > most_waypoints)
+    throw UsageError("--grid", fmt::format("{} waypoints are too many", pan.count * tilt.count),
+                     fmt::format("give up to {}", most_waypoints));
+  return grid_waypoints(pan, tilt);
 }
 
 // Captures of one base share a world frame, so a place that nobody named has a name that no other has.
 std::string base_of(const MapArguments& arguments, const Camera& camera) {
-  if (!arguments.base.empty()) return arguments.base;
+  if (arguments.base) return *arguments.base;
   const std::optional<Pose> pose = camera.info().pose;
   if (pose && pose->base) return *pose->base + "-foot";  // a simulated scene's own
   std::random_device device;
   return fmt::format("place-{:08x}", device());
 }
 
-// Views, and what is left of one when the program was killed.
-bool is_view(const fs::directory_entry& entry) {
-  if (!entry.is_directory() || entry.is_symlink()) return false;
-  const std::string name = entry.path().filename();
-  const std::size_t digits = std::min(name.size(), name.find_first_not_of("0123456789"));
-  return digits >= 3 && (digits == name.size() || name.substr(digits).starts_with(".partial-"));
+ViewFolder::Start start_of(const MapArguments& arguments) {
+  if (arguments.resume) return ViewFolder::Start::resume;
+  return arguments.overwrite ? ViewFolder::Start::replace : ViewFolder::Start::anew;
 }
 
-void remove_views(const fs::path& views) {
+MapView load_view(const fs::path& folder) {
   try {
-    if (!fs::is_directory(fs::symlink_status(views)))
-      throw Error(printable(views), "is no folder of views, so it is not replaced", "choose another name");
-    for (const fs::directory_entry& entry : fs::directory_iterator(views)) {
-      if (!is_view(entry))
-        throw Error(printable(entry.path()), "is no view, so the folder is not replaced",
-                    "move it away or choose another name");
-    }
-    fs::remove_all(views);
-  } catch (const fs::filesystem_error& error) {
-    throw Error(printable(views), fmt::format("cannot be replaced ({})", error.code().message()),
-                "check its permissions or choose another name");
+    return load_map_view(*open_capture(folder), printable(folder));
+  } catch (const Error& error) {
+    throw Error(error.place(), error.problem(),
+                "remove " + printable(folder) + " and resume: it is taken again");
   }
-}
-
-// The folder of captures, ready to be filled.
-void make_ready(const MapFiles& files, const MapArguments& arguments) {
-  if (!arguments.overwrite && is_there(files.ply))
-    throw Error(printable(files.ply), "is there already", "choose another name, or give --overwrite");
-  if (!arguments.resume && is_there(files.views)) {
-    if (!arguments.overwrite)
-      throw Error(printable(files.views), "holds the views of a map",
-                  "give --resume to go on with it, --overwrite to begin anew, or another name");
-    remove_views(files.views);
-  }
-  std::error_code failure;
-  fs::create_directories(files.views, failure);
-  if (failure)
-    throw Error(printable(files.views), fmt::format("cannot be made ({})", failure.message()),
-                "check the permissions there or choose another place");
 }
 
 std::vector<MapView> load_views(const MapFiles& files, std::size_t count) {
@@ -120,8 +98,8 @@ std::vector<MapView> load_views(const MapFiles& files, std::size_t count) {
   std::vector<MapView> views;
   for (std::size_t i = 0; i < count; ++i) {
     const fs::path folder = files.views / view_name(i);
-    views.push_back(load_map_view(*open_capture(folder), printable(folder)));
-    views.back().name = files.views.filename() / view_name(i);
+    views.push_back(load_view(folder));
+    views.back().name = printable(files.views.filename() / view_name(i));
     if (progress) progress("reading", i + 1, count);
   }
   return views;
@@ -145,44 +123,64 @@ std::vector<Transform> transforms(const std::vector<RefinedPose>& poses) {
 }
 
 void print_summary(const MapFiles& files, const std::vector<MapView>& views, const MapPoses& map,
-                   std::size_t points, double joined_ms, bool as_json) {
+                   std::size_t points, double ms, bool as_json) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (!map.poses[i].doubt.empty())
       fmt::print(stderr, "rva: {}: {}, so its place is the one by the joints\n", views[i].name,
                  map.poses[i].doubt);
   }
   if (as_json) {
-    print("{}\n", nlohmann::ordered_json{{"map", files.ply.native()},
-                                         {"views", views.size()},
-                                         {"points", points},
-                                         {"refined", map.refined},
-                                         {"join_ms", joined_ms}}
-                      .dump(2));
+    nlohmann::ordered_json json = {{"map", printable(files.ply)},
+                                   {"views", views.size()},
+                                   {"doubted", nlohmann::json::array()},
+                                   {"points", points},
+                                   {"refined", map.refined},
+                                   {"refine_and_join_ms", ms}};
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      if (!map.poses[i].doubt.empty()) json["doubted"].push_back(views[i].name);
+    }
+    print("{}\n", json.dump(2));
     return;
   }
   print("{}: {} points of {} views\n", printable(files.ply), points, views.size());
 }
 
+void check(const MapArguments& arguments) {
+  check_map_cloud_options(arguments.cloud);
+  check_options(arguments.refinement);
+  if (arguments.base && (arguments.base->empty() || !is_utf8(*arguments.base)))
+    throw UsageError("--base", "is no name", "give one in UTF-8");
+}
+
 void map_bay(const MapArguments& arguments) {
+  check(arguments);
   const MapFiles files = map_files(arguments.out);
   const std::vector<PanTilt> waypoints = waypoints_of(arguments);
-  const PanTiltChain chain =
-      arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
-  check_options(arguments.cloud);
-  check_options(arguments.refinement);
+  const PanTiltChain chain = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
+  require_replaceable(files, arguments.overwrite);
   const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed);
   check_waypoints(waypoints, rig.robot->limits());
-  make_ready(files, arguments);
+  ViewFolder folder(files.views, start_of(arguments), waypoints.size());
   const std::string base = base_of(arguments, *rig.camera);
-  take_views({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, files.views, arguments.capture,
+  take_views({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, folder.path(), arguments.capture,
              terminal_progress());
   const std::vector<MapView> views = load_views(files, waypoints.size());
   const Stopwatch start;
-  const MapPoses map{base, chain, !arguments.no_refine, poses_of(views, chain, arguments)};
+  const MapPoses map{base,
+                     chain,
+                     arguments.cloud,
+                     !arguments.no_refine,
+                     arguments.refinement,
+                     poses_of(views, chain, arguments)};
   const std::vector<MapPoint> points = join_views(views, transforms(map.poses), arguments.cloud);
-  const double joined_ms = start.ms();
-  write_map(files, points, views, map, arguments.cloud);
-  print_summary(files, views, map, points.size(), joined_ms, arguments.json);
+  const double refined_and_joined_ms = start.ms();
+  if (points.empty())
+    throw Error(printable(files.ply), "would have no point: nothing was measured within --near and --far",
+                "look at the views in " + printable(files.views));
+  throw_if_interrupted();
+  write_map(files, points, views, map);
+  folder.done();
+  print_summary(files, views, map, points.size(), refined_and_joined_ms, arguments.json);
 }
 
 }  // namespace

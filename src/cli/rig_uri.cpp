@@ -1,5 +1,6 @@
 #include "cli/rig_uri.hpp"
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <utility>
@@ -29,7 +30,10 @@ SimulatedRobotOptions as_built() {
 PanTilt read_joints(const std::string& path) {
   std::istringstream text(read_text_file(path));
   PanTilt joints;
-  if (text >> joints.pan_deg >> joints.tilt_deg) return joints;
+  constexpr double most_deg = 180.0;
+  if (text >> joints.pan_deg >> joints.tilt_deg && std::abs(joints.pan_deg) <= most_deg &&
+      std::abs(joints.tilt_deg) <= most_deg)
+    return joints;
   throw Error(printable(path), "does not hold two angles", "write pan and tilt in degrees into it");
 }
 
@@ -44,6 +48,8 @@ SimulatedView parse(const std::string& camera) {
     throw UsageError(printable(camera), "no camera that a robot can carry", "give sim:SCENE");
   const std::size_t joints = camera.rfind(joints_file);
   if (joints == std::string::npos) return {camera.substr(simulated.size()), ""};
+  if (camera.size() == joints + joints_file.size())
+    throw UsageError(printable(camera), "names no file of joints", "give sim:SCENE,joints=FILE");
   return {camera.substr(simulated.size(), joints - simulated.size()),
           camera.substr(joints + joints_file.size())};
 }
@@ -51,7 +57,7 @@ SimulatedView parse(const std::string& camera) {
 std::unique_ptr<Robot> open_serial(const std::string& uri) {
   if (uri == "none") throw UsageError("--robot", "none cannot turn the camera", "give sim or serial:DEVICE");
   if (!uri.starts_with(serial) || uri.size() == serial.size())
-    throw UsageError(printable(uri), "no robot", "give sim, serial:DEVICE or none");
+    throw UsageError(printable(uri), "no robot", "give sim or serial:DEVICE");
   return std::make_unique<SerialRobot>(uri.substr(serial.size()));
 }
 

@@ -103,7 +103,7 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path partial = path.native() + ".partial";
+  const std::filesystem::path partial = path.native() + fmt::format(".partial-{}", ::getpid());
   std::error_code ignored;
   try {
     write_file(partial, text);

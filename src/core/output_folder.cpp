@@ -21,13 +21,24 @@ bool is_empty_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, failure)) && fs::is_empty(path, failure) && !failure;
 }
 
+// Of a file's path in a result, the folder that is as deep in it as another; empty where the file is not as
+// deep.
+std::string folder_as_deep(const std::string& file, const std::string& other) {
+  std::size_t end = 0;
+  for (auto slashes = std::ranges::count(other, '/') + 1; slashes > 0; --slashes) {
+    end = file.find('/', end == 0 ? 0 : end + 1);
+    if (end == std::string::npos) return {};
+  }
+  return file.substr(0, end);
+}
+
 bool is_part(const fs::directory_entry& entry, const fs::path& target,
              const std::vector<std::string>& files) {
   const std::string name = entry.path().lexically_relative(target).native();
   const bool is_folder = entry.symlink_status().type() == fs::file_type::directory;
   return std::ranges::any_of(files, [&](const std::string& file) {
-    if (is_folder) return file.starts_with(name + "/");
-    return ::fnmatch(file.c_str(), name.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
+    const std::string pattern = is_folder ? folder_as_deep(file, name) : file;
+    return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
   });
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 
 namespace rva {
 namespace {
@@ -71,7 +72,10 @@ class Estimation {
  public:
   Estimation(std::span<const MapView> views, const PanTiltChain& given, const CalibrationOptions& options)
       : by_surfaces_(views), given_(given) {
-    for (const MapView& view : views) joints_.push_back(view.joints);
+    for (const MapView& view : views) {
+      joints_.push_back(view.joints);
+      names_.push_back(view.name);
+    }
     const auto unknowns = geometry_numbers + joint_numbers * static_cast<Eigen::Index>(views.size());
     unknowns_ = Eigen::VectorXd::Zero(unknowns);
     prior_deviations_ = Eigen::VectorXd::Constant(unknowns, rad_per_deg * options.servo_error_deg);
@@ -86,6 +90,7 @@ class Estimation {
         by_surfaces_.agreement(given_poses, by_surfaces_.pairs(given_poses), descent.back());
     std::vector<ViewNumbers> pairs;
     for (std::size_t i = 0; i < descent.size(); ++i) {
+      throw_if_interrupted();
       if (i % 6 == 0) pairs = by_surfaces_.pairs(poses(unknowns_));
       step(by_surfaces_.agreement(poses(unknowns_), pairs, descent.at(i)));
     }
@@ -145,8 +150,8 @@ class Estimation {
 
   [[nodiscard]] Calibration result(const PosesAgreement& before, const PosesAgreement& after) const {
     Calibration calibration{chain(unknowns_), {}, {}, {}};
-    // What a view's matcher gets wrong is in all of its pairs, which the sum takes for independent: on simulated
-    // bays, lengths err by three times what it says (docs/mapping.md).
+    // What a view's matcher gets wrong is in all of its pairs, which the sum takes for independent: on
+    // simulated bays, lengths err by three times what it says (docs/mapping.md).
     constexpr double understated = 3.0;
     const Eigen::MatrixXd covariance =
         information_.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_.size(), unknowns_.size()));
@@ -165,26 +170,25 @@ class Estimation {
     return calibration;
   }
 
-  static std::string doubt_of(const Calibration& calibration) {
-    constexpr double least_agreeing = 0.6;
+  [[nodiscard]] std::string doubt_of(const Calibration& calibration) const {
+    constexpr double least_agreeing = 0.5;
     for (const CalibratedNumber& number : calibration.numbers) {
       if (!number.held) return fmt::format("the views say too little of '{}'", number.name);
     }
-    double compared = 0.0;
-    double agreeing = 0.0;
-    for (const CalibratedView& view : calibration.views) {
-      compared += view.after.compared;
-      agreeing += view.after.agreeing;
+    for (std::size_t i = 0; i < calibration.views.size(); ++i) {
+      const ViewAgreement& view = calibration.views[i].after;
+      if (view.neighbours == 0) return fmt::format("{} shares no surface with another one", names_[i]);
+      if (view.share() < least_agreeing)
+        return fmt::format("only {:.0f} % of what {} shares with others lies on the same surfaces",
+                           100.0 * view.share(), names_[i]);
     }
-    if (agreeing < least_agreeing * compared)
-      return fmt::format("only {:.0f} % of what the views share lies on the same surfaces",
-                         100.0 * agreeing / compared);
     return {};
   }
 
   OverlappingViews by_surfaces_;
   PanTiltChain given_;
   std::vector<PanTilt> joints_;
+  std::vector<std::string> names_;
   Eigen::VectorXd unknowns_;  // change of the geometry, then errors of pan and tilt of each view
   Eigen::VectorXd prior_deviations_;
   Eigen::MatrixXd information_;

@@ -56,7 +56,7 @@ struct Calibration {
 /// height of the bracket above it, its place along its own axis and the direction that is called pan 0. Left
 /// are eight numbers: how far the tilt axis is in front of the pan axis, how far it leans, and the camera's
 /// place and direction on the bracket.
-/// @param views of one robot whose foot stood still, at two pans and two tilts at least
+/// @param views of one robot whose foot stood still, all over the reach of both joints
 /// @param given the geometry as it was measured
 /// @throws Error where there are fewer than three views, or a joint has not turned by 10 degrees at least
 [[nodiscard]] Calibration calibrate(std::span<const MapView> views, const PanTiltChain& given,

@@ -1,5 +1,7 @@
 #include "map/map_cloud.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/parallel.hpp"
 
 namespace rva {
@@ -106,6 +109,7 @@ void color_from_others(std::span<const MapView> views, const std::vector<Transfo
 
 std::vector<VoxelSum> voxels_of(const MapView& view, const Transform& foot_from_camera,
                                 const MapCloudOptions& options) {
+  throw_if_interrupted();
   const DepthView& depth = view.depth;
   const Intrinsics& camera = depth.camera;
   const Mask good = supported(depth);
@@ -143,6 +147,13 @@ MapPoint point_of(const VoxelSum& sum) {
 
 }  // namespace
 
+void check_map_cloud_options(const MapCloudOptions& options) {
+  check_options(options);
+  if (options.near_m >= options.far_m)
+    throw UsageError("--near", fmt::format("{} m is not nearer than --far", options.near_m),
+                     "give a smaller one");
+}
+
 Mask supported(const DepthView& view) {
   constexpr int least = 16;  // of 24
   const Image<float>& disparity_px = view.disparity_px;
@@ -159,7 +170,7 @@ Mask supported(const DepthView& view) {
 std::vector<MapPoint> join_views(std::span<const MapView> views, std::span<const Transform> foot_from_camera,
                                  const MapCloudOptions& options) {
   assert(views.size() == foot_from_camera.size());
-  check_options(options);
+  check_map_cloud_options(options);
   std::vector<std::vector<VoxelSum>> parts(views.size());
   parallel_bands(static_cast<int>(views.size()), [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)

@@ -25,6 +25,9 @@ struct MapCloudOptions {
   }
 };
 
+/// @throws UsageError when an option is out of range, or nothing lies between near_m and far_m
+void check_map_cloud_options(const MapCloudOptions& options);
+
 struct MapPoint {
   Eigen::Vector3f position_m;  ///< in the foot's frame
   Rgb color;                   ///< grey where no view has one
@@ -37,7 +40,7 @@ struct MapPoint {
 /// the same surface, since matches at edges lie between what is before and what is behind.
 /// @param foot_from_camera of each view
 /// @return in an order that depends on the points alone
-/// @throws UsageError when an option is out of range
+/// @throws UsageError as check_map_cloud_options(); Interrupted
 [[nodiscard]] std::vector<MapPoint> join_views(std::span<const MapView> views,
                                                std::span<const Transform> foot_from_camera,
                                                const MapCloudOptions& options);

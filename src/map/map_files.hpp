@@ -16,7 +16,9 @@ namespace rva {
 struct MapPoses {
   std::string base;  ///< name of the place where the robot's foot stood: the map is in its frame
   PanTiltChain chain;
+  MapCloudOptions cloud;
   bool refined = false;
+  RefinementOptions refinement;    ///< where it was
   std::vector<RefinedPose> poses;  ///< of each view
 };
 
@@ -31,10 +33,13 @@ struct MapFiles {
 /// @throws UsageError when the path does not end in .ply
 [[nodiscard]] MapFiles map_files(const std::filesystem::path& ply);
 
-/// Writes all three, replacing earlier ones: all of them or none.
+/// @throws Error when one of the three is there and `overwrite` is false, or is not of an earlier map
+void require_replaceable(const MapFiles& files, bool overwrite);
+
+/// Writes all three beside, then puts them in their places, the .ply last.
 /// @param views of the map, with their names in the folder of captures
-/// @throws Error when they cannot be written
+/// @throws Error when they cannot be written; nothing has been replaced then, unless putting in place failed
 void write_map(const MapFiles& files, std::span<const MapPoint> points, std::span<const MapView> views,
-               const MapPoses& poses, const MapCloudOptions& options);
+               const MapPoses& poses);
 
 }  // namespace rva

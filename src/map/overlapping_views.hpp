@@ -56,7 +56,7 @@ struct PosesDescent {
   double reach_px = 1;  ///< residuals from which on a sample has no say
 };
 
-/// Planar patches of all views. Pairs are chosen anew by poses().
+/// Planar patches of all views.
 class OverlappingViews {
  public:
   explicit OverlappingViews(std::span<const MapView> views);

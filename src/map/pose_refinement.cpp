@@ -7,6 +7,7 @@
 #include <array>
 #include <numbers>
 
+#include "core/interrupt.hpp"
 #include "map/overlapping_views.hpp"
 
 namespace rva {
@@ -54,7 +55,10 @@ class Refinement {
 
   std::vector<RefinedPose> run() {
     pairs_ = by_surfaces_.pairs(poses_);
-    for (const PosesDescent& how : descent) step(by_surfaces_.agreement(poses_, pairs_, how));
+    for (const PosesDescent& how : descent) {
+      throw_if_interrupted();
+      step(by_surfaces_.agreement(poses_, pairs_, how));
+    }
     return results(by_surfaces_.agreement(poses_, pairs_, descent.back()));
   }
 

@@ -30,7 +30,8 @@ struct RefinementOptions {
 
 struct RefinedPose {
   Transform foot_from_camera = Transform::Identity();
-  double moved_mm = 0.0;  ///< from where the joints had it
+  /// What the views would correct the joints by; not done where there is a doubt.
+  double moved_mm = 0.0;
   double turned_deg = 0.0;
   int neighbours = 0;        ///< views that share surfaces with this one
   double agreeing = 0.0;     ///< share of what they share that lies on the same surfaces

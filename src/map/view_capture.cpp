@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "camera/recording.hpp"
 #include "core/error.hpp"
@@ -24,12 +25,30 @@ bool is_near(std::optional<double> angle_deg, double waypoint_deg) {
   return angle_deg && std::abs(*angle_deg - waypoint_deg) <= arrival_tolerance_deg;
 }
 
+std::unique_ptr<Capture> open_view(const fs::path& folder) {
+  try {
+    return open_capture(folder);
+  } catch (const Error& error) {
+    throw Error(error.place(), error.problem(),
+                "remove " + printable(folder) + " and resume: it is taken again");
+  }
+}
+
+bool is_of_this_camera(const CaptureInfo& then, const CaptureInfo& now) {
+  const auto device = [](const CaptureInfo& info) {
+    const CameraInfo camera = info.camera.value_or(CameraInfo{});
+    return std::pair(camera.serial, camera.baseline_m);
+  };
+  return then.depth == now.depth && then.depth_unit_m == now.depth_unit_m && then.color == now.color &&
+         device(then) == device(now);
+}
+
 // @return false where there is none yet
 bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo& now,
-              const std::string& base) {
+              const std::string& base, std::size_t frames) {
   std::error_code ignored;
-  if (!fs::exists(folder, ignored)) return false;
-  const std::unique_ptr<Capture> capture = open_capture(folder);
+  if (!fs::exists(fs::symlink_status(folder, ignored))) return false;
+  const std::unique_ptr<Capture> capture = open_view(folder);
   const CaptureInfo& then = capture->info();
   const Pose pose = then.pose.value_or(Pose{});
   if (!is_near(pose.pan_deg, waypoint.pan_deg) || !is_near(pose.tilt_deg, waypoint.tilt_deg))
@@ -37,9 +56,12 @@ bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo
         printable(folder),
         fmt::format("was not taken at pan {:.2f}, tilt {:.2f} degrees", waypoint.pan_deg, waypoint.tilt_deg),
         "resume with the same waypoints, or begin anew elsewhere");
-  if (then.depth != now.depth || pose.base != base)
+  if (!is_of_this_camera(then, now) || pose.base != base)
     throw Error(printable(folder), "was taken by another camera or from another place",
                 "resume with the same camera and --base, or begin anew elsewhere");
+  if (capture->depth_frames() != frames)
+    throw Error(printable(folder), fmt::format("has {} frames, not {}", capture->depth_frames(), frames),
+                "resume with the same --frames, or remove it: it is taken again");
   return true;
 }
 
@@ -64,7 +86,7 @@ void take_views(const Rig& rig, const std::vector<PanTilt>& waypoints, const fs:
   const CaptureInfo info = rig.camera.info();
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    if (!is_taken(folder / view_name(i), waypoints[i], info, rig.base)) missing.push_back(i);
+    if (!is_taken(folder / view_name(i), waypoints[i], info, rig.base, options.frames)) missing.push_back(i);
   }
   std::size_t done = waypoints.size() - missing.size();
   if (progress) progress("views", done, waypoints.size());

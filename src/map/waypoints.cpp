@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -14,14 +15,12 @@
 namespace rva {
 namespace {
 
-constexpr std::size_t most_waypoints = 1000;
-
 std::vector<double> angles_deg(const GridAxis& axis) {
   assert(axis.count >= 1);
   std::vector<double> angles;
   for (int i = 0; i < axis.count; ++i) {
     const double share = axis.count == 1 ? 0.0 : static_cast<double>(i) / (axis.count - 1);
-    angles.push_back(axis.from_deg + share * (axis.to_deg - axis.from_deg));
+    angles.push_back((1.0 - share) * axis.from_deg + share * axis.to_deg);
   }
   return angles;
 }
@@ -49,7 +48,7 @@ std::vector<PanTilt> load_waypoints(const std::filesystem::path& path) {
   if (!object.has("waypoints") || !json["waypoints"].is_array())
     throw Error(object.name_of("waypoints"), "not a list", "correct the file");
   const nlohmann::json& list = json["waypoints"];
-  if (list.empty() || list.size() > most_waypoints)
+  if (list.empty() || std::cmp_greater(list.size(), most_waypoints))
     throw Error(object.name_of("waypoints"), fmt::format("holds {}", list.size()),
                 fmt::format("give 1 to {} waypoints", most_waypoints));
   std::vector<PanTilt> waypoints;

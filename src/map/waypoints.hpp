@@ -9,6 +9,9 @@
 
 namespace rva {
 
+/// More take hours to see and gigabytes to refine.
+inline constexpr int most_waypoints = 1000;
+
 /// Angles of one joint, evenly spread; both ends are among them.
 struct GridAxis {
   double from_deg = 0.0;

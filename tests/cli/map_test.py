@@ -166,10 +166,40 @@ class Mapping(MapTest):
         ply = self.copy()
         mine = ply.with_suffix('.views') / 'notes.txt'
         mine.write_text('mine')
-        self.check_refused(*self.arguments(ply, '--overwrite'), names=['notes.txt', 'no view'])
+        self.check_refused(*self.arguments(ply, '--overwrite'), names=['notes.txt', 'no part of an earlier result'])
         shutil.rmtree(ply.with_suffix('.views'))
         ply.with_suffix('.views').symlink_to(self.folder)
-        self.check_refused(*self.arguments(ply, '--overwrite'), names=['map.views', 'no folder of views'])
+        self.check_refused(*self.arguments(ply, '--overwrite'), names=['map.views', 'not replaced'])
+        other = self.folder / 'robot.ply'
+        other.with_suffix('.json').write_text('{}')
+        self.check_refused(*self.arguments(other), names=['robot.json', 'is there already'])
+        self.check_refused(*self.arguments(other, '--overwrite'), names=['robot.json', 'not of an earlier map'])
+
+    def test_earlier_views_come_back_when_no_new_one_is_taken(self):
+        ply = self.copy()
+        self.check_refused(*self.arguments(ply, '--overwrite', camera=f'sim:{TOOLS},joints={self.folder}/none'),
+                           names=['none', 'no such file'])
+
+    def test_what_a_killed_program_left_is_removed(self):
+        ply = self.copy()
+        views = ply.with_suffix('.views')
+        (views / '005').rename(views / '005.partial-1-0')
+        self.succeed(*self.arguments(ply, '--resume', '--overwrite'))
+        self.assertEqual(sorted(path.name for path in views.iterdir()), [f'{i:03}' for i in range(6)])
+
+    def test_views_that_cannot_belong_to_the_map(self):
+        ply = self.copy()
+        views = ply.with_suffix('.views')
+        shutil.copytree(views / '005', views / '006')
+        self.check_refused(*self.arguments(ply, '--resume', '--overwrite'), names=['006', 'more than the 6 views'])
+        shutil.rmtree(views / '006')
+        description = views / '003' / 'capture.json'
+        said = json.loads(description.read_text())
+        said['camera']['serial'] = 'another'
+        description.write_text(json.dumps(said))
+        self.check_refused(*self.arguments(ply, '--resume', '--overwrite'), names=['003', 'another camera'])
+        description.unlink()
+        self.check_refused(*self.arguments(ply, '--resume', '--overwrite'), names=['003', 'taken again'])
 
     def test_views_of_other_waypoints_are_not_mixed_in(self):
         ply = self.copy()
@@ -210,7 +240,7 @@ class MapBadInput(MapTest):
             self.refused(names=['no such file'], where=('--waypoints', file), camera='sim:none.yaml')
 
     def test_grids(self):
-        for grid in ('0,0,0,0,0,1', '0,0,1.5,0,0,1', '0,0,1,0,0,101'):
+        for grid in ('0,0,0,0,0,1', '0,0,1.5,0,0,1', '0,0,1,0,9,1001', '0,9,40,0,9,40', '0,5,1,0,0,1'):
             self.refused(names=['--grid'], status=2, where=('--grid=' + grid,))
         self.assertEqual(self.rva(*self.arguments(self.folder / 'new.ply', where=())).returncode, 2)
 
@@ -219,7 +249,7 @@ class MapBadInput(MapTest):
         self.refused(names=['/dev/null', 'serial'], robot='serial:/dev/null')
         self.refused(names=['none'], robot='none', status=2)
         for uri in ('serial:', 'spare', ''):
-            self.refused(names=['sim, serial:DEVICE'], robot=uri, status=2)
+            self.refused(names=['sim or serial:DEVICE'], robot=uri, status=2)
 
     def test_geometries(self):
         good = poses_of(self.map)['geometry']
@@ -249,6 +279,12 @@ class MapBadInput(MapTest):
     def test_options(self):
         self.refused('--voxel', 0.1, names=['--voxel'], status=2)
         self.refused('--servo-error', 'nan', names=['--servo-error'], status=2)
+        self.refused('--near', 2, '--far', 1, names=['--near', '--far'], status=2)
+        for base in ('', b'a\xff'):
+            self.refused('--base', base, names=['--base'], status=2)
+        self.refused('--waypoints', '', names=['no such file'], where=())
+        self.refused('--geometry', '', names=['no such file'])
+        self.refused(names=['no file of joints'], camera=f'sim:{TOOLS},joints=', status=2)
 
 
 class Calibrating(MapTest):
@@ -281,8 +317,10 @@ class Calibrating(MapTest):
     def test_an_earlier_geometry_is_not_replaced_unasked(self):
         self.robot.write_text('mine')
         self.check_refused('calibrate', *self.views, '--out', self.robot, names=[self.robot, '--overwrite'])
+        self.check_refused('calibrate', *self.views, '--out', self.robot, '--overwrite', names=["no robot's geometry"])
+        shutil.copy(self.given, self.robot)
         self.succeed('calibrate', *self.views, '--out', self.robot, '--overwrite')
-        self.assertNotEqual(self.robot.read_text(), 'mine')
+        self.assertNotEqual(self.robot.read_text(), self.given.read_text())
 
     def test_views_that_say_too_little(self):
         self.check_refused('calibrate', *self.views[:2], '--out', self.robot, names=['too few'])
@@ -295,8 +333,22 @@ class Calibrating(MapTest):
         said['pose']['base'] = 'elsewhere'
         (other / 'capture.json').write_text(json.dumps(said))
         self.check_refused('calibrate', *self.views, other, '--out', self.robot, names=[other, 'same place'])
+        said['pose']['base'] = 'b1-foot'
+        said['camera']['baseline_m'] = 0.06
+        (other / 'capture.json').write_text(json.dumps(said))
+        self.check_refused('calibrate', *self.views, other, '--out', self.robot, names=[other, 'same camera'])
+        self.check_refused('calibrate', *self.views, self.views[2], '--out', self.robot, names=['given twice'])
         write_capture(self.folder / 'plain', [np.full((4, 4), 1000, np.uint16)])
         self.check_refused('calibrate', self.folder / 'plain', '--out', self.robot, names=['plain'])
+
+    def test_a_view_whose_angle_is_wrong(self):
+        views = self.folder / 'views'
+        shutil.copytree(self.shared / 'map.views', views)
+        description = views / '002' / 'capture.json'
+        said = json.loads(description.read_text())
+        said['pose']['pan_deg'] -= 15
+        description.write_text(json.dumps(said))
+        self.check_refused('calibrate', *sorted(views.iterdir()), '--out', self.robot, names=['same surfaces'])
 
     def test_a_place_that_cannot_be_written(self):
         self.check_refused('calibrate', *self.views, '--out', self.folder / 'none' / 'robot.json', names=['none/robot.json'])

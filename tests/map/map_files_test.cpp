@@ -5,6 +5,7 @@
 #include <pcl/io/ply_io.h>
 #include <pcl/point_types.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -45,7 +46,7 @@ class MapFilesTest : public testing::Test {
     poses_.refined = true;
     poses_.poses[1].doubt = "it is not sure";
   }
-  void write() { write_map(map_files(folder_ / "map.ply"), some_points(), views_, poses_, {}); }
+  void write() { write_map(map_files(folder_ / "map.ply"), some_points(), views_, poses_); }
 
   test::TemporaryFolder folder_;
   std::vector<MapView> views_;
@@ -86,17 +87,30 @@ TEST_F(MapFilesTest, WithoutRefinementSaysNothingOfIt) {
   EXPECT_FALSE(json["views"][0].contains("agreeing"));
 }
 
-TEST_F(MapFilesTest, AreAllThereOrNone) {
-  std::filesystem::create_directory(folder_ /
-                                    "map.json.partial");  // so that the last of three cannot be written
-  EXPECT_THROW(write(), Error);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.ply"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.pcd"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.ply.partial"));
+TEST_F(MapFilesTest, LeaveNothingBeside) {
+  write();
+  write();  // in the place of the first
+  const std::filesystem::directory_iterator files(folder_.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 3);
 }
 
-TEST_F(MapFilesTest, AFolderThatIsNotThereIsAnError) {
-  EXPECT_THROW(write_map(map_files(folder_ / "none" / "map.ply"), some_points(), views_, poses_, {}), Error);
+TEST_F(MapFilesTest, OnlyAnEarlierMapIsReplaced) {
+  const MapFiles files = map_files(folder_ / "map.ply");
+  require_replaceable(files, false);
+  write();
+  EXPECT_THROW(require_replaceable(files, false), Error);
+  require_replaceable(files, true);
+  std::filesystem::remove(files.ply);
+  EXPECT_THROW(require_replaceable(files, false), Error) << "its poses are still there";
+  write_file(files.poses, "{\"format\": \"rva-robot-geometry\"}");
+  EXPECT_THROW(require_replaceable(files, true), Error);
+  std::filesystem::remove(files.poses);
+  EXPECT_THROW(require_replaceable(files, true), Error) << "a .pcd alone is no map of ours";
+}
+
+TEST_F(MapFilesTest, APlaceThatIsNoFolderIsAnError) {
+  write_file(folder_ / "none", "a file");
+  EXPECT_THROW(write_map(map_files(folder_ / "none" / "map.ply"), some_points(), views_, poses_), Error);
 }
 
 TEST(MapFiles, NeedANameThatEndsInPly) {

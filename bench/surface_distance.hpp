@@ -1,0 +1,27 @@
+// How far points are from the surfaces of a scene.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "sim/scene/scene.hpp"
+
+namespace rva {
+
+class SurfaceDistance {
+ public:
+  explicit SurfaceDistance(const Scene& scene);
+  ~SurfaceDistance();
+  SurfaceDistance(const SurfaceDistance&) = delete;
+  SurfaceDistance& operator=(const SurfaceDistance&) = delete;
+
+  /// To the nearest triangle; `most_m` where there is none within.
+  /// @param point in the world frame
+  [[nodiscard]] double distance_m(const Eigen::Vector3d& point, double most_m) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rva
