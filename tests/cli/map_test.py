@@ -60,7 +60,7 @@ class MapTest(program.ProgramTest):
         unittest.addModuleCleanup(temporary.cleanup)
         MAP_FOLDER.append(pathlib.Path(temporary.name).resolve())
         made = subprocess.run([program.PROGRAM, *cls.arguments(MAP_FOLDER[0] / 'map.ply')], capture_output=True,
-                              encoding='utf-8', stdin=subprocess.DEVNULL, timeout=program.TIMEOUT_S, check=False)
+                              encoding='utf-8', stdin=subprocess.DEVNULL, timeout=4 * program.TIMEOUT_S, check=False)
         assert made.returncode == 0, made.stderr
         (MAP_FOLDER[0] / 'said.txt').write_text(made.stdout)
 
@@ -399,6 +399,16 @@ class InTheLoop(MapTest):
         ply = self.folder / 'map.ply'
         self.succeed(*self.arguments(ply, robot=f'serial:{self.link}', where=('--grid=-5,5,2,-20,-20,1',)))
         self.assertGreater(poses_of(ply)['views'][1]['agreeing'], 0.7)
+
+    @unittest.skipUnless(os.getuid() == 0, 'only root can become somebody who may not')
+    def test_a_person_who_may_not_open_the_robot(self):
+        self.folder.chmod(0o755)
+        mine = [shutil.copy(program.PROGRAM, self.folder), *self.command(*self.arguments(
+            self.folder / 'map.ply', camera=f'sim:{shutil.copy(TOOLS, self.folder)}', robot=f'serial:{self.link}'))[1:]]
+        done = subprocess.run(mine, capture_output=True, encoding='utf-8', timeout=program.TIMEOUT_S, check=False,
+                              user=65534, group=65534, extra_groups=[])
+        self.assertEqual((done.returncode, done.stdout), (1, ''), done.stderr)
+        self.check_line(done.stderr, [self.link, 'usermod -aG ' + self.link.group()])
 
     def test_a_robot_that_is_unplugged_on_the_way(self):
         ply = self.folder / 'map.ply'
