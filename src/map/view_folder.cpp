@@ -52,14 +52,12 @@ ViewFolder::ViewFolder(fs::path path, Start start, std::size_t views)
   if (filled && start == Start::anew)
     throw Error(printable(path_), "holds the views of a map",
                 "give --resume to go on with it, --overwrite to begin anew, or another name");
-  if (filled && start == Start::replace) {
-    const OutputFolder replaceable(path_, view_files(), Existing::replace);  // throws where it is not
-    std::error_code failure;
-    if (!fs::exists(aside_, failure)) fs::rename(path_, aside_, failure);
-    if (failure) throw cannot_be_made(aside_, failure);
-  }
   try {
     make_and_lock();
+    if (filled && start == Start::replace) {
+      set_aside();
+      make_and_lock();
+    }
     remove_remains(views);
   } catch (const Error&) {
     give_back();
@@ -75,9 +73,22 @@ void ViewFolder::make_and_lock() {
   if (failure) throw cannot_be_made(path_, failure);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) throw cannot_be_made(path_, std::error_code(errno, std::generic_category()));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0)
-    throw Error(printable(path_), "is being filled by another program",
-                "wait for it, or choose another name");
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+  ::close(lock_);
+  lock_ = -1;
+  throw Error(printable(path_), "is being filled by another program", "wait for it, or choose another name");
+}
+
+void ViewFolder::set_aside() {
+  const OutputFolder replaceable(path_, view_files(), Existing::replace);  // throws where it is not
+  std::error_code failure;
+  if (fs::exists(aside_, failure))
+    fs::remove_all(path_, failure);  // of an attempt that came to nothing; the earlier views wait already
+  else
+    fs::rename(path_, aside_, failure);
+  if (failure) throw cannot_be_made(aside_, failure);
+  ::close(lock_);
+  lock_ = -1;
 }
 
 void ViewFolder::remove_remains(std::size_t views) const {
@@ -87,7 +98,7 @@ void ViewFolder::remove_remains(std::size_t views) const {
     const std::string name = entry.path().filename();
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits == 3 && name.substr(digits).starts_with(".partial-")) remains.push_back(entry.path());
-    if (digits == std::string::npos && name >= view_name(views))
+    if (digits == std::string::npos && (name.size() > 3 || std::stoul(name) >= views))
       throw Error(printable(entry.path()), fmt::format("is more than the {} views of these waypoints", views),
                   "resume with the same waypoints, or move it away");
   }
@@ -95,12 +106,13 @@ void ViewFolder::remove_remains(std::size_t views) const {
 }
 
 void ViewFolder::give_back() {
-  if (lock_ >= 0) ::close(lock_);
-  lock_ = -1;
   std::error_code ignored;
-  const bool nothing_taken =
-      fs::remove(path_, ignored) || !fs::exists(path_, ignored);  // only an empty one goes
-  if (nothing_taken && fs::exists(aside_, ignored)) fs::rename(aside_, path_, ignored);
+  if (lock_ >= 0) {
+    ::rmdir(path_.c_str());  // fails, as it should, where it is not empty
+    ::close(lock_);
+    lock_ = -1;
+  }
+  if (!fs::exists(path_, ignored) && fs::exists(aside_, ignored)) fs::rename(aside_, path_, ignored);
 }
 
 void ViewFolder::done() {

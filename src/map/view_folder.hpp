@@ -30,6 +30,7 @@ class ViewFolder {
 
  private:
   void make_and_lock();
+  void set_aside();
   void remove_remains(std::size_t views) const;
   void give_back();
 
