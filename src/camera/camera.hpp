@@ -11,10 +11,11 @@ namespace rva {
 
 /// What a camera saw at one moment.
 struct CameraFrame {
-  DepthImage depth;                 ///< of the size and unit that info() states; 0 is no measurement
-  std::optional<ColorImage> color;  ///< of the size that info().color states; empty where there is none
-  std::uint64_t number = 0;         ///< counts up by one; a gap is frames that were lost
-  double time_s = 0.0;              ///< when the depth was exposed, by the camera's clock: for differences
+  DepthImage depth;                   ///< of the size and unit that info() states; 0 is no measurement
+  std::optional<ColorImage> color;    ///< of the size that info().color states; empty where there is none
+  std::optional<GrayImage> infrared;  ///< of the left imager; empty where there is none
+  std::uint64_t number = 0;           ///< counts up by one; a gap is frames that were lost
+  double time_s = 0.0;                ///< when the depth was exposed, by the camera's clock: for differences
 };
 
 /// A stream of frames.
@@ -38,6 +39,10 @@ class Camera {
   ///                     as before, and asking again is allowed
   /// @throws Interrupted when a person stopped the program meanwhile
   [[nodiscard]] virtual std::optional<CameraFrame> wait_for_frame() = 0;
+
+  /// Forgets frames that wait: the next one is exposed after this call. A camera that makes its frames when
+  /// they are asked for has none waiting.
+  virtual void drop_waiting() {}
 };
 
 }  // namespace rva

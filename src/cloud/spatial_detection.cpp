@@ -54,7 +54,8 @@ class Run {
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
     const Stopwatch start;
-    const std::vector<std::size_t> returns = exact_returns(initial, final);
+    const std::vector<std::size_t> returns =
+        options_.exact_poses ? exact_returns(initial, final) : std::vector<std::size_t>{};
     auto [calibrated, registration] =
         returns.empty() ? from_elsewhere(initial, final) : from_the_same_places(initial, final, returns);
     const CaptureInfo& info = final.front()->info();
@@ -154,9 +155,13 @@ class Run {
     return fused;
   }
 
-  static Transform place(const DepthView& first, const DepthView& view, const CaptureInfo& first_info,
-                         const CaptureInfo& info, std::string_view side) {
-    if (const auto known = known_transform(first_info, info)) return *known;
+  [[nodiscard]] Transform place(const DepthView& first, const DepthView& view, const CaptureInfo& first_info,
+                                const CaptureInfo& info, std::string_view side) const {
+    if (const auto known = known_transform(first_info, info)) {
+      if (options_.exact_poses) return *known;
+      const Registration nearby = register_views(first, view, {*known, true});
+      if (nearby.trusted()) return nearby.initial_from_final;
+    }
     const Registration registration = register_views(first, view);
     if (!registration.trusted())
       throw Error(fmt::format("{} captures", side),

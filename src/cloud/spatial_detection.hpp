@@ -19,6 +19,9 @@ struct SpatialDetectionOptions {
   int frames = 0;
   CalibratedOptions calibrated;
   RegionOptions regions;
+  /// Poses of one base are where the cameras stood, to the last digit; else as nearly as servos come to it,
+  /// and a search begins there.
+  bool exact_poses = true;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,

@@ -114,6 +114,15 @@ ColorScale scale_from_zero(const Image<float>& values) {
   return {0.0F, high > 0.0F ? round_step(high) : 1.0F};
 }
 
+ColorScale scale_of_depth(const Image<float>& depth_m) {
+  std::vector<float> measured = finite_values(depth_m);
+  if (measured.empty()) return {};
+  constexpr float step_m = 0.1F;
+  const float low_m = std::floor(quantile(measured, 0.02) / step_m) * step_m;
+  const float high_m = std::ceil(quantile(measured, 0.9) / step_m) * step_m;
+  return {low_m, std::max(high_m, low_m + step_m)};
+}
+
 ColorScale scale_around(const Image<float>& values) {
   std::vector<float> finite = finite_values(values);
   if (finite.empty()) return {};

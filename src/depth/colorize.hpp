@@ -25,6 +25,10 @@ struct ColorScale {
 /// edges are larger by so much that a scale for all would show nothing else.
 [[nodiscard]] ColorScale scale_from_zero(const Image<float>& values);
 
+/// Of depths in metres: tenths of a metre that all but a fiftieth are farther than, and all but a tenth
+/// nearer: the few that lie far behind a bay would leave one colour to all that is in it.
+[[nodiscard]] ColorScale scale_of_depth(const Image<float>& depth_m);
+
 /// The range between round numbers that all but a hundredth at either end lie in.
 [[nodiscard]] ColorScale scale_around(const Image<float>& values);
 

@@ -63,6 +63,9 @@ inline constexpr std::uint16_t no_depth = 0;
 using Mask = Image<std::uint8_t>;
 inline constexpr std::uint8_t mask_set = 255;
 
+/// Brightness, 0 to 255.
+using GrayImage = Image<std::uint8_t>;
+
 struct Rgb {
   std::uint8_t r = 0;
   std::uint8_t g = 0;

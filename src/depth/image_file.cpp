@@ -109,6 +109,20 @@ std::vector<std::byte> encode(int width, int height, std::uint8_t color_type, st
   return bytes;
 }
 
+std::vector<std::byte> encode_jpeg(const unsigned char* pixels, int width, int height, int format,
+                                   int quality) {
+  const TurboJpeg encoder(tjInitCompress());
+  const int subsampling = format == TJPF_GRAY ? TJSAMP_GRAY : TJSAMP_420;
+  unsigned char* jpeg = nullptr;
+  unsigned long size = 0;
+  const int failed = tjCompress2(encoder.get(), pixels, width, 0, height, format, &jpeg, &size, subsampling,
+                                 quality, TJFLAG_FASTDCT);
+  const std::unique_ptr<unsigned char, decltype(&tjFree)> owned(jpeg, &tjFree);
+  if (failed != 0) throw Error("JPEG", tjGetErrorStr2(encoder.get()), "free some memory");
+  const auto bytes = std::as_bytes(std::span(jpeg, size));
+  return {bytes.begin(), bytes.end()};
+}
+
 }  // namespace
 
 DepthImage decode_depth(std::span<const std::byte> png, const std::string& place) {
@@ -147,6 +161,15 @@ std::vector<std::byte> encode_png(const DepthImage& image) {
 
 std::vector<std::byte> encode_png(const Mask& image) {
   return encode(image.width(), image.height(), SPNG_COLOR_TYPE_GRAYSCALE, 8, image.data(), image.size());
+}
+
+std::vector<std::byte> encode_jpeg(const ColorImage& image, int quality) {
+  return encode_jpeg(reinterpret_cast<const unsigned char*>(image.data()), image.width(), image.height(),
+                     TJPF_RGB, quality);
+}
+
+std::vector<std::byte> encode_jpeg(const GrayImage& image, int quality) {
+  return encode_jpeg(image.data(), image.width(), image.height(), TJPF_GRAY, quality);
 }
 
 std::vector<std::byte> encode_png(const ColorImage& image) {

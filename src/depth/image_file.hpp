@@ -31,4 +31,9 @@ inline constexpr long max_image_pixels = 32L << 20;
 [[nodiscard]] std::vector<std::byte> encode_png(const Mask& image);
 [[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);
 
+/// For people to look at: what it shows is not quite what it was given.
+/// @param quality 1 to 100
+[[nodiscard]] std::vector<std::byte> encode_jpeg(const ColorImage& image, int quality);
+[[nodiscard]] std::vector<std::byte> encode_jpeg(const GrayImage& image, int quality);
+
 }  // namespace rva

@@ -26,8 +26,11 @@ std::optional<ViewColor> color_of(const Capture& capture) {
 }  // namespace
 
 MapView load_map_view(const Capture& capture, const std::string& name) {
+  return load_map_view(capture, name, joints_of(capture.info(), name));
+}
+
+MapView load_map_view(const Capture& capture, const std::string& name, const PanTilt& joints) {
   const CaptureInfo& info = capture.info();
-  const PanTilt joints = joints_of(info, name);
   DepthStatistics statistics(info.depth.width, info.depth.height);
   for_each_depth_frame(capture, capture.depth_frames(), {},
                        [&](const DepthImage& frame) { statistics.add(frame); });

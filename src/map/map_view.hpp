@@ -29,4 +29,7 @@ struct MapView {
 ///         be read
 [[nodiscard]] MapView load_map_view(const Capture& capture, const std::string& name);
 
+/// As above, where the joints are known otherwise, or there are none.
+[[nodiscard]] MapView load_map_view(const Capture& capture, const std::string& name, const PanTilt& joints);
+
 }  // namespace rva

@@ -69,6 +69,7 @@ void take_view(const Rig& rig, const PanTilt& waypoint, const fs::path& folder,
                const ViewCaptureOptions& options) {
   OutputFolder out(folder, capture_files(), Existing::refuse);
   const PanTilt joints = approach(rig.robot, waypoint, rig.clock);
+  rig.camera.drop_waiting();
   for (std::size_t i = 0; i < options.settling; ++i) static_cast<void>(rig.camera.wait_for_frame());
   CaptureInfo info = rig.camera.info();
   info.pose = Pose{rig.base, joints.pan_deg, joints.tilt_deg, foot_from_camera(rig.chain, joints)};

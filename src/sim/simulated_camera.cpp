@@ -1,5 +1,6 @@
 #include "sim/simulated_camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,6 +24,14 @@ std::uint64_t seed_of(const Transform& world_from_camera, std::uint64_t device) 
   std::uint64_t seed = device;
   for (const double number : to_row_major(world_from_camera)) seed = mix(seed, std::llround(number * 1e6));
   return seed;
+}
+
+// 10 bits to 8.
+GrayImage brightness_of(const InfraredImage& infrared) {
+  GrayImage gray(infrared.width(), infrared.height());
+  std::ranges::transform(infrared.pixels(), gray.pixels().begin(),
+                         [](auto counts) { return static_cast<std::uint8_t>(counts >> 2U); });
+  return gray;
 }
 
 }  // namespace
@@ -115,6 +124,7 @@ std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
   frame.number = number_;
   frame.time_s = static_cast<double>(number_) / frames_per_s;
   if (wants_color(moving)) frame.color = expose_color(color_, mix(seed_, 0xC0104, number_));
+  frame.infrared = brightness_of(left_infrared_);
   ++number_;
   return frame;
 }

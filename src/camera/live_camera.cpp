@@ -1,0 +1,159 @@
+#include "camera/live_camera.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+#include "core/clock.hpp"
+#include "core/interrupt.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::size_t most_waiting = 30;
+constexpr std::chrono::milliseconds longest_silence{5000};
+constexpr std::chrono::milliseconds before_another_try{500};
+
+}  // namespace
+
+/// What one recorder has not taken yet; guarded by the camera's mutex.
+class LiveCamera::Reader : public Camera {
+ public:
+  explicit Reader(LiveCamera& live) : live_(live), problems_(0) {
+    const std::lock_guard lock(live_.mutex_);
+    problems_ = live_.problems_;
+    last_ = live_.newest_;
+    live_.readers_.push_back(this);
+  }
+  ~Reader() override {
+    const std::lock_guard lock(live_.mutex_);
+    live_.readers_.remove(this);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  void push(const std::shared_ptr<const LiveFrame>& frame) {
+    if (std::exchange(next_is_early_, false)) return;
+    if (waiting_.size() == most_waiting) waiting_.pop_front();
+    waiting_.push_back(frame);
+  }
+
+  [[nodiscard]] CaptureInfo info() const override {
+    std::unique_lock lock(live_.mutex_);
+    live_.changed_.wait_for(lock, longest_silence, [&] { return last_ || !waiting_.empty(); });
+    if (last_) return last_->info;
+    if (!waiting_.empty()) return waiting_.front()->info;
+    throw silent();
+  }
+
+  [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override {
+    std::unique_lock lock(live_.mutex_);
+    const bool came = live_.changed_.wait_for(
+        lock, longest_silence, [&] { return !waiting_.empty() || problems_ != live_.problems_; });
+    throw_if_interrupted();
+    if (waiting_.empty()) {
+      if (!came) throw silent();
+      problems_ = live_.problems_;
+      throw Error(*live_.failure_);
+    }
+    last_ = std::move(waiting_.front());
+    waiting_.pop_front();
+    lock.unlock();
+    return last_->frame;
+  }
+
+  // The frame that is under way may have begun before.
+  void drop_waiting() override {
+    const std::lock_guard lock(live_.mutex_);
+    waiting_.clear();
+    next_is_early_ = true;
+  }
+
+ private:
+  [[nodiscard]] static Error silent() {
+    return {"camera", "has given no frame for five seconds", "check its cable, or connect it again"};
+  }
+
+  LiveCamera& live_;
+  std::uint64_t problems_;
+  std::deque<std::shared_ptr<const LiveFrame>> waiting_;
+  std::shared_ptr<const LiveFrame> last_;
+  bool next_is_early_ = true;
+};
+
+LiveCamera::LiveCamera(std::unique_ptr<Camera> camera, double most_hz)
+    : camera_(std::move(camera)),
+      most_hz_(most_hz),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+LiveCamera::~LiveCamera() = default;
+
+void LiveCamera::run(const std::stop_token& stop) {
+  const std::chrono::duration<double> period(1.0 / most_hz_);
+  while (!stop.stop_requested()) {
+    const auto next = std::chrono::steady_clock::now() + period;
+    try {
+      std::optional<CameraFrame> frame = camera_->wait_for_frame();
+      if (!frame) {
+        report(Error("camera", "the recording has ended", "give a capture with more frames"));
+        return;
+      }
+      publish(std::move(*frame));
+      std::this_thread::sleep_until(next);
+    } catch (const Interrupted&) {
+      return;
+    } catch (const Error& error) {
+      report(error);
+      std::this_thread::sleep_for(before_another_try);
+    }
+  }
+}
+
+void LiveCamera::publish(CameraFrame frame) {
+  auto live = std::make_shared<LiveFrame>(
+      LiveFrame{std::move(frame), camera_->info(), std::chrono::system_clock::now()});
+  const double now_s = steady_clock().now_s();
+  const std::lock_guard lock(mutex_);
+  if (newest_) {
+    health_.lost += live->frame.number - newest_->frame.number - 1;
+    constexpr double share = 0.1;
+    const double rate_hz = 1.0 / std::max(1e-3, now_s - last_frame_s_);
+    health_.rate_hz += health_.frames < 2 ? rate_hz : share * (rate_hz - health_.rate_hz);
+  }
+  last_frame_s_ = now_s;
+  ++health_.frames;
+  health_.problem.clear();
+  newest_ = std::move(live);
+  for (Reader* reader : readers_) reader->push(newest_);
+  changed_.notify_all();
+}
+
+void LiveCamera::report(const Error& failure) {
+  const std::lock_guard lock(mutex_);
+  failure_ = failure;
+  health_.problem = failure.what();
+  health_.rate_hz = 0.0;
+  ++problems_;
+  changed_.notify_all();
+}
+
+std::shared_ptr<const LiveFrame> LiveCamera::newest() const {
+  const std::lock_guard lock(mutex_);
+  return newest_;
+}
+
+std::shared_ptr<const LiveFrame> LiveCamera::wait_for_other(const LiveFrame* seen,
+                                                            std::chrono::milliseconds limit) const {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, limit, [&] { return newest_ && newest_.get() != seen; });
+  return newest_.get() == seen ? nullptr : newest_;
+}
+
+std::unique_ptr<Camera> LiveCamera::every_frame() { return std::make_unique<Reader>(*this); }
+
+CameraHealth LiveCamera::health() const {
+  const std::lock_guard lock(mutex_);
+  return health_;
+}
+
+}  // namespace rva

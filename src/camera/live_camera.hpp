@@ -1,0 +1,80 @@
+// One camera for all who look through it.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "camera/camera.hpp"
+#include "core/error.hpp"
+
+namespace rva {
+
+/// A frame, and the view that it had.
+struct LiveFrame {
+  CameraFrame frame;
+  CaptureInfo info;
+  std::chrono::system_clock::time_point taken_at;  ///< when it came out of the camera
+};
+
+/// How the camera is doing.
+struct CameraHealth {
+  std::uint64_t frames = 0;  ///< that came
+  std::uint64_t lost = 0;    ///< gaps in the camera's numbers
+  double rate_hz = 0.0;      ///< of the last second or so
+  std::string problem;       ///< a sentence for a person; empty while frames come
+};
+
+/// Reads a camera on a thread of its own. Whoever shows pictures takes the newest frame and may miss any;
+/// whoever records takes every frame, as a camera of his own. Neither holds up the other, nor the camera.
+///
+/// A camera that fails is asked again until it answers. Every member may be called from any thread.
+class LiveCamera {
+ public:
+  /// @param most_hz frames a second at most, for cameras that give them as fast as they are asked
+  explicit LiveCamera(std::unique_ptr<Camera> camera, double most_hz = 30.0);
+  ~LiveCamera();
+  LiveCamera(const LiveCamera&) = delete;
+  LiveCamera& operator=(const LiveCamera&) = delete;
+
+  /// Null before the first frame. The frame is shared and constant.
+  [[nodiscard]] std::shared_ptr<const LiveFrame> newest() const;
+
+  /// Waits for a frame that is not `seen`, for so long; null when none came.
+  [[nodiscard]] std::shared_ptr<const LiveFrame> wait_for_other(const LiveFrame* seen,
+                                                                std::chrono::milliseconds limit) const;
+
+  /// The frames from now on, each once. It keeps the last second for a reader who is late, and drops the
+  /// oldest beyond, as a device does, which shows as a gap in the numbers. It fails when the camera does, or
+  /// is silent for five seconds. Must be closed before this object.
+  [[nodiscard]] std::unique_ptr<Camera> every_frame();
+
+  [[nodiscard]] CameraHealth health() const;
+
+ private:
+  class Reader;
+
+  void run(const std::stop_token& stop);
+  void publish(CameraFrame frame);
+  void report(const Error& failure);
+
+  std::unique_ptr<Camera> camera_;
+  double most_hz_;
+  mutable std::mutex mutex_;  // guards all below
+  mutable std::condition_variable changed_;
+  std::shared_ptr<const LiveFrame> newest_;
+  CameraHealth health_;
+  std::optional<Error> failure_;  // the last one
+  std::uint64_t problems_ = 0;
+  double last_frame_s_ = 0.0;
+  std::list<Reader*> readers_;
+  std::jthread thread_;  // last: it uses all above
+};
+
+}  // namespace rva

@@ -1,0 +1,163 @@
+#include "robot/drive.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::chrono::milliseconds period{40};
+
+double now_s() { return steady_clock().now_s(); }
+
+double within_one(double deflection) {
+  return std::isnan(deflection) ? 0.0 : std::clamp(deflection, -1.0, 1.0);
+}
+
+// No farther ahead of the joint than it turns in this time, and not beyond its end.
+double ahead(double target_deg, double step_deg, double joint_deg, double most_ahead_deg,
+             const AxisLimits& limits) {
+  const double wanted_deg =
+      std::clamp(target_deg + step_deg, joint_deg - most_ahead_deg, joint_deg + most_ahead_deg);
+  return std::clamp(wanted_deg, limits.min_deg, limits.max_deg);
+}
+
+bool pushes_against(double deflection, double target_deg, const AxisLimits& limits) {
+  return (deflection > 0.0 && target_deg >= limits.max_deg) ||
+         (deflection < 0.0 && target_deg <= limits.min_deg);
+}
+
+}  // namespace
+
+Drive::Drive(Robot& robot, const DriveOptions& options)
+    : robot_(robot), options_((check_options(options), options)), limits_(robot.limits()) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+Drive::~Drive() = default;
+
+void Drive::steer(const Deflection& deflection) {
+  const std::lock_guard lock(mutex_);
+  const Deflection within{within_one(deflection.pan), within_one(deflection.tilt)};
+  news_ = news_ || within != deflection_;
+  deflection_ = within;
+  said_s_ = now_s();
+  if (within == Deflection{}) state_.armed = true;
+  changed_.notify_all();
+}
+
+void Drive::halt() {
+  const std::lock_guard lock(mutex_);
+  halt_ = true;
+  news_ = true;
+  deflection_ = {};
+  state_.armed = false;
+  changed_.notify_all();
+}
+
+DriveState Drive::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+Drive::Loan::Loan(Drive& drive) : drive_(drive) {
+  const std::lock_guard lock(drive_.mutex_);
+  ++drive_.loans_;
+  drive_.state_.lent = true;
+  drive_.state_.armed = false;
+}
+
+Drive::Loan::~Loan() {
+  const std::lock_guard lock(drive_.mutex_);
+  drive_.state_.lent = --drive_.loans_ > 0;
+}
+
+void Drive::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    follow(take_orders());
+    ask_joints();
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, stop, period, [this] { return news_; });
+  }
+  if (target_) follow({{}, true});
+}
+
+// Silence disarms: sticks that were held when the line broke must not move the robot when it is back.
+Drive::Orders Drive::take_orders() {
+  const std::lock_guard lock(mutex_);
+  const double silence_s = static_cast<double>(options_.silence_ms) / 1000.0;
+  const bool held = deflection_ != Deflection{};
+  if (held && (state_.lent || now_s() - said_s_ > silence_s)) {
+    state_.armed = false;
+    deflection_ = {};
+  }
+  Orders orders{state_.armed ? deflection_ : Deflection{}, halt_};
+  halt_ = false;
+  news_ = false;
+  return orders;
+}
+
+void Drive::follow(const Orders& orders) {
+  try {
+    if (orders.halt) {
+      target_.reset();
+      robot_.stop();
+    } else if (orders.deflection != Deflection{}) {
+      advance(orders.deflection);
+    } else {
+      stop_moving();
+    }
+  } catch (const Error& error) {
+    failure_ = error.what();
+    const std::lock_guard lock(mutex_);
+    state_.armed = false;
+  } catch (const Interrupted&) {
+    halt();
+  }
+  const std::lock_guard lock(mutex_);
+  state_.driving = target_.has_value();
+  state_.at_limit = target_ && (pushes_against(orders.deflection.pan, target_->pan_deg, limits_.pan) ||
+                                pushes_against(orders.deflection.tilt, target_->tilt_deg, limits_.tilt));
+}
+
+void Drive::advance(const Deflection& deflection) {
+  constexpr double most_ahead_s = 0.25;
+  const PanTilt joints = robot_.joints();
+  const double now = now_s();
+  const double period_s = std::chrono::duration<double>(period).count();
+  const double passed_s = target_ ? std::min(now - advanced_s_, 3.0 * period_s) : period_s;
+  const PanTilt target = target_.value_or(joints);
+  const double most_ahead_deg = options_.speed_deg_s * most_ahead_s;
+  const double step_deg = options_.speed_deg_s * passed_s;
+  target_ = PanTilt{
+      ahead(target.pan_deg, deflection.pan * step_deg, joints.pan_deg, most_ahead_deg, limits_.pan),
+      ahead(target.tilt_deg, deflection.tilt * step_deg, joints.tilt_deg, most_ahead_deg, limits_.tilt)};
+  advanced_s_ = now;
+  robot_.move_to(*target_);
+  failure_.clear();
+}
+
+void Drive::stop_moving() {
+  if (!target_) return;
+  target_.reset();
+  robot_.stop();
+}
+
+void Drive::ask_joints() {
+  std::optional<PanTilt> joints;
+  std::string problem = failure_;
+  try {
+    joints = robot_.joints();
+  } catch (const Error& error) {
+    problem = error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  state_.joints = joints;
+  state_.problem = problem;
+}
+
+}  // namespace rva

@@ -1,0 +1,20 @@
+#include "sim/simulated_bay.hpp"
+
+#include <utility>
+
+#include "core/random.hpp"
+
+namespace rva {
+
+SimulatedBay::SimulatedBay(Scene before, Scene after, std::uint64_t seed,
+                           const std::function<PanTilt()>& joints)
+    : before_(std::move(before), {}, seed, ColorFrames::all, joints),
+      after_(std::move(after), {}, mix(seed, 1), ColorFrames::all, joints) {}
+
+std::optional<CameraFrame> SimulatedBay::wait_for_frame() {
+  std::optional<CameraFrame> frame = (done_ ? after_ : before_).wait_for_frame();
+  if (frame) frame->number = number_++;
+  return frame;
+}
+
+}  // namespace rva

@@ -1,0 +1,37 @@
+// A simulated bay before and after the work.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "camera/camera.hpp"
+#include "geometry/pan_tilt.hpp"
+#include "sim/simulated_camera.hpp"
+
+namespace rva {
+
+/// One camera that sees one scene or another: nothing else differs. Frames are numbered through.
+class SimulatedBay : public Camera {
+ public:
+  /// @param before, after scenes with one stand
+  /// @param seed          of the camera's noise
+  /// @param joints        as of SimulatedCamera
+  SimulatedBay(Scene before, Scene after, std::uint64_t seed, const std::function<PanTilt()>& joints);
+
+  /// From the next frame on. From any thread.
+  void set_work_done(bool done) { done_ = done; }
+
+  [[nodiscard]] CaptureInfo info() const override { return now().info(); }
+  [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
+
+ private:
+  [[nodiscard]] const SimulatedCamera& now() const { return done_ ? after_ : before_; }
+
+  SimulatedCamera before_;
+  SimulatedCamera after_;
+  std::atomic<bool> done_ = false;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace rva
