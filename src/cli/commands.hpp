@@ -15,6 +15,7 @@ inline constexpr int status_failed = 1;
 inline constexpr int status_usage = 2;
 inline constexpr int status_detected = 3;
 
+void add_account_command(CLI::App& program, Outcome& outcome);
 void add_calibrate_command(CLI::App& program, Outcome& outcome);
 void add_detect_command(CLI::App& program, Outcome& outcome);
 void add_evaluate_command(CLI::App& program, Outcome& outcome);
@@ -23,6 +24,7 @@ void add_map_command(CLI::App& program, Outcome& outcome);
 void add_noise_command(CLI::App& program, Outcome& outcome);
 void add_options_command(CLI::App& program, Outcome& outcome);
 void add_record_command(CLI::App& program, Outcome& outcome);
+void add_serve_command(CLI::App& program, Outcome& outcome);
 void add_simulate_command(CLI::App& program, Outcome& outcome);
 
 }  // namespace rva::cli

@@ -37,6 +37,8 @@ int run(int argc, char** argv) {
   rva::cli::add_simulate_command(program, outcome);
   rva::cli::add_map_command(program, outcome);
   rva::cli::add_calibrate_command(program, outcome);
+  rva::cli::add_serve_command(program, outcome);
+  rva::cli::add_account_command(program, outcome);
   rva::cli::add_options_command(program, outcome);
   require_known_command(program, argc, argv);
   try {

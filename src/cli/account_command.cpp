@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+#include "server/password.hpp"
+#include "store/sqlite_records.hpp"
+
+namespace rva::cli {
+namespace {
+
+struct AccountArguments {
+  std::string name;
+  std::string role = "viewer";
+  std::string data;
+};
+
+// Never from the command line, where others can read it.
+std::string read_password() {
+  if (::isatty(STDIN_FILENO) == 1) {
+    const char* const typed = ::getpass("Password: ");
+    return typed == nullptr ? "" : typed;
+  }
+  std::string line;
+  std::getline(std::cin, line);
+  return line;
+}
+
+std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
+  std::error_code failure;
+  std::filesystem::create_directories(data, failure);
+  return std::make_unique<SqliteRecords>(std::filesystem::path(data) / "rva.db");
+}
+
+void add_account(const AccountArguments& arguments) {
+  constexpr std::size_t most_name_bytes = 100;
+  if (arguments.name.empty() || arguments.name.size() > most_name_bytes || !is_utf8(arguments.name) ||
+      printable(arguments.name) != arguments.name)
+    throw UsageError("NAME", "is no name", fmt::format("give 1 to {} characters", most_name_bytes));
+  const std::unique_ptr<SqliteRecords> records = open_records(arguments.data);
+  records->set_account({arguments.name, *role_from_name(arguments.role), hash_password(read_password())});
+  print("{} may sign in as {}\n", arguments.name, arguments.role);
+}
+
+void remove_account(const AccountArguments& arguments) {
+  if (!open_records(arguments.data)->remove_account(arguments.name))
+    throw Error(printable(arguments.name), "is no account", "see rva account list");
+  print("{} may no longer sign in\n", arguments.name);
+}
+
+void list_accounts(const AccountArguments& arguments) {
+  for (const Account& account : open_records(arguments.data)->accounts())
+    print("{:10} {}\n", name_of(account.role), account.name);
+}
+
+void add_data_flag(CLI::App& command, AccountArguments& arguments) {
+  command.add_option("--data", arguments.data, "folder of inspections, as of rva serve")
+      ->required()
+      ->type_name("DIR");
+}
+
+}  // namespace
+
+void add_account_command(CLI::App& program, Outcome& /*outcome*/) {
+  CLI::App& command = *program.add_subcommand("account", "who may sign in to the console");
+  command.require_subcommand(1);
+  const auto arguments = std::make_shared<AccountArguments>();
+
+  CLI::App& add = *command.add_subcommand(
+      "add", "adds an account, or changes its role and password; asks for the password");
+  add.add_option("NAME", arguments->name, "of the person")->required();
+  add.add_option("--role", arguments->role,
+                 "viewer (looks), operator (drives, captures), inspector (decides)")
+      ->check(CLI::IsMember({"viewer", "operator", "inspector"}))
+      ->capture_default_str();
+  add_data_flag(add, *arguments);
+  add.callback([arguments] { add_account(*arguments); });
+
+  CLI::App& remove = *command.add_subcommand("remove", "takes an account away");
+  remove.add_option("NAME", arguments->name, "of the person")->required();
+  add_data_flag(remove, *arguments);
+  remove.callback([arguments] { remove_account(*arguments); });
+
+  CLI::App& list = *command.add_subcommand("list", "all accounts");
+  add_data_flag(list, *arguments);
+  list.callback([arguments] { list_accounts(*arguments); });
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,66 @@
+#include "cli/live_rig.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "camera/memory_capture.hpp"
+#include "camera/replay_camera.hpp"
+#include "cli/robot_uri.hpp"
+#include "cli/simulated_view.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/clock.hpp"
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+#include "depth/capture.hpp"
+#include "sim/scene/scene_file.hpp"
+#include "sim/simulated_bay.hpp"
+#include "sim/simulated_robot.hpp"
+
+namespace rva::cli {
+namespace {
+
+// Decoding takes longer than showing.
+std::unique_ptr<Camera> open_replay(const std::string& path) {
+  constexpr std::size_t most_bytes = 512UL << 20U;
+  return std::make_unique<ReplayCamera>(load_to_memory(*open_capture(path), most_bytes, terminal_progress()),
+                                        ReplayOptions{.loop = true});
+}
+
+bool has_debris(const Scene& scene) {
+  return std::ranges::any_of(scene.objects,
+                             [](const SceneObject& object) { return object.role == Role::debris; });
+}
+
+}  // namespace
+
+LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::uint64_t seed) {
+  constexpr std::string_view replay = "replay:";
+  LiveRig rig;
+  if (camera.starts_with(replay) && camera.size() > replay.size()) {
+    if (robot != "none")
+      throw UsageError("--robot", "cannot turn a recording", "leave it out, or give another --camera");
+    rig.camera = open_replay(camera.substr(replay.size()));
+    return rig;
+  }
+  const SimulatedView view = parse_simulated_view(camera);
+  Scene before = load_scene(view.scene, {.no_debris = true});
+  Scene after = load_scene(view.scene);
+  const bool work = has_debris(after);
+  std::function<PanTilt()> joints;
+  if (robot == "sim") {
+    auto simulation = std::make_unique<SimulatedRobot>(servos_as_built(), steady_clock().now_s, seed);
+    simulation->move_to({after.stand.pan_deg, after.stand.tilt_deg});
+    joints = [&truth = *simulation] { return truth.true_joints(); };
+    rig.robot = std::move(simulation);
+  } else if (robot != "none") {
+    rig.robot = open_serial_robot(robot);
+    joints = [&said = *rig.robot] { return said.joints(); };
+  }
+  if (!view.joints.empty()) joints = [file = view.joints] { return read_joints(file); };
+  auto bay = std::make_unique<SimulatedBay>(std::move(before), std::move(after), seed, joints);
+  if (work) rig.simulated_work = [&bay = *bay](bool done) { bay.set_work_done(done); };
+  rig.camera = std::move(bay);
+  return rig;
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,18 @@
+// Robots by name: serial:DEVICE, and how a simulated one is built.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "robot/robot.hpp"
+#include "sim/simulated_robot.hpp"
+
+namespace rva::cli {
+
+/// @throws UsageError for a URI of another form; Error when the device cannot be opened or is no robot
+[[nodiscard]] std::unique_ptr<Robot> open_serial_robot(const std::string& uri);
+
+/// Servos rest somewhere within the step that they report.
+[[nodiscard]] SimulatedRobotOptions servos_as_built();
+
+}  // namespace rva::cli

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/console_folder.hpp"
+#include "cli/live_rig.hpp"
+#include "cli/option_flags.hpp"
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "geometry/robot_geometry_file.hpp"
+#include "inspect/inspector.hpp"
+#include "server/web_server.hpp"
+#include "store/sqlite_records.hpp"
+
+namespace rva::cli {
+namespace {
+
+struct ServeArguments {
+  std::string camera;
+  std::string robot = "none";
+  std::string data;
+  std::string geometry;
+  std::uint64_t seed = 1;
+  InspectorOptions inspector;
+  DriveOptions drive;
+  ServerOptions server;
+};
+
+void serve(ServeArguments arguments) {
+  check_options(arguments.inspector);
+  check_options(arguments.drive);
+  const PanTiltChain chain =
+      arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
+  if (arguments.server.console.empty()) arguments.server.console = console_folder();
+  LiveRig rig = open_live_rig(arguments.camera, arguments.robot, arguments.seed);
+  std::error_code failure;
+  std::filesystem::create_directories(arguments.data, failure);
+  SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
+  LiveCamera camera(std::move(rig.camera));
+  const std::unique_ptr<Drive> drive =
+      rig.robot ? std::make_unique<Drive>(*rig.robot, arguments.drive) : nullptr;
+  Inspector inspector({camera, drive.get(), chain}, records, arguments.data, arguments.inspector);
+  Sessions sessions(records);
+  Lease lease;
+  WebServer server(arguments.server, {camera, drive.get(), inspector, sessions, lease, rig.simulated_work},
+                   [](const std::string& line) { fmt::print(stderr, "rva: {}\n", line); });
+  print("{}\n", server.address());
+  static_cast<void>(std::fflush(stdout));
+  server.run();
+}
+
+}  // namespace
+
+void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
+  CLI::App& command = *program.add_subcommand("serve", "the operator console, in a browser");
+  const auto arguments = std::make_shared<ServeArguments>();
+  command.add_option("--camera", arguments->camera, "sim:SCENE or replay:PATH")->required()->type_name("URI");
+  command.add_option("--robot", arguments->robot, "sim, serial:DEVICE, or none")
+      ->type_name("URI")
+      ->capture_default_str();
+  command.add_option("--data", arguments->data, "folder of inspections: records and captures")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("--geometry", arguments->geometry, "the robot's geometry, as rva calibrate writes it")
+      ->type_name("FILE");
+  command.add_option("--address", arguments->server.address, "to listen at")->capture_default_str();
+  add_flags(command, arguments->server);
+  command
+      .add_option("--tls-certificate", arguments->server.tls_certificate,
+                  "PEM file, for others than this computer")
+      ->type_name("FILE");
+  command.add_option("--tls-key", arguments->server.tls_key, "PEM file")->type_name("FILE");
+  command.add_option("--console", arguments->server.console, "folder of the console's files")
+      ->type_name("DIR");
+  command
+      .add_option("--seed", arguments->seed, "of a simulated camera's noise and a simulated robot's errors")
+      ->check(any_seed())
+      ->capture_default_str();
+  add_flags(command, arguments->inspector);
+  add_flags(command, arguments->drive);
+  command.set_config("--config", "", "file with any of these options, as option = value");
+  command.callback([arguments] { serve(*arguments); });
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,40 @@
+#include "cli/simulated_view.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/path_text.hpp"
+
+namespace rva::cli {
+namespace {
+
+constexpr std::string_view simulated = "sim:";
+constexpr std::string_view joints_file = ",joints=";
+
+}  // namespace
+
+PanTilt read_joints(const std::string& path) {
+  std::istringstream text(read_text_file(path));
+  PanTilt joints;
+  constexpr double most_deg = 180.0;
+  if (text >> joints.pan_deg >> joints.tilt_deg && std::abs(joints.pan_deg) <= most_deg &&
+      std::abs(joints.tilt_deg) <= most_deg)
+    return joints;
+  throw Error(printable(path), "does not hold two angles", "write pan and tilt in degrees into it");
+}
+
+SimulatedView parse_simulated_view(const std::string& camera) {
+  if (!camera.starts_with(simulated) || camera.size() == simulated.size())
+    throw UsageError(printable(camera), "no camera that a robot can carry", "give sim:SCENE");
+  const std::size_t joints = camera.rfind(joints_file);
+  if (joints == std::string::npos) return {camera.substr(simulated.size()), ""};
+  if (camera.size() == joints + joints_file.size())
+    throw UsageError(printable(camera), "names no file of joints", "give sim:SCENE,joints=FILE");
+  return {camera.substr(simulated.size(), joints - simulated.size()),
+          camera.substr(joints + joints_file.size())};
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,21 @@
+#include "inspect/inspection_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "map/view_capture.hpp"
+
+namespace rva {
+
+InspectionFolder::InspectionFolder(const std::filesystem::path& data, std::int64_t id)
+    : path_(data / "inspections" / fmt::format("{:06}", id)) {}
+
+std::filesystem::path InspectionFolder::capture(Side side, const Inspection& inspection, int view,
+                                                int dither) const {
+  return this->side(side) / view_name(static_cast<std::size_t>(view * inspection.dither + dither));
+}
+
+std::filesystem::path InspectionFolder::result(int view) const {
+  return path_ / "results" / view_name(static_cast<std::size_t>(view));
+}
+
+}  // namespace rva

@@ -1,0 +1,223 @@
+#include "inspect/inspector.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "core/date_time.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "core/path_text.hpp"
+#include "inspect/view_comparison.hpp"
+#include "map/waypoints.hpp"
+#include "robot/dither.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::size_t most_views = 60;
+constexpr double most_dither_deg = 2.3;
+
+std::string title(std::int64_t id) { return fmt::format("inspection {}", id); }
+
+void require_person(const std::string& person) {
+  if (person.find_first_not_of(" \t") == std::string::npos)
+    throw Error("person", "nobody is named", "say who you are");
+}
+
+std::string base_of(std::int64_t id, bool replaced) {
+  return fmt::format("inspection-{}{}", id, replaced ? "-replaced" : "");
+}
+
+}  // namespace
+
+Inspector::Inspector(const InspectionRig& rig, Records& records, std::filesystem::path data,
+                     const InspectorOptions& options)
+    : rig_(rig), records_(records), data_(std::move(data)), options_(options) {
+  check_options(options_);
+  std::error_code failure;
+  std::filesystem::create_directories(data_, failure);
+  if (failure)
+    throw Error(printable(data_), fmt::format("cannot be made ({})", failure.message()),
+                "give a folder that can be written");
+}
+
+Inspector::~Inspector() {
+  cancel();
+  if (thread_.joinable()) thread_.join();
+}
+
+std::int64_t Inspector::begin(const InspectionOrder& order) {
+  require_person(order.person);
+  const std::int64_t id =
+      records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither);
+  const PanTilt here = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints.value_or(PanTilt{});
+  records_.set_views(id, {here});
+  return id;
+}
+
+Inspection Inspector::inspection(std::int64_t id) const {
+  std::optional<Inspection> found = records_.find(id);
+  if (!found) throw Error(title(id), "there is none", "see the list of inspections");
+  return std::move(*found);
+}
+
+// Of every view its dithered captures, those that would be beyond the limits on the other side.
+std::vector<PanTilt> Inspector::waypoints_of(const Inspection& inspection) const {
+  if (rig_.drive == nullptr) return inspection.views;
+  const RobotLimits limits = rig_.drive->limits();
+  std::vector<PanTilt> waypoints;
+  for (const PanTilt& view : inspection.views) {
+    const double pan_sign = view.pan_deg + most_dither_deg > limits.pan.max_deg ? -1.0 : 1.0;
+    const double tilt_sign = view.tilt_deg + most_dither_deg > limits.tilt.max_deg ? -1.0 : 1.0;
+    for (const PanTilt& offset : dither_offsets(inspection.dither))
+      waypoints.push_back(
+          {view.pan_deg + pan_sign * offset.pan_deg, view.tilt_deg + tilt_sign * offset.tilt_deg});
+  }
+  return waypoints;
+}
+
+// A side under way already has views of its own.
+bool Inspector::is_begun(std::int64_t id) const {
+  std::error_code ignored;
+  return std::filesystem::exists(folder(id).side(Side::initial), ignored);
+}
+
+void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
+  const Inspection before = inspection(id);
+  if (before.initial || is_begun(id))
+    throw Error(title(id), "its baseline has been begun", "begin another inspection for other views");
+  if (views.empty() || views.size() > most_views)
+    throw Error(title(id), fmt::format("cannot have {} views", views.size()),
+                fmt::format("give 1 to {}", most_views));
+  if (rig_.drive != nullptr) check_waypoints(views, rig_.drive->limits());
+  if (rig_.drive == nullptr && views.size() > 1)
+    throw Error(title(id), "the camera stands still and has one view", "start the program with --robot");
+  records_.set_views(id, views);
+}
+
+void Inspector::start(TaskState task, const Work& work) {
+  const std::lock_guard starting(starting_);
+  {
+    const std::lock_guard lock(mutex_);
+    if (task_.end == TaskEnd::running)
+      throw Error(std::string(name_of(task_.kind)), "is under way", "wait for its end, or cancel it");
+    task.number = task_.number + 1;
+    task.end = TaskEnd::running;
+    task_ = std::move(task);
+  }
+  if (thread_.joinable()) thread_.join();
+  cancelled_ = false;
+  thread_ = std::thread([this, work] { run(work); });
+}
+
+void Inspector::run(const Work& work) {
+  TaskEnd end = TaskEnd::done;
+  std::string problem;
+  try {
+    work();
+  } catch (const Interrupted&) {
+    end = TaskEnd::cancelled;
+  } catch (const std::exception& failure) {
+    end = TaskEnd::failed;
+    problem = printable(failure.what());
+  }
+  update([&](TaskState& task) {
+    task.end = end;
+    task.problem = problem;
+    task.waiting.clear();
+  });
+}
+
+void Inspector::update(const std::function<void(TaskState&)>& change) {
+  const std::lock_guard lock(mutex_);
+  change(task_);
+}
+
+// What a person ended ends at the next piece of work, as by Ctrl-C.
+Progress Inspector::counted_progress() {
+  return [this](std::string_view /*step*/, std::size_t done, std::size_t total) {
+    if (cancelled_) throw Interrupted(0);
+    throw_if_interrupted();
+    update([&](TaskState& task) {
+      task.done = done;
+      task.total = total;
+    });
+  };
+}
+
+CaptureEvents Inspector::capture_events() {
+  return {[this](const CaptureProgress& progress) {
+            if (cancelled_) throw Interrupted(0);
+            throw_if_interrupted();
+            update([&](TaskState& task) { task.progress = progress; });
+          },
+          [this](NoiseSoFar noise) {
+            update([shared = std::make_shared<const NoiseSoFar>(std::move(noise))](TaskState& task) {
+              task.noise = shared;
+            });
+          },
+          [this](const std::string& why) { update([&](TaskState& task) { task.waiting = why; }); }};
+}
+
+void Inspector::check_readiness() {
+  start({.kind = TaskKind::readiness}, [this] {
+    Readiness readiness =
+        rva::check_readiness(rig_.camera, rig_.drive, data_, options_.readiness, counted_progress());
+    const std::lock_guard lock(mutex_);
+    readiness_ = std::move(readiness);
+  });
+}
+
+void Inspector::capture(std::int64_t id, Side side, const std::string& person, bool replaced) {
+  require_person(person);
+  const Inspection before = inspection(id);
+  if (side == Side::final && !before.initial)
+    throw Error(title(id), "has no baseline to compare with", "take it before the work");
+  if (side == Side::initial && before.final)
+    throw Error(title(id), "was captured after the work already", "begin another inspection");
+  const bool again = side == Side::initial ? before.initial.has_value() : before.final.has_value();
+  const int captures = std::max(1, before.dither);
+  SideCapture wanted{waypoints_of(before), folder(id).side(side), base_of(id, replaced),
+                     static_cast<std::size_t>((options_.frames + captures - 1) / captures), again};
+  start({.kind = TaskKind::capture, .inspection = id, .side = side}, [this, id, side, person, wanted] {
+    take_side(rig_, wanted, capture_events());
+    records_.set_side(id, side, {iso_8601_now(), person, wanted.base});
+    if (side == Side::final) compare_now(inspection(id));
+  });
+}
+
+void Inspector::compare(std::int64_t id) {
+  const Inspection before = inspection(id);
+  if (!before.initial || !before.final)
+    throw Error(title(id), "is not captured before and after the work", "take both captures");
+  start({.kind = TaskKind::comparison, .inspection = id}, [this, before] { compare_now(before); });
+}
+
+void Inspector::compare_now(const Inspection& inspection) {
+  update([](TaskState& task) { task.kind = TaskKind::comparison; });
+  const Compared compared =
+      compare_sides(folder(inspection.id), inspection, rig_.drive != nullptr, rig_.chain, counted_progress());
+  records_.set_comparison(inspection.id, iso_8601_now(), compared.views, compared.findings);
+}
+
+void Inspector::cancel() { cancelled_ = true; }
+
+TaskState Inspector::task() const {
+  const std::lock_guard lock(mutex_);
+  return task_;
+}
+
+std::optional<Readiness> Inspector::readiness() const {
+  const std::lock_guard lock(mutex_);
+  return readiness_;
+}
+
+void Inspector::decide(std::int64_t id, int finding, const Decision& decision) {
+  require_person(decision.person);
+  records_.decide(id, finding, decision);
+}
+
+}  // namespace rva

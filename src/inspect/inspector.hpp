@@ -1,0 +1,106 @@
+// An inspection, step by step: what a console asks for, done.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/options.hpp"
+#include "inspect/inspection_folder.hpp"
+#include "inspect/readiness.hpp"
+#include "inspect/records.hpp"
+#include "inspect/side_capture.hpp"
+#include "inspect/task.hpp"
+#include "robot/dither.hpp"
+
+namespace rva {
+
+struct InspectorOptions {
+  int frames = 40;
+  int dither = 4;
+  ReadinessOptions readiness;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.frames,
+          OptionField{"frames", "", 4, 10000, "depth frames of each view, over all of its captures"});
+    visit(self.dither,
+          OptionField{"dither", "", 1, most_dithers,
+                      "captures of each view, a few servo steps apart; 1 where there is no robot"});
+    ReadinessOptions::describe(self.readiness, visit);
+  }
+};
+
+/// Long work is done by a thread of its own, one task at a time; what is asked meanwhile is refused with a
+/// sentence. Whatever is complete is on the disk, so that another shift goes on after a power failure where
+/// this one was. Every member may be called from any thread.
+class Inspector {
+ public:
+  /// @param rig, records outlive this object
+  /// @param data    folder of the captures, made where there is none
+  /// @throws UsageError when an option is out of range; Error when the folder cannot be made
+  Inspector(const InspectionRig& rig, Records& records, std::filesystem::path data,
+            const InspectorOptions& options = {});
+  ~Inspector();  ///< ends a task under way, as cancel() does
+  Inspector(const Inspector&) = delete;
+  Inspector& operator=(const Inspector&) = delete;
+
+  /// A new one, with the view where the camera is now. @throws Error when nobody's name is given
+  [[nodiscard]] std::int64_t begin(const InspectionOrder& order);
+  /// Newest first.
+  [[nodiscard]] std::vector<std::int64_t> inspections() const { return records_.inspections(); }
+  /// @throws Error when there is none of this id
+  [[nodiscard]] Inspection inspection(std::int64_t id) const;
+  [[nodiscard]] InspectionFolder folder(std::int64_t id) const { return {data_, id}; }
+
+  /// @throws Error when the baseline has been begun, there is no view or more than 60, or one is beyond the
+  ///         robot's limits (UsageError)
+  void set_views(std::int64_t id, const std::vector<PanTilt>& views);
+
+  // Each starts a task. @throws Error when another is under way, or the inspection is not so far.
+
+  void check_readiness();
+  /// Of every view; the final side is compared at once. An earlier, complete side is taken anew.
+  /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
+  void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
+  /// The final side again with the initial one, as after a failure in between.
+  void compare(std::int64_t id);
+
+  /// Ends the task under way, if any: soon after.
+  void cancel();
+
+  [[nodiscard]] TaskState task() const;
+  /// Of the last check; empty before.
+  [[nodiscard]] std::optional<Readiness> readiness() const;
+
+  /// @throws Error when there is no such finding, or nobody's name is given
+  void decide(std::int64_t id, int finding, const Decision& decision);
+
+ private:
+  using Work = std::function<void()>;
+
+  void start(TaskState task, const Work& work);
+  void run(const Work& work);
+  void update(const std::function<void(TaskState&)>& change);
+  [[nodiscard]] Progress counted_progress();
+  [[nodiscard]] CaptureEvents capture_events();
+  void compare_now(const Inspection& inspection);
+  [[nodiscard]] bool is_begun(std::int64_t id) const;
+  [[nodiscard]] std::vector<PanTilt> waypoints_of(const Inspection& inspection) const;
+
+  InspectionRig rig_;
+  Records& records_;
+  std::filesystem::path data_;
+  InspectorOptions options_;
+  mutable std::mutex mutex_;  // guards the next two
+  TaskState task_;
+  std::optional<Readiness> readiness_;
+  std::mutex starting_;  // guards the thread
+  std::atomic<bool> cancelled_ = false;
+  std::thread thread_;
+};
+
+}  // namespace rva

@@ -1,0 +1,38 @@
+#include "inspect/noise_watch.hpp"
+
+#include <cassert>
+#include <utility>
+
+#include "core/quantile.hpp"
+#include "detect/calibrated/calibrated.hpp"
+#include "detect/detection.hpp"
+
+namespace rva {
+
+NoiseWatch::NoiseWatch(const CaptureInfo& info)
+    : unit_m_(info.depth_unit_m),
+      disparity_m_px_(disparity_m_px(info)),
+      even_(info.depth.width, info.depth.height),
+      odd_(info.depth.width, info.depth.height) {}
+
+void NoiseWatch::add(const DepthImage& frame) { (frames() % 2 == 0 ? even_ : odd_).add(frame); }
+
+NoiseSoFar NoiseWatch::measure() const {
+  assert(frames() >= 2);
+  NoiseSoFar noise;
+  noise.frames = frames();
+  std::vector<double> std_mm;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < even_.size(); ++i) {
+    seen += even_.seen(i) ? 1U : 0U;
+    if (even_.count(i) > 1) std_mm.push_back(even_.standard_deviation(i) * unit_m_ * 1000.0);
+  }
+  noise.measured = static_cast<double>(seen) / static_cast<double>(even_.size());
+  if (!std_mm.empty()) noise.median_std_mm = quantile(std_mm, 0.5);
+  CalibratedComparison halves = compare_calibrated(even_, odd_, unit_m_, disparity_m_px_, {});
+  noise.findable = std::move(halves.levels);
+  noise.least_mm = std::move(halves.level_of_detection_mm);
+  return noise;
+}
+
+}  // namespace rva

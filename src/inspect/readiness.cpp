@@ -1,0 +1,132 @@
+#include "inspect/readiness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "core/date_time.hpp"
+#include "core/error.hpp"
+#include "depth/depth_statistics.hpp"
+#include "detect/calibrated/disparity_change.hpp"
+#include "detect/calibrated/drift.hpp"
+#include "detect/detection.hpp"
+
+namespace rva {
+namespace {
+
+/// The frames of the check, in two halves.
+struct Watched {
+  CaptureInfo info;
+  DepthStatistics first;
+  DepthStatistics second;
+  double duration_s = 0.0;
+  double measured = 0.0;
+};
+
+double measured_share(const DepthStatistics& statistics) {
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < statistics.size(); ++i) seen += statistics.seen(i) ? 1U : 0U;
+  return static_cast<double>(seen) / static_cast<double>(statistics.size());
+}
+
+Watched watch(LiveCamera& live, int frames, const Progress& progress) {
+  const std::unique_ptr<Camera> camera = live.every_frame();
+  std::optional<CameraFrame> frame = camera->wait_for_frame();
+  const CaptureInfo info = camera->info();
+  const int width = info.depth.width;
+  const int height = info.depth.height;
+  Watched watched{info, {width, height}, {width, height}, 0.0, 0.0};
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < frames && frame; ++i) {
+    (2 * i < frames ? watched.first : watched.second).add(frame->depth);
+    progress("looking", static_cast<std::size_t>(i + 1), static_cast<std::size_t>(frames));
+    frame = camera->wait_for_frame();
+  }
+  watched.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  watched.measured = measured_share(watched.first);
+  return watched;
+}
+
+ReadinessItem camera_item(const Watched& watched, const ReadinessOptions& options) {
+  const double rate_hz = options.frames / std::max(1e-3, watched.duration_s);
+  const Intrinsics& depth = watched.info.depth;
+  const std::string seen = fmt::format("{}, {} x {} pixels, {:.1f} frames a second",
+                                       watched.info.camera.value_or(CameraInfo{"Camera", "", {}}).model,
+                                       depth.width, depth.height, rate_hz);
+  if (rate_hz >= options.least_rate_hz) return {"Camera", true, seen + "."};
+  return {"Camera", false, seen + ": too few. Use a USB 3 port and cable, and close other programs."};
+}
+
+ReadinessItem depth_item(const Watched& watched, const ReadinessOptions& options) {
+  const std::string seen = fmt::format("{:.0f} % of the view is measured", 100.0 * watched.measured);
+  if (watched.measured >= options.least_measured) return {"Depth", true, seen + "."};
+  return {"Depth", false,
+          seen + ": too little. Is the lens clean, the projector on, and nothing nearer than 0.2 m?"};
+}
+
+ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& options) {
+  const double product = disparity_m_px(watched.info);
+  const DisparityChange change =
+      disparity_change(watched.first, watched.second, product / watched.info.depth_unit_m);
+  const Drift drift = fit_drift(change);
+  const int u = watched.info.depth.width / 2;
+  const int v = watched.info.depth.height / 2;
+  const double drift_px = drift.px()(u, v);
+  const double deviation_px = std::sqrt(drift.variance_px2()(u, v));
+  // Depth changes by its square times the change of disparity, over focal length times baseline.
+  const double at_one_metre_mm = 1000.0 * std::abs(drift_px) / product;
+  const std::string seen = fmt::format("depth at one metre moved by {:.2f} mm in {:.0f} seconds",
+                                       at_one_metre_mm, watched.duration_s);
+  constexpr double sure = 3.0;
+  if (std::abs(drift_px) <= std::max(options.most_drift_px, sure * deviation_px))
+    return {"Warm-up", true, fmt::format("The camera is steady: {}.", seen)};
+  return {"Warm-up", false,
+          fmt::format("The camera is still warming up, or was touched: {}. Wait a few minutes.", seen)};
+}
+
+ReadinessItem robot_item(const Drive* drive) {
+  if (drive == nullptr) return {"Robot", true, "There is none: the camera stands still, in one view."};
+  const DriveState state = drive->state();
+  if (!state.problem.empty()) return {"Robot", false, state.problem};
+  if (!state.joints) return {"Robot", false, "It has not said yet where it is. Wait a moment."};
+  return {"Robot", true,
+          fmt::format("It answers: pan {:.1f}, tilt {:.1f} degrees.", state.joints->pan_deg,
+                      state.joints->tilt_deg)};
+}
+
+ReadinessItem disk_item(const std::filesystem::path& folder, const ReadinessOptions& options) {
+  std::error_code failure;
+  const std::filesystem::space_info space = std::filesystem::space(folder, failure);
+  if (failure)
+    return {"Disk", false, fmt::format("It does not say how much is free: {}.", failure.message())};
+  const double free_gb = static_cast<double>(space.available) / 1e9;
+  const std::string seen = fmt::format("{:.1f} GB are free", free_gb);
+  if (free_gb >= options.least_free_gb) return {"Disk", true, seen + "."};
+  return {"Disk", false, fmt::format("{}: free {:.1f} GB at least.", seen, options.least_free_gb)};
+}
+
+}  // namespace
+
+bool Readiness::ready() const { return std::ranges::all_of(items, &ReadinessItem::ready); }
+
+Readiness check_readiness(LiveCamera& camera, const Drive* drive, const std::filesystem::path& folder,
+                          const ReadinessOptions& options, const Progress& progress) {
+  Readiness readiness;
+  try {
+    const Watched watched = watch(camera, options.frames, progress);
+    readiness.items = {camera_item(watched, options), depth_item(watched, options),
+                       warm_up_item(watched, options)};
+  } catch (const Error& error) {
+    readiness.items = {{"Camera", false, error.what()}};
+  }
+  readiness.items.push_back(robot_item(drive));
+  readiness.items.push_back(disk_item(folder, options));
+  readiness.checked_at = iso_8601_now();
+  return readiness;
+}
+
+}  // namespace rva

@@ -1,0 +1,65 @@
+// What outlives the program: inspections, decisions, accounts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "inspect/inspection.hpp"
+
+namespace rva {
+
+/// What somebody may do; each may do what those before it may.
+enum class Role {
+  viewer,     ///< look, and stop the robot
+  operator_,  ///< drive, take captures
+  inspector,  ///< decide on findings
+};
+[[nodiscard]] std::string_view name_of(Role role);
+[[nodiscard]] std::optional<Role> role_from_name(std::string_view name);
+
+struct Account {
+  std::string name;
+  Role role = Role::viewer;
+  std::string password_hash;  ///< as inspect/password.hpp makes it
+};
+
+/// Every change is complete and on the disk when the call returns, or has not happened. Every member may be
+/// called from any thread, and throws an Error when the disk or the database refuses.
+class Records {
+ public:
+  Records() = default;
+  virtual ~Records() = default;
+  Records(const Records&) = delete;
+  Records& operator=(const Records&) = delete;
+
+  /// @return its id
+  /// @param dither captures of each view
+  [[nodiscard]] virtual std::int64_t add_inspection(const InspectionOrder& order,
+                                                    const std::string& created_at, int dither) = 0;
+  /// Newest first.
+  [[nodiscard]] virtual std::vector<std::int64_t> inspections() const = 0;
+  /// Empty where there is none of this id.
+  [[nodiscard]] virtual std::optional<Inspection> find(std::int64_t id) const = 0;
+
+  // Of an inspection that is there; an Error otherwise.
+
+  virtual void set_views(std::int64_t id, const std::vector<PanTilt>& views) = 0;
+  virtual void set_side(std::int64_t id, Side side, const TakenSide& taken) = 0;
+  /// Takes the place of an earlier comparison and of its findings.
+  virtual void set_comparison(std::int64_t id, const std::string& compared_at,
+                              const std::vector<ComparedView>& views,
+                              const std::vector<ReviewedFinding>& findings) = 0;
+  /// Earlier decisions are kept; the last one holds. @throws Error when there is no such finding
+  virtual void decide(std::int64_t id, int finding, const Decision& decision) = 0;
+
+  /// Adds an account or takes the place of the one of that name.
+  virtual void set_account(const Account& account) = 0;
+  [[nodiscard]] virtual std::vector<Account> accounts() const = 0;
+  /// @return whether there was one
+  virtual bool remove_account(const std::string& name) = 0;
+};
+
+}  // namespace rva

@@ -1,0 +1,161 @@
+#include "inspect/review_pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "core/quantile.hpp"
+#include "depth/colorize.hpp"
+#include "depth/mat_view.hpp"
+
+namespace rva {
+namespace {
+
+float median_m(const Image<float>& depth_m) {
+  std::vector<float> measured;
+  std::ranges::copy_if(depth_m.pixels(), std::back_inserter(measured), [](float m) { return m > 0.0F; });
+  return measured.empty() ? 1.0F : quantile(measured, 0.5);
+}
+
+/// Where each pixel of a view lies in an image, as OpenCV's remap() takes it.
+struct PixelMap {
+  Image<float> u;
+  Image<float> v;
+};
+
+PixelMap map_to(const Intrinsics& camera, const Transform& camera_from_view, const Intrinsics& view,
+                const Image<float>& view_depth_m) {
+  constexpr float outside = -10.0F;
+  PixelMap map{{view.width, view.height, outside}, {view.width, view.height, outside}};
+  const float usual_m = median_m(view_depth_m);
+  parallel_bands(view.height, [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      for (int u = 0; u < view.width; ++u) {
+        const float measured_m = view_depth_m(u, v);
+        const Eigen::Vector3d point =
+            camera_from_view * view.deproject({u, v}, measured_m > 0.0F ? measured_m : usual_m);
+        if (point.z() <= 0.0) continue;
+        const Eigen::Vector2d pixel = camera.project(point);
+        map.u(u, v) = static_cast<float>(pixel.x());
+        map.v(u, v) = static_cast<float>(pixel.y());
+      }
+    }
+  });
+  return map;
+}
+
+template <typename Pixel>
+Image<Pixel> sample(const Image<Pixel>& image, const PixelMap& map, int interpolation) {
+  Image<Pixel> seen(map.u.width(), map.u.height());
+  cv::remap(as_mat(image), as_mat(seen), as_mat(map.u), as_mat(map.v), interpolation, cv::BORDER_CONSTANT);
+  return seen;
+}
+
+// A colour imager sees less than the depth imager: beyond it, grey, the darker the farther.
+void shade_beyond(ColorImage& seen, const Image<float>& depth_m) {
+  const float usual_m = median_m(depth_m);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i] != Rgb{} || depth_m[i] <= 0.0F) continue;
+    const auto level = static_cast<std::uint8_t>(std::clamp(70.0F * usual_m / depth_m[i], 0.0F, 110.0F));
+    seen[i] = {level, level, level};
+  }
+}
+
+// The last one, when the light had settled.
+ColorImage color_in_view(const Capture& capture, const Transform& depth_from_view, const Intrinsics& view,
+                         const Image<float>& view_depth_m) {
+  const CaptureInfo& info = capture.info();
+  if (capture.color_frames() == 0) return {};
+  const ColorImage color = capture.color(capture.color_frames() - 1);
+  const Intrinsics camera = info.color.value_or(info.depth);
+  if (camera.width != color.width() || camera.height != color.height()) return {};
+  const Transform color_from_depth = info.color_from_depth.value_or(Transform::Identity());
+  ColorImage seen = seen_from(color, camera, color_from_depth * depth_from_view, view, view_depth_m);
+  shade_beyond(seen, view_depth_m);
+  return seen;
+}
+
+Image<float> metres(const Capture& capture) {
+  const DepthImage depth = capture.depth(capture.depth_frames() - 1);
+  Image<float> result(depth.width(), depth.height());
+  const auto unit_m = static_cast<float>(capture.info().depth_unit_m);
+  std::ranges::transform(depth.pixels(), result.pixels().begin(),
+                         [&](std::uint16_t units) { return static_cast<float>(units) * unit_m; });
+  return result;
+}
+
+ColorImage colorized(Image<float> depth_m, ColorScale scale) {
+  for (float& m : depth_m.pixels()) {
+    if (m <= 0.0F) m = std::numeric_limits<float>::quiet_NaN();
+  }
+  return colorize(depth_m, scale);
+}
+
+ColorScale scale_of(Image<float> depth_m) {
+  for (float& m : depth_m.pixels()) {
+    if (m <= 0.0F) m = std::numeric_limits<float>::quiet_NaN();
+  }
+  return scale_of_depth(depth_m);
+}
+
+// Brighter the higher the change, to be added to a picture. Where depth was lost there is no height.
+ColorImage draw_changed(const Detection& detection) {
+  constexpr double strong_mm = 20.0;
+  constexpr double least = 0.45;
+  ColorImage picture(detection.changed.width(), detection.changed.height());
+  for (const Finding& finding : detection.findings.findings) {
+    const double share = std::clamp(std::abs(finding.height_mm.value_or(strong_mm)) / strong_mm, 0.0, 1.0);
+    const auto level = static_cast<std::uint8_t>(255.0 * (least + (1.0 - least) * share));
+    const bool added = finding.kind == ChangeKind::added;
+    const Rgb color = added ? Rgb{level, static_cast<std::uint8_t>(level / 3), 0}
+                            : Rgb{0, static_cast<std::uint8_t>(level / 2), level};
+    for (const std::uint32_t pixel : finding.pixels) picture[pixel] = color;
+  }
+  return picture;
+}
+
+// Stripes, so that it is not told by colour alone.
+ColorImage draw_not_inspected(const Detection& detection) {
+  constexpr int period_px = 10;
+  constexpr Rgb bright{230, 60, 200};
+  constexpr Rgb dim{70, 15, 60};
+  ColorImage picture(detection.final_m.width(), detection.final_m.height());
+  for (int v = 0; v < picture.height(); ++v) {
+    for (int u = 0; u < picture.width(); ++u) {
+      const bool judged = detection.level_of_detection
+                              ? std::isfinite(detection.level_of_detection->least_mm(u, v))
+                              : detection.final_m(u, v) > 0.0F;
+      if (!judged) picture(u, v) = (u + v) % period_px < period_px / 2 ? bright : dim;
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+ColorImage seen_from(const ColorImage& image, const Intrinsics& camera, const Transform& camera_from_view,
+                     const Intrinsics& view, const Image<float>& view_depth_m) {
+  return sample(image, map_to(camera, camera_from_view, view, view_depth_m), cv::INTER_LINEAR);
+}
+
+ReviewPictures draw_review(const Capture& initial, const Capture& final, const Detection& detection) {
+  const Intrinsics& view = final.info().depth;
+  const Transform initial_from_final = detection.findings.final_from_initial.inverse();
+  const ColorScale scale = scale_of(detection.final_m);
+  ReviewPictures pictures;
+  pictures.initial_color = color_in_view(initial, initial_from_final, view, detection.final_m);
+  pictures.final_color = color_in_view(final, Transform::Identity(), view, detection.final_m);
+  pictures.initial_depth = colorized(
+      sample(metres(initial), map_to(initial.info().depth, initial_from_final, view, detection.final_m),
+             cv::INTER_NEAREST),
+      scale);
+  pictures.final_depth = colorized(detection.final_m, scale);
+  pictures.changed = draw_changed(detection);
+  pictures.not_inspected = draw_not_inspected(detection);
+  return pictures;
+}
+
+}  // namespace rva

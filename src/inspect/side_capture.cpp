@@ -1,0 +1,145 @@
+#include "inspect/side_capture.hpp"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "camera/recording.hpp"
+#include "core/clock.hpp"
+#include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "depth/capture_writer.hpp"
+#include "inspect/watched_camera.hpp"
+#include "map/view_capture.hpp"
+#include "map/view_folder.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::size_t frames_between_noise = 10;
+
+/// Tells of each frame, and measures noise of those of one view.
+class Witness {
+ public:
+  Witness(const SideCapture& side, const CaptureEvents& events, CaptureInfo info)
+      : events_(events), info_(std::move(info)), watch_(info_) {
+    now_.views = side.views.size();
+    now_.frames = side.frames;
+  }
+
+  void begin_view(std::size_t view) {
+    now_.view = view;
+    now_.frame = 0;
+    watch_ = NoiseWatch(info_);
+    events_.progress(now_);
+  }
+
+  void see(const CameraFrame& frame) {
+    watch_.add(frame.depth);
+    now_.frame = std::min(watch_.frames(), now_.frames);
+    events_.progress(now_);
+    if (watch_.frames() % frames_between_noise == 0) events_.noise(watch_.measure());
+  }
+
+  void tick() const { events_.progress(now_); }
+
+ private:
+  const CaptureEvents& events_;
+  CaptureInfo info_;
+  NoiseWatch watch_;
+  CaptureProgress now_;
+};
+
+// Long waits for the robot end when the work is to end.
+Clock clock_that_asks(const Witness& witness) {
+  const Clock real = steady_clock();
+  return {real.now_s, [real, &witness](double duration_s) {
+            witness.tick();
+            real.sleep(duration_s);
+          }};
+}
+
+void take_with_robot(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+  const std::unique_ptr<Camera> frames = rig.camera.every_frame();
+  Witness witness(side, events, frames->info());
+  WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
+  const Clock clock = clock_that_asks(witness);
+  const Drive::Loan loan(*rig.drive);
+  // The last call says that all are there.
+  const Progress progress = [&](std::string_view /*step*/, std::size_t done, std::size_t total) {
+    if (done < total) witness.begin_view(done);
+  };
+  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.views, side.folder, {side.frames, 1},
+             progress);
+}
+
+void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+  const std::filesystem::path folder = side.folder / view_name(0);
+  std::error_code ignored;
+  if (std::filesystem::exists(folder, ignored)) return;
+  const std::unique_ptr<Camera> frames = rig.camera.every_frame();
+  Witness witness(side, events, frames->info());
+  WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
+  witness.begin_view(0);
+  OutputFolder out(folder, capture_files(), Existing::refuse);
+  record(camera, side.frames, CaptureWriter(out.path(""), camera.info()), {});
+  out.commit();
+}
+
+void take_once(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+  if (rig.drive != nullptr)
+    take_with_robot(rig, side, events);
+  else
+    take_standing(rig, side, events);
+}
+
+// Why nothing can be taken just now; empty where everything answers.
+std::string what_is_away(const InspectionRig& rig) {
+  const CameraHealth health = rig.camera.health();
+  if (!health.problem.empty()) return health.problem;
+  if (rig.camera.wait_for_other(rig.camera.newest().get(), std::chrono::milliseconds(1500)) == nullptr)
+    return "camera: gives no frames; check its cable";
+  if (rig.drive == nullptr) return {};
+  const DriveState state = rig.drive->state();
+  return state.joints ? "" : state.problem;
+}
+
+// @return whether a device was away, and is back
+bool waited_for_device(const InspectionRig& rig, const CaptureEvents& events, const CaptureProgress& where) {
+  bool waited = false;
+  for (std::string away = what_is_away(rig); !away.empty(); away = what_is_away(rig)) {
+    waited = true;
+    events.waiting(away);
+    events.progress(where);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  if (waited) events.waiting("");
+  return waited;
+}
+
+}  // namespace
+
+void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+  CaptureProgress last{0, side.views.size(), 0, side.frames};
+  CaptureEvents noted = events;
+  noted.progress = [&](const CaptureProgress& now) {
+    last = now;
+    events.progress(now);
+  };
+  ViewFolder folder(side.folder, side.replace ? ViewFolder::Start::replace : ViewFolder::Start::resume,
+                    side.views.size());
+  for (bool complete = false; !complete;) {
+    try {
+      take_once(rig, side, noted);
+      complete = true;
+    } catch (const UsageError&) {
+      throw;
+    } catch (const Error&) {
+      if (!waited_for_device(rig, events, last)) throw;
+    }
+  }
+  folder.done();
+}
+
+}  // namespace rva

@@ -1,0 +1,54 @@
+// All views of one side of an inspection, taken.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "camera/live_camera.hpp"
+#include "geometry/pan_tilt.hpp"
+#include "inspect/noise_watch.hpp"
+#include "robot/drive.hpp"
+
+namespace rva {
+
+/// What sees and what moves; the robot may be missing.
+struct InspectionRig {
+  LiveCamera& camera;
+  Drive* drive = nullptr;  ///< null where there is no robot
+  PanTiltChain chain{};
+};
+
+/// How far a capture has come.
+struct CaptureProgress {
+  std::size_t view = 0;   ///< under way, from 0
+  std::size_t views = 0;  ///< of the side
+  std::size_t frame = 0;  ///< of the view
+  std::size_t frames = 0;
+};
+
+/// What the capture tells while it goes on, on the thread that takes it.
+struct CaptureEvents {
+  std::function<void(const CaptureProgress&)> progress;  ///< after each frame; throws Interrupted to end it
+  std::function<void(NoiseSoFar)> noise;                 ///< every few frames
+  std::function<void(const std::string& why)> waiting;   ///< for a device that is away; empty when it is back
+};
+
+struct SideCapture {
+  std::vector<PanTilt> views;  ///< one, of any angles, where there is no robot
+  std::filesystem::path folder;
+  std::string base;         ///< name of the place where the robot's foot stands
+  std::size_t frames = 40;  ///< of each view
+  bool replace = false;     ///< an earlier, complete side
+};
+
+/// Goes on where an earlier call was ended: views that are there are not taken again. A camera or a robot
+/// that goes away is waited for, and only the view under way is taken anew.
+/// @throws UsageError  a view is beyond the robot's limits
+/// @throws Error       something else failed; views that were complete stay
+/// @throws Interrupted as `events.progress` does; the robot has been stopped
+void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events);
+
+}  // namespace rva

@@ -1,0 +1,153 @@
+#include "inspect/view_comparison.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "cloud/spatial_detection.hpp"
+#include "core/file.hpp"
+#include "core/interrupt.hpp"
+#include "core/output_folder.hpp"
+#include "depth/image_file.hpp"
+#include "detect/drawing.hpp"
+#include "detect/static_detection.hpp"
+#include "inspect/inspection_map.hpp"
+#include "inspect/review_pictures.hpp"
+
+namespace rva {
+namespace {
+
+Captures open_captures(const InspectionFolder& folder, const Inspection& inspection, Side side, int view) {
+  Captures captures;
+  for (int k = 0; k < inspection.dither; ++k)
+    captures.push_back(open_capture(folder.capture(side, inspection, view, k)));
+  return captures;
+}
+
+/// A view's captures, and what changed between them, in the view of the first final one.
+struct ViewResult {
+  Captures initial;
+  Captures final;
+  Detection detection;
+};
+
+ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view, bool moved) {
+  ViewResult result{open_captures(folder, inspection, Side::initial, view),
+                    open_captures(folder, inspection, Side::final, view),
+                    {}};
+  if (moved) {
+    // Servos come back to a step, not to a place.
+    SpatialDetectionOptions options;
+    options.exact_poses = false;
+    result.detection = detect_spatial(result.initial, result.final, options, {}).detection;
+  } else {
+    result.detection = detect_static(*result.initial.front(), *result.final.front(), {}, {});
+  }
+  return result;
+}
+
+void write_picture(const OutputFolder& out, const char* name, const ColorImage& picture) {
+  if (!picture.empty()) write_file(out.path(name), encode_png(picture));
+}
+
+// @return the picture of changes
+ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
+  const Detection& detection = result.detection;
+  OutputFolder out(folder,
+                   {"detections.json", "changes.png", "depth_overlay.png", "level_of_detection.png",
+                    "level_of_detection.json", "initial_color.png", "final_color.png", "initial_depth.png",
+                    "final_depth.png", "changed.png", "not_inspected.png"},
+                   Existing::replace);
+  write_file(out.path("detections.json"), to_json(detection.findings));
+  write_file(out.path("changes.png"), encode_png(detection.changed));
+  write_picture(out, "depth_overlay.png", draw_on_depth(detection.final_m, detection.findings.findings));
+  if (const auto& level = detection.level_of_detection) {
+    write_picture(out, "level_of_detection.png", draw_level_of_detection(level->least_mm));
+    write_file(out.path("level_of_detection.json"), to_json(level->summary));
+  }
+  ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), detection);
+  write_picture(out, "initial_color.png", pictures.initial_color);
+  write_picture(out, "final_color.png", pictures.final_color);
+  write_picture(out, "initial_depth.png", pictures.initial_depth);
+  write_picture(out, "final_depth.png", pictures.final_depth);
+  write_picture(out, "changed.png", pictures.changed);
+  write_picture(out, "not_inspected.png", pictures.not_inspected);
+  out.commit();
+  return std::move(pictures.changed);
+}
+
+ComparedView summary_of(const Detection& detection, int view) {
+  ComparedView summary;
+  summary.view = view;
+  summary.method = detection.findings.method;
+  summary.coverage = detection.findings.coverage;
+  summary.judged = detection.level_of_detection ? detection.level_of_detection->summary.judged
+                                                : detection.findings.coverage.compared;
+  summary.warnings = detection.warnings;
+  return summary;
+}
+
+std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const PanTiltChain& chain) {
+  const Transform place = map_from_camera(result.final.front()->info(), chain);
+  std::vector<ReviewedFinding> findings;
+  for (const Finding& finding : result.detection.findings.findings) {
+    ReviewedFinding reviewed;
+    reviewed.view = view;
+    reviewed.finding = finding;
+    reviewed.finding.pixels.clear();
+    if (finding.position_m) reviewed.in_foot_m = place * *finding.position_m;
+    findings.push_back(std::move(reviewed));
+  }
+  return findings;
+}
+
+bool is_same_thing(const ReviewedFinding& a, const ReviewedFinding& b, double reach_m) {
+  return a.view != b.view && a.finding.kind == b.finding.kind && a.in_foot_m && b.in_foot_m &&
+         (*a.in_foot_m - *b.in_foot_m).norm() < reach_m;
+}
+
+}  // namespace
+
+std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m) {
+  std::ranges::stable_sort(findings, std::greater<>{}, [](const ReviewedFinding& finding) {
+    return finding.finding.score.value_or(0.0);
+  });
+  int number = 0;
+  for (ReviewedFinding& finding : findings) {
+    finding.number = ++number;
+    const auto same =
+        std::ranges::find_if(findings.begin(), findings.begin() + (number - 1), [&](const auto& other) {
+          return other.same_as == other.number && is_same_thing(other, finding, reach_m);
+        });
+    const bool is_new = same == findings.begin() + (number - 1);
+    finding.same_as = is_new ? number : same->number;
+  }
+  return findings;
+}
+
+Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, bool moved,
+                       const PanTiltChain& chain, const Progress& progress) {
+  Compared compared;
+  std::vector<ReviewedFinding> findings;
+  std::vector<MapPoint> points;
+  for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
+    throw_if_interrupted();
+    if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
+    const ViewResult result = compare(folder, inspection, view, moved);
+    const ColorImage changed = write(result, folder.result(view));
+    const CaptureInfo& info = result.final.front()->info();
+    std::ranges::move(changed_points(result.detection, changed, info.depth, map_from_camera(info, chain)),
+                      std::back_inserter(points));
+    compared.views.push_back(summary_of(result.detection, view));
+    std::ranges::move(findings_of(result, view, chain), std::back_inserter(findings));
+  }
+  write_inspection_map(folder, inspection, moved, chain);
+  write_points(folder.changes(), points);
+  compared.findings = rank(std::move(findings));
+  return compared;
+}
+
+}  // namespace rva

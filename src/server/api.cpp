@@ -1,0 +1,137 @@
+#include "server/api.hpp"
+
+#include <charconv>
+
+#include "core/clock.hpp"
+#include "core/path_text.hpp"
+#include "server/request_body.hpp"
+
+namespace rva {
+namespace {
+
+std::vector<std::string_view> segments(std::string_view path) {
+  std::vector<std::string_view> parts;
+  while (!path.empty()) {
+    const std::size_t slash = path.find('/', 1);
+    parts.push_back(path.substr(0, slash));
+    path = slash == std::string_view::npos ? std::string_view() : path.substr(slash);
+  }
+  return parts;
+}
+
+// What stands where the route has {}; empty where the path is another's.
+std::optional<std::vector<std::string>> match(std::string_view route, std::string_view path) {
+  const std::vector<std::string_view> wanted = segments(route);
+  const std::vector<std::string_view> given = segments(path);
+  if (wanted.size() != given.size()) return std::nullopt;
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i] == "/{}")
+      places.emplace_back(given[i].substr(1));
+    else if (wanted[i] != given[i])
+      return std::nullopt;
+  }
+  return places;
+}
+
+}  // namespace
+
+ApiResponse refusal(int status, const std::string& code, const std::string& message) {
+  const Json body{{"error", {{"code", code}, {"message", message}}}};
+  return {status, "application/json", body.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+Api::Api(const ServerParts& parts, bool secure_cookie) : parts_(parts), secure_cookie_(secure_cookie) {}
+
+const std::vector<Api::Route>& Api::routes() {
+  static const std::vector<Route> all{
+      {"GET", "/api/session", std::nullopt, &Api::get_session},
+      {"POST", "/api/sign-in", std::nullopt, &Api::sign_in},
+      {"POST", "/api/sign-out", std::nullopt, &Api::sign_out},
+      {"GET", "/api/inspections", Role::viewer, &Api::list_inspections},
+      {"POST", "/api/inspections", Role::operator_, &Api::begin_inspection},
+      {"GET", "/api/inspections/{}", Role::viewer, &Api::get_inspection},
+      {"PUT", "/api/inspections/{}/views", Role::operator_, &Api::set_views},
+      {"POST", "/api/inspections/{}/capture", Role::operator_, &Api::take_side},
+      {"POST", "/api/inspections/{}/compare", Role::operator_, &Api::compare},
+      {"POST", "/api/inspections/{}/findings/{}/decision", Role::inspector, &Api::decide},
+      {"GET", "/api/inspections/{}/views/{}/{}", Role::viewer, &Api::get_picture},
+      {"GET", "/api/inspections/{}/map", Role::viewer, &Api::get_map},
+      {"GET", "/api/inspections/{}/changes", Role::viewer, &Api::get_changes},
+      {"POST", "/api/readiness", Role::operator_, &Api::check_readiness},
+      {"GET", "/api/findable.png", Role::viewer, &Api::get_findable},
+      {"POST", "/api/cancel", Role::operator_, &Api::cancel},
+      {"POST", "/api/measure", Role::viewer, &Api::measure_points},
+      {"POST", "/api/simulation", Role::operator_, &Api::simulate_work},
+  };
+  return all;
+}
+
+ApiResponse Api::answer(const ApiRequest& request) const {
+  try {
+    return dispatch(request);
+  } catch (const ApiError& error) {
+    return refusal(error.status(), error.code(), error.what());
+  } catch (const UsageError& error) {
+    return refusal(400, "bad-request", error.what());
+  } catch (const Error& error) {
+    return refusal(409, "refused", error.what());
+  } catch (const std::exception& error) {
+    return refusal(500, "internal", "internal error: " + printable(error.what()));
+  }
+}
+
+ApiResponse Api::dispatch(const ApiRequest& request) const {
+  bool known_path = false;
+  for (const Route& route : routes()) {
+    const auto places = match(route.path, request.path);
+    if (!places) continue;
+    known_path = true;
+    if (route.method != request.method) continue;
+    const std::optional<Person> who = person(request.token);
+    require_role(route, who);
+    return (this->*route.handler)({request, who, *places, parse_body(request.body)});
+  }
+  if (known_path)
+    return refusal(405, "method-not-allowed", request.method + " has no meaning here; see docs/api.md");
+  return refusal(404, "not-found", "nothing is here; see docs/api.md");
+}
+
+std::optional<Person> Api::person(const std::string& token) const {
+  if (!parts_.sessions.needed()) return Person{"", Role::inspector};
+  return parts_.sessions.person(token, steady_clock().now_s());
+}
+
+void Api::require_role(const Route& route, const std::optional<Person>& person) const {
+  if (!route.least) return;
+  if (!person) throw ApiError(401, "sign-in-required", "console", "nobody is signed in", "sign in first");
+  if (person->role < *route.least)
+    throw ApiError(403, "not-allowed", person->name,
+                   "may not do this as a " + std::string(name_of(person->role)),
+                   "ask somebody who may, or for another role");
+}
+
+// A capture turns the camera: not under the hands of somebody else.
+void Api::require_robot_free(const Call& call) const {
+  const auto holder = parts_.lease.holder(steady_clock().now_s());
+  if (parts_.drive != nullptr && holder && holder->client != call.request.client)
+    throw ApiError(409, "somebody-drives", "robot", printable(holder->name) + " is driving",
+                   "ask them to let go, or take over");
+}
+
+std::int64_t Api::inspection_id(const Call& call) {
+  const std::string& text = call.places.at(0);
+  std::int64_t id = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (failure != std::errc{} || end != text.data() + text.size() || id < 1)
+    throw ApiError(404, "not-found", "inspection", printable(text) + " is no number",
+                   "see the list of inspections");
+  return id;
+}
+
+// An account's name is its own; without accounts people say who they are.
+std::string Api::person_of(const Call& call) {
+  return call.person && !call.person->name.empty() ? call.person->name : text_field(call.body, "person");
+}
+
+}  // namespace rva

@@ -1,0 +1,109 @@
+// The HTTP API (docs/api.md), without HTTP: a question, an answer.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "server/json_of.hpp"
+#include "server/server_parts.hpp"
+
+namespace rva {
+
+struct ApiRequest {
+  std::string method;  ///< "GET", "POST", "PUT"
+  std::string path;    ///< "/api/...", without what follows a question mark
+  std::string body;    ///< JSON, or empty
+  std::string client;  ///< of a console: the same as in its WebSocket
+  std::string token;   ///< of the session cookie; empty where there is none
+};
+
+struct ApiResponse {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::string body;
+  std::vector<std::pair<std::string, std::string>> headers{};
+};
+
+/// What is refused: `code` for programs, the sentence for people.
+class ApiError : public Error {
+ public:
+  ApiError(int status, std::string code, const std::string& place, const std::string& problem,
+           const std::string& remedy)
+      : Error(place, problem, remedy), status_(status), code_(std::move(code)) {}
+  [[nodiscard]] int status() const { return status_; }
+  [[nodiscard]] const std::string& code() const { return code_; }
+
+ private:
+  int status_;
+  std::string code_;
+};
+
+[[nodiscard]] ApiResponse refusal(int status, const std::string& code, const std::string& message);
+
+/// Every member may be called from any thread.
+class Api {
+ public:
+  /// @param secure_cookie browsers send it over TLS only
+  Api(const ServerParts& parts, bool secure_cookie);
+
+  /// Never throws: what goes wrong is an answer.
+  [[nodiscard]] ApiResponse answer(const ApiRequest& request) const;
+
+  /// Who asks: without accounts, anybody may do everything.
+  [[nodiscard]] std::optional<Person> person(const std::string& token) const;
+
+ private:
+  /// A request whose route is known.
+  struct Call {
+    const ApiRequest& request;
+    std::optional<Person> person;
+    std::vector<std::string> places;  ///< what stands where the route has {}
+    Json body;                        ///< an object
+  };
+  using Handler = ApiResponse (Api::*)(const Call&) const;
+  struct Route {
+    std::string_view method;
+    std::string_view path;
+    std::optional<Role> least;  ///< empty: who is not signed in may, too
+    Handler handler;
+  };
+  static const std::vector<Route>& routes();
+
+  [[nodiscard]] ApiResponse dispatch(const ApiRequest& request) const;
+  void require_role(const Route& route, const std::optional<Person>& person) const;
+  void require_robot_free(const Call& call) const;
+  [[nodiscard]] static std::int64_t inspection_id(const Call& call);
+  [[nodiscard]] static std::string person_of(const Call& call);
+
+  // server/session_routes.cpp
+  ApiResponse get_session(const Call& call) const;
+  ApiResponse sign_in(const Call& call) const;
+  ApiResponse sign_out(const Call& call) const;
+  // server/inspection_routes.cpp
+  ApiResponse list_inspections(const Call& call) const;
+  ApiResponse begin_inspection(const Call& call) const;
+  ApiResponse get_inspection(const Call& call) const;
+  ApiResponse set_views(const Call& call) const;
+  ApiResponse check_readiness(const Call& call) const;
+  ApiResponse take_side(const Call& call) const;
+  ApiResponse compare(const Call& call) const;
+  ApiResponse cancel(const Call& call) const;
+  ApiResponse decide(const Call& call) const;
+  // server/picture_routes.cpp
+  ApiResponse get_picture(const Call& call) const;
+  ApiResponse get_findable(const Call& call) const;
+  ApiResponse get_map(const Call& call) const;
+  ApiResponse get_changes(const Call& call) const;
+  ApiResponse measure_points(const Call& call) const;
+  ApiResponse simulate_work(const Call& call) const;
+
+  ServerParts parts_;
+  bool secure_cookie_;
+};
+
+}  // namespace rva

@@ -1,0 +1,35 @@
+// Boost.Asio and Beast with coroutines, and short names for them. For source files of src/server alone.
+#pragma once
+
+#include <utility>  // Boost 1.74's awaitable.hpp forgets it
+
+// After <utility>.
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/ssl.hpp>
+#include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/ssl.hpp>
+
+namespace rva {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
+using tcp = asio::ip::tcp;
+using ErrorCode = boost::system::error_code;
+
+/// co_await gives the failure to `failure` instead of throwing it.
+inline auto noting(ErrorCode& failure) { return asio::redirect_error(asio::use_awaitable, failure); }
+
+}  // namespace rva

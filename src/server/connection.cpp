@@ -1,0 +1,182 @@
+#include "server/connection.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "core/clock.hpp"
+#include "server/http_answer.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::chrono::seconds first_request_limit{10};
+constexpr std::chrono::seconds next_request_limit{30};
+constexpr std::chrono::seconds write_limit{30};
+constexpr std::size_t most_header_bytes = 8192;
+constexpr std::size_t most_body_bytes = 65536;
+
+double now_s() { return steady_clock().now_s(); }
+
+/// Is among the open connections while it lives.
+class Registered {
+ public:
+  Registered(Place& place, std::function<void()> close)
+      : place_(place), entry_(place.open.insert(place.open.end(), {true, std::move(close)})) {}
+  ~Registered() { place_.open.erase(entry_); }
+  Registered(const Registered&) = delete;
+  Registered& operator=(const Registered&) = delete;
+  void set_idle(bool idle) { entry_->idle = idle; }
+
+ private:
+  Place& place_;
+  std::list<OpenConnection>::iterator entry_;
+};
+
+// Says at its end that the socket is no longer needed.
+template <typename Socket>
+asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member> member) {
+  ErrorCode failure;
+  while (!member->ended && !failure) {
+    const std::optional<Message> message = member->conversation.next(now_s());
+    if (!message) {
+      ErrorCode woken;
+      member->alarm.expires_after(std::chrono::seconds(1));
+      co_await member->alarm.async_wait(noting(woken));
+      continue;
+    }
+    socket.binary(message->binary);
+    beast::get_lowest_layer(socket).expires_after(write_limit);
+    co_await socket.async_write(asio::buffer(message->bytes), noting(failure));
+  }
+  if (failure) beast::get_lowest_layer(socket).close();
+  member->written = true;
+}
+
+template <typename Socket>
+asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
+  for (;;) {
+    beast::flat_buffer buffer;
+    ErrorCode failure;
+    co_await socket.async_read(buffer, noting(failure));
+    if (failure == websocket::error::message_too_big || failure == websocket::error::buffer_overflow)
+      co_return "a WebSocket message was too large";
+    if (failure) co_return "";
+    if (!socket.got_text()) co_return "a WebSocket message was no text";
+    try {
+      const auto bytes = buffer.cdata();
+      member.conversation.hear({static_cast<const char*>(bytes.data()), bytes.size()}, now_s());
+      member.wake();
+    } catch (const ProtocolError& error) {
+      co_return std::string(error.what());
+    }
+  }
+}
+
+template <typename Stream>
+asio::awaitable<void> talk(Stream& stream, http::request<http::string_body> request, Person person,
+                           Place& place) {
+  using Socket = websocket::stream<Stream&>;
+  Socket socket(stream);
+  socket.read_message_max(Conversation::most_message_bytes);
+  websocket::stream_base::timeout limits{};
+  limits.handshake_timeout = first_request_limit;
+  limits.idle_timeout = std::chrono::seconds(10);
+  limits.keep_alive_pings = true;
+  socket.set_option(limits);
+  beast::get_lowest_layer(socket).expires_never();
+  ErrorCode failure;
+  co_await socket.async_accept(request, noting(failure));
+  if (failure) co_return;
+  const std::shared_ptr<LiveHub::Member> member = place.hub.join(std::move(person));
+  asio::co_spawn(co_await asio::this_coro::executor, write_all(socket, member), asio::detached);
+  const std::string complaint = co_await read_all(socket, *member);
+  member->ended = true;
+  place.hub.leave(member);
+  if (!complaint.empty()) {
+    place.complaints.add("a console was refused: " + complaint, now_s());
+    // A close frame holds 123 bytes of reason.
+    co_await socket.async_close({websocket::close_code::policy_error, complaint.substr(0, 120)},
+                                noting(failure));
+  }
+  beast::get_lowest_layer(socket).close();
+  asio::steady_timer pause(co_await asio::this_coro::executor);
+  while (!member->written) {
+    member->wake();
+    pause.expires_after(std::chrono::milliseconds(5));
+    co_await pause.async_wait(noting(failure));
+  }
+}
+
+/// Why a request could not be read, as an answer; nothing where the visitor has gone.
+std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
+  if (failure == http::error::body_limit) return refusal(413, "too-large", "the request is too large");
+  if (failure == http::error::header_limit || failure == http::error::buffer_overflow)
+    return refusal(431, "too-large", "the request's header is too large");
+  if (failure.category() == make_error_code(http::error::bad_method).category() &&
+      failure != http::error::end_of_stream && failure != http::error::partial_message)
+    return refusal(400, "bad-request", "the request is malformed");
+  return std::nullopt;
+}
+
+template <typename Stream>
+asio::awaitable<void> serve_requests(Stream& stream, Place& place, Registered& registered) {
+  beast::flat_buffer buffer;
+  for (bool first = true;; first = false) {
+    http::request_parser<http::string_body> parser;
+    parser.header_limit(most_header_bytes);
+    parser.body_limit(most_body_bytes);
+    beast::get_lowest_layer(stream).expires_after(first ? first_request_limit : next_request_limit);
+    ErrorCode failure;
+    registered.set_idle(true);
+    co_await http::async_read(stream, buffer, parser, noting(failure));
+    registered.set_idle(false);
+    http::response<http::string_body> response;
+    if (failure) {
+      const std::optional<ApiResponse> refused = refusal_of(failure);
+      if (!refused) co_return;
+      place.complaints.add("a request was refused: " + failure.message(), now_s());
+      response = http_response(*refused, false, place.tls);
+    } else {
+      const http::request<http::string_body> request = parser.release();
+      const HttpCaller caller{place.api, place.files, place.tls, place.loopback};
+      if (websocket::is_upgrade(request)) {
+        const std::variant<Person, ApiResponse> visitor = who_talks(request, caller);
+        if (const auto* person = std::get_if<Person>(&visitor))
+          co_return co_await talk(stream, request, *person, place);
+        place.complaints.add("a WebSocket was refused", now_s());
+        response = http_response(std::get<ApiResponse>(visitor), false, place.tls);
+      } else {
+        // What asks the database or reads pictures does not hold up the live view.
+        response = co_await asio::co_spawn(
+            place.pool,
+            [&]() -> asio::awaitable<http::response<http::string_body>> {
+              co_return http_answer(request, caller);
+            },
+            asio::use_awaitable);
+      }
+    }
+    const bool last = !response.keep_alive();
+    beast::get_lowest_layer(stream).expires_after(write_limit);
+    co_await http::async_write(stream, response, noting(failure));
+    if (failure || last) co_return;
+  }
+}
+
+}  // namespace
+
+asio::awaitable<void> serve(beast::tcp_stream stream, Place& place) {
+  Registered registered(place, [&stream] { stream.close(); });
+  co_await serve_requests(stream, place, registered);
+}
+
+asio::awaitable<void> serve(beast::ssl_stream<beast::tcp_stream> stream, Place& place) {
+  Registered registered(place, [&stream] { beast::get_lowest_layer(stream).close(); });
+  beast::get_lowest_layer(stream).expires_after(first_request_limit);
+  ErrorCode failure;
+  co_await stream.async_handshake(asio::ssl::stream_base::server, noting(failure));
+  if (failure) co_return;
+  co_await serve_requests(stream, place, registered);
+}
+
+}  // namespace rva

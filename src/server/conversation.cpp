@@ -1,0 +1,198 @@
+#include "server/conversation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <utility>
+
+#include "core/clock.hpp"
+#include "server/request_body.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::uint64_t most_under_way = 2;
+constexpr std::size_t most_replies = 50;
+
+double unix_ms(std::chrono::system_clock::time_point moment) {
+  return std::chrono::duration<double, std::milli>(moment.time_since_epoch()).count();
+}
+
+// Length of the description (4 bytes, little endian), description as JSON, JPEG.
+Message message_of(const LivePicture& picture) {
+  Json head{{"stream", name_of(picture.stream)},
+            {"number", picture.number},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"taken_ms", unix_ms(picture.taken_at)}};
+  if (picture.scale_m) head["scale_m"] = {picture.scale_m->low, picture.scale_m->high};
+  const std::string text = head.dump();
+  Message message{true, {}};
+  message.bytes.reserve(4 + text.size() + picture.jpeg.size());
+  for (unsigned shift = 0; shift < 32; shift += 8)
+    message.bytes += static_cast<char>((text.size() >> shift) & 0xFFU);
+  message.bytes += text;
+  message.bytes.append(reinterpret_cast<const char*>(picture.jpeg.data()), picture.jpeg.size());
+  return message;
+}
+
+Json parse(std::string_view text) {
+  try {
+    return parse_body(std::string(text));
+  } catch (const Error& error) {
+    throw ProtocolError(error.what());
+  }
+}
+
+}  // namespace
+
+Conversation::Conversation(const ServerParts& parts, LivePictures& pictures, Person person)
+    : parts_(parts), pictures_(pictures), person_(std::move(person)) {}
+
+Conversation::~Conversation() {
+  if (watched_) pictures_.watch(*watched_, -1);
+  const double now_s = steady_clock().now_s();
+  const auto holder = parts_.lease.holder(now_s);
+  if (parts_.drive == nullptr || !holder || holder->client != client_) return;
+  if (!parts_.drive->state().lent) parts_.drive->halt();
+  parts_.lease.set_gone(client_, true, now_s);
+}
+
+void Conversation::hear(std::string_view text, double now_s) {
+  limit_rate(now_s);
+  const Json message = parse(text);
+  const auto found = message.find("type");
+  const std::string type = found != message.end() && found->is_string() ? found->get<std::string>() : "";
+  if (client_.empty() && type != "hello") throw ProtocolError("the first message is no hello");
+  try {
+    if (type == "hello") return greet(message);
+    if (type == "watch") return watch(message);
+    if (type == "shown") return shown(message);
+    if (type == "drive") return drive(message, now_s);
+    if (type == "lease") return lease(message, now_s);
+    if (type == "stop") {
+      if (parts_.drive != nullptr) parts_.drive->halt();
+      return;
+    }
+  } catch (const ApiError& error) {
+    return refuse(error.code(), error.what());
+  }
+  throw ProtocolError("unknown message");
+}
+
+// A bucket that fills again: bursts pass, floods do not.
+void Conversation::limit_rate(double now_s) {
+  allowance_ = std::min(most_messages_per_s, allowance_ + (now_s - heard_s_) * most_messages_per_s);
+  heard_s_ = now_s;
+  allowance_ -= 1.0;
+  if (allowance_ < 0.0) throw ProtocolError("too many messages");
+}
+
+void Conversation::greet(const Json& message) {
+  const auto version = message.find("protocol");
+  if (version == message.end() || !version->is_number_integer() || version->get<int>() != protocol)
+    throw ProtocolError("this console is of another version; load the page again");
+  client_ = text_field(message, "client");
+  name_ = person_.name.empty() ? text_field(message, "name") : person_.name;
+  constexpr std::size_t least_client_bytes = 16;
+  if (client_.size() < least_client_bytes) throw ProtocolError("the console gives no number of its own");
+  parts_.lease.set_gone(client_, false, steady_clock().now_s());
+}
+
+void Conversation::watch(const Json& message) {
+  const std::optional<Stream> wanted = stream_from_name(text_field(message, "stream"));
+  if (watched_) pictures_.watch(*watched_, -1);
+  watched_ = wanted;
+  if (watched_) pictures_.watch(*watched_, 1);
+  picture_.reset();
+}
+
+void Conversation::shown(const Json& /*message*/) { shown_ = std::min(shown_ + 1, sent_); }
+
+// A message that was long under way says how the sticks were, not how they are: silence stops the robot. The
+// console's clock counts from another time, so the quickest message so far says what no delay is; clocks that
+// run apart by less than 1 in 5000 do not matter.
+bool Conversation::is_fresh(double stamp_s, double now_s) {
+  constexpr double most_late_s = 0.3;
+  constexpr double drift = 2e-4;
+  const double delay_s = now_s - stamp_s;
+  const double forgiven_s =
+      least_delay_s_ ? *least_delay_s_ + drift * std::max(0.0, now_s - stamped_s_) : delay_s;
+  stamped_s_ = now_s;
+  least_delay_s_ = std::min(delay_s, forgiven_s);
+  return delay_s - *least_delay_s_ <= most_late_s;
+}
+
+void Conversation::drive(const Json& message, double now_s) {
+  if (parts_.drive == nullptr) return;
+  const Deflection deflection{number_field(message, "pan"), number_field(message, "tilt")};
+  const bool fresh = is_fresh(number_field(message, "stamp_ms") / 1000.0, now_s);
+  const bool held = deflection != Deflection{};
+  const auto holder = parts_.lease.holder(now_s);
+  if (!holder || holder->client != client_) {
+    if (held) refuse("not-driving", "robot: you do not drive it; take the controls first");
+    return;
+  }
+  if (held && !parts_.lease.use(client_, now_s)) return;
+  if (fresh) parts_.drive->steer(deflection);
+}
+
+void Conversation::lease(const Json& message, double now_s) {
+  if (person_.role < Role::operator_)
+    throw ApiError(403, "not-allowed", "robot", "you may look, and stop it", "ask an operator to drive");
+  const std::string action = text_field(message, "action");
+  if (action == "release") {
+    const auto holder = parts_.lease.holder(now_s);
+    if (parts_.drive != nullptr && holder && holder->client == client_) parts_.drive->steer({});
+    return parts_.lease.release(client_);
+  }
+  if (action != "take" && action != "take-over") throw ProtocolError("unknown action");
+  const std::string name = text_field(message, "name");
+  if (person_.name.empty() && !name.empty()) name_ = name;
+  const auto before = parts_.lease.holder(now_s);
+  if (!parts_.lease.take({client_, name_}, action == "take-over", now_s))
+    return refuse("somebody-drives", "robot: somebody else is driving; take over, or wait");
+  if (parts_.drive != nullptr && before && before->client != client_ && !parts_.drive->state().lent)
+    parts_.drive->halt();
+}
+
+void Conversation::refuse(const std::string& code, const std::string& message) {
+  if (replies_.size() == most_replies) replies_.pop_front();
+  replies_.push_back(Json{{"type", "refused"}, {"code", code}, {"message", message}}.dump(
+      -1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Conversation::offer(const std::shared_ptr<const LivePicture>& picture) {
+  if (watched_ == picture->stream) picture_ = picture;
+}
+
+std::optional<Message> Conversation::lease_news(double now_s) {
+  const auto holder = parts_.lease.holder(now_s);
+  Json news{{"type", "lease"}, {"yours", holder && holder->client == client_}};
+  if (holder) news["holder"] = holder->name;
+  std::string text = news.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (text == sent_lease_) return std::nullopt;
+  sent_lease_ = text;
+  return Message{false, std::move(text)};
+}
+
+std::optional<Message> Conversation::next(double now_s) {
+  if (client_.empty()) return std::nullopt;
+  if (!replies_.empty()) {
+    Message message{false, std::move(replies_.front())};
+    replies_.pop_front();
+    return message;
+  }
+  if (std::optional<Message> news = lease_news(now_s)) return news;
+  if (status_ && status_ != sent_status_) {
+    sent_status_ = status_;
+    return Message{false, *status_};
+  }
+  if (picture_ && sent_ - shown_ < most_under_way) {
+    ++sent_;
+    return message_of(*std::exchange(picture_, nullptr));
+  }
+  return std::nullopt;
+}
+
+}  // namespace rva

@@ -1,0 +1,90 @@
+#include <charconv>
+
+#include "core/date_time.hpp"
+#include "server/api.hpp"
+#include "server/request_body.hpp"
+
+namespace rva {
+namespace {
+
+ApiResponse json_answer(const Json& body, int status = 200) {
+  return {status, "application/json", body.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+ApiResponse started() { return {202, "application/json", "{}"}; }
+
+std::vector<PanTilt> views_in(const Json& body) {
+  const auto found = body.find("views");
+  if (found == body.end() || !found->is_array())
+    throw ApiError(400, "bad-request", "views", "is not a list", "see docs/api.md");
+  std::vector<PanTilt> views;
+  for (const Json& view : *found)
+    views.push_back({number_field(view, "pan_deg"), number_field(view, "tilt_deg")});
+  return views;
+}
+
+}  // namespace
+
+ApiResponse Api::list_inspections(const Call& /*call*/) const {
+  Json list = Json::array();
+  for (const std::int64_t id : parts_.inspector.inspections())
+    list.push_back(summary_json(parts_.inspector.inspection(id)));
+  return json_answer({{"inspections", list}});
+}
+
+ApiResponse Api::begin_inspection(const Call& call) const {
+  const std::int64_t id =
+      parts_.inspector.begin({text_field(call.body, "aircraft"), text_field(call.body, "zone"),
+                              text_field(call.body, "work_order"), person_of(call)});
+  return json_answer(json_of(parts_.inspector.inspection(id)), 201);
+}
+
+ApiResponse Api::get_inspection(const Call& call) const {
+  return json_answer(json_of(parts_.inspector.inspection(inspection_id(call))));
+}
+
+ApiResponse Api::set_views(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  parts_.inspector.set_views(id, views_in(call.body));
+  return json_answer(json_of(parts_.inspector.inspection(id)));
+}
+
+ApiResponse Api::check_readiness(const Call& /*call*/) const {
+  parts_.inspector.check_readiness();
+  return started();
+}
+
+ApiResponse Api::take_side(const Call& call) const {
+  const std::optional<Side> side = side_from_name(text_field(call.body, "side"));
+  if (!side) throw ApiError(400, "bad-request", "side", "is neither initial nor final", "see docs/api.md");
+  require_robot_free(call);
+  parts_.inspector.capture(inspection_id(call), *side, person_of(call), flag_field(call.body, "replaced"));
+  return started();
+}
+
+ApiResponse Api::compare(const Call& call) const {
+  parts_.inspector.compare(inspection_id(call));
+  return started();
+}
+
+ApiResponse Api::cancel(const Call& /*call*/) const {
+  parts_.inspector.cancel();
+  return started();
+}
+
+ApiResponse Api::decide(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  const std::string& text = call.places.at(1);
+  int number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::optional<Verdict> verdict = verdict_from_name(text_field(call.body, "verdict"));
+  if (!verdict)
+    throw ApiError(400, "bad-request", "verdict", "is none that there is",
+                   "give debris-removed, installed-work, false-alarm or second-look");
+  parts_.inspector.decide(
+      id, number,
+      {*verdict, text_field(call.body, "note", most_note_bytes), person_of(call), iso_8601_now()});
+  return json_answer(json_of(parts_.inspector.inspection(id)));
+}
+
+}  // namespace rva

@@ -1,0 +1,140 @@
+#include "server/json_of.hpp"
+
+#include <cmath>
+
+namespace rva {
+namespace {
+
+// To so many digits after the point.
+double rounded(double number, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return std::round(number * scale) / scale;
+}
+
+Json list_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json json_of(const TakenSide& side) {
+  return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}};
+}
+
+Json json_of(const Decision& decision) {
+  return {{"verdict", name_of(decision.verdict)},
+          {"note", decision.note},
+          {"person", decision.person},
+          {"decided_at", decision.decided_at}};
+}
+
+Json json_of(const ComparedView& view) {
+  return {{"view", view.view},
+          {"method", view.method},
+          {"coverage",
+           {{"compared", view.coverage.compared},
+            {"unseen", view.coverage.unseen},
+            {"invalid", view.coverage.invalid}}},
+          {"judged", view.judged},
+          {"warnings", view.warnings}};
+}
+
+}  // namespace
+
+Json json_of(const PanTilt& joints) { return {{"pan_deg", joints.pan_deg}, {"tilt_deg", joints.tilt_deg}}; }
+
+Json json_of(const ReviewedFinding& reviewed) {
+  const Finding& finding = reviewed.finding;
+  const Box& box = finding.box;
+  Json json{{"number", reviewed.number},
+            {"view", reviewed.view},
+            {"same_as", reviewed.same_as},
+            {"kind", finding.kind == ChangeKind::added ? "added" : "removed"},
+            {"bbox", {box.x, box.y, box.width, box.height}},
+            {"centroid", {finding.centroid.x(), finding.centroid.y()}}};
+  if (finding.position_m) json["position_m"] = list_of(*finding.position_m);
+  if (reviewed.in_foot_m) json["in_foot_m"] = list_of(*reviewed.in_foot_m);
+  if (finding.size_mm) json["size_mm"] = *finding.size_mm;
+  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.score) json["score"] = *finding.score;
+  if (finding.p_value) json["p_value"] = *finding.p_value;
+  if (reviewed.decision) json["decision"] = json_of(*reviewed.decision);
+  return json;
+}
+
+Json summary_json(const Inspection& inspection) {
+  std::size_t undecided = 0;
+  for (const ReviewedFinding& finding : inspection.findings) undecided += is_settled(finding) ? 0U : 1U;
+  Json json{{"id", inspection.id},
+            {"aircraft", inspection.order.aircraft},
+            {"zone", inspection.order.zone},
+            {"work_order", inspection.order.work_order},
+            {"person", inspection.order.person},
+            {"created_at", inspection.created_at},
+            {"stage", name_of(stage_of(inspection))},
+            {"findings_count", inspection.findings.size()},
+            {"undecided_count", undecided}};
+  if (inspection.initial) json["initial"] = json_of(*inspection.initial);
+  if (inspection.final) json["final"] = json_of(*inspection.final);
+  if (!inspection.compared_at.empty()) json["compared_at"] = inspection.compared_at;
+  return json;
+}
+
+Json json_of(const Inspection& inspection) {
+  Json json = summary_json(inspection);
+  json["views"] = Json::array();
+  for (const PanTilt& view : inspection.views) json["views"].push_back(json_of(view));
+  json["compared"] = Json::array();
+  for (const ComparedView& view : inspection.compared) json["compared"].push_back(json_of(view));
+  json["findings"] = Json::array();
+  for (const ReviewedFinding& finding : inspection.findings) json["findings"].push_back(json_of(finding));
+  return json;
+}
+
+Json json_of(const Readiness& readiness) {
+  Json items = Json::array();
+  for (const ReadinessItem& item : readiness.items)
+    items.push_back({{"name", item.name}, {"ready", item.ready}, {"says", item.says}});
+  return {{"ready", readiness.ready()}, {"checked_at", readiness.checked_at}, {"items", items}};
+}
+
+Json json_of(const DetectionLevelSummary& levels) {
+  Json by_distance = Json::array();
+  for (const DetectionLevels& level : levels.by_distance)
+    by_distance.push_back({{"from_m", rounded(level.from_m, 1)},
+                           {"to_m", rounded(level.to_m, 1)},
+                           {"median_mm", rounded(level.median_mm, 1)},
+                           {"p90_mm", rounded(level.p90_mm, 1)}});
+  return {{"judged", levels.judged}, {"window_px", levels.window_px}, {"by_distance", by_distance}};
+}
+
+Json json_of(const TaskState& task) {
+  Json json{{"number", task.number}, {"kind", name_of(task.kind)}, {"end", name_of(task.end)}};
+  if (task.inspection > 0) json["inspection"] = task.inspection;
+  json["side"] = name_of(task.side);
+  json["view"] = task.progress.view;
+  json["views"] = task.progress.views;
+  json["frame"] = task.progress.frame;
+  json["frames"] = task.progress.frames;
+  json["done"] = task.done;
+  json["total"] = task.total;
+  if (!task.waiting.empty()) json["waiting"] = task.waiting;
+  if (!task.problem.empty()) json["problem"] = task.problem;
+  if (task.noise)
+    json["noise"] = {{"frames", task.noise->frames},
+                     {"measured", task.noise->measured},
+                     {"median_std_mm", rounded(task.noise->median_std_mm, 2)},
+                     {"findable", json_of(task.noise->findable)}};
+  return json;
+}
+
+Json json_of(const DriveState& state, const RobotLimits& limits) {
+  Json json{
+      {"driving", state.driving}, {"armed", state.armed}, {"lent", state.lent}, {"at_limit", state.at_limit}};
+  if (state.joints) {
+    json["pan_deg"] = rounded(state.joints->pan_deg, 2);
+    json["tilt_deg"] = rounded(state.joints->tilt_deg, 2);
+  }
+  if (!state.problem.empty()) json["problem"] = state.problem;
+  json["limits"] = {{"pan_deg", {limits.pan.min_deg, limits.pan.max_deg}},
+                    {"tilt_deg", {limits.tilt.min_deg, limits.tilt.max_deg}}};
+  return json;
+}
+
+}  // namespace rva

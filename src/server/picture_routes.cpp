@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+#include "core/file.hpp"
+#include "depth/image_file.hpp"
+#include "detect/calibrated/level_of_detection.hpp"
+#include "server/api.hpp"
+#include "server/measurement.hpp"
+#include "server/request_body.hpp"
+
+namespace rva {
+namespace {
+
+/// The files of a view's result that may be asked for.
+constexpr std::array pictures{"initial_color.png",      "final_color.png", "initial_depth.png",
+                              "final_depth.png",        "changed.png",     "not_inspected.png",
+                              "level_of_detection.png", "changes.png"};
+
+ApiError not_there() { return {404, "not-found", "picture", "there is none", "take both captures first"}; }
+
+std::string text_of(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// Results do not change under their address: consoles add when they were made.
+ApiResponse file_answer(const std::filesystem::path& path, const std::string& content_type) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) throw not_there();
+  return {200, content_type, text_of(read_file(path)), {{"Cache-Control", "private, max-age=86400"}}};
+}
+
+Json json_of(const std::optional<MeasuredPoint>& point) {
+  if (!point) return nullptr;
+  return {{"position_m", {point->position_m.x(), point->position_m.y(), point->position_m.z()}},
+          {"distance_m", point->distance_m}};
+}
+
+}  // namespace
+
+ApiResponse Api::get_picture(const Call& call) const {
+  const std::string& name = call.places.at(2);
+  const std::string& text = call.places.at(1);
+  int view = -1;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), view);
+  const bool known = std::ranges::find(pictures, name) != pictures.end();
+  if (!known || failure != std::errc{} || end != text.data() + text.size() || view < 0) throw not_there();
+  return file_answer(parts_.inspector.folder(inspection_id(call)).result(view) / name, "image/png");
+}
+
+ApiResponse Api::get_findable(const Call& /*call*/) const {
+  const std::shared_ptr<const NoiseSoFar> noise = parts_.inspector.task().noise;
+  if (!noise) throw not_there();
+  return {200,
+          "image/png",
+          text_of(encode_png(draw_level_of_detection(noise->least_mm))),
+          {{"Cache-Control", "no-store"}}};
+}
+
+ApiResponse Api::get_map(const Call& call) const {
+  return file_answer(parts_.inspector.folder(inspection_id(call)).map(), "application/octet-stream");
+}
+
+ApiResponse Api::get_changes(const Call& call) const {
+  return file_answer(parts_.inspector.folder(inspection_id(call)).changes(), "application/octet-stream");
+}
+
+ApiResponse Api::measure_points(const Call& call) const {
+  const std::optional<Stream> stream = stream_from_name(text_field(call.body, "stream"));
+  const auto points = call.body.find("points");
+  constexpr std::size_t most_points = 2;
+  if (!stream || points == call.body.end() || !points->is_array() || points->empty() ||
+      points->size() > most_points)
+    throw ApiError(400, "bad-request", "measure", "needs a stream and one or two points", "see docs/api.md");
+  const std::shared_ptr<const LiveFrame> live = parts_.camera.newest();
+  if (!live) throw Error("camera", "has given no frame yet", "wait a moment");
+  Json answer{{"points", Json::array()}};
+  std::vector<std::optional<MeasuredPoint>> measured;
+  for (const Json& point : *points) {
+    measured.push_back(measure(*live, *stream, {number_field(point, "u"), number_field(point, "v")}));
+    answer["points"].push_back(json_of(measured.back()));
+  }
+  if (measured.size() == most_points && measured[0] && measured[1])
+    answer["length_mm"] = 1000.0 * (measured[0]->position_m - measured[1]->position_m).norm();
+  return {200, "application/json", answer.dump()};
+}
+
+ApiResponse Api::simulate_work(const Call& call) const {
+  if (!parts_.simulated_work) throw Error("simulation", "the bay is real", "do the work there");
+  parts_.simulated_work(flag_field(call.body, "done"));
+  return {200, "application/json", "{}"};
+}
+
+}  // namespace rva

@@ -1,0 +1,66 @@
+// Who is signed in.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "inspect/records.hpp"
+
+namespace rva {
+
+/// Somebody who asks.
+struct Person {
+  std::string name;  ///< of the account; empty where nobody needs to sign in
+  Role role = Role::viewer;
+};
+
+/// Sign-ins are kept in memory: a restart ends them. They end after twelve hours, a shift; and five wrong
+/// passwords for one name, or thirty for all, close the door for a minute. Every member may be called from
+/// any thread; times are of one clock that does not go back.
+class Sessions {
+ public:
+  static constexpr double lifetime_s = 12.0 * 3600.0;
+  static constexpr int most_failures_of_name = 5;
+  static constexpr int most_failures = 30;
+  static constexpr double pause_s = 60.0;
+
+  explicit Sessions(const Records& records) : records_(records) {}
+
+  enum class Answer { signed_in, wrong, too_many };
+  struct SignIn {
+    Answer answer = Answer::wrong;
+    std::string token;  ///< where signed in
+  };
+  /// Takes a tenth of a second, whether the name is known or not.
+  [[nodiscard]] SignIn sign_in(const std::string& name, const std::string& password, double now_s);
+  void sign_out(const std::string& token);
+
+  /// Empty where the token is unknown or old, or the account is gone.
+  [[nodiscard]] std::optional<Person> person(const std::string& token, double now_s) const;
+
+  /// Where there is no account nobody can sign in, and nobody needs to.
+  [[nodiscard]] bool needed() const { return !records_.accounts().empty(); }
+
+ private:
+  struct Failures {
+    int count = 0;
+    double last_s = 0.0;
+  };
+  struct Session {
+    std::string name;
+    double since_s = 0.0;
+  };
+
+  [[nodiscard]] bool too_many(const std::string& name, double now_s);
+  [[nodiscard]] std::optional<Account> account(const std::string& name) const;
+
+  const Records& records_;
+  mutable std::mutex mutex_;                  // guards all below
+  std::map<std::string, Session> sessions_;   // by token
+  std::map<std::string, Failures> failures_;  // by name
+  Failures all_failures_;
+};
+
+}  // namespace rva

@@ -1,0 +1,36 @@
+#include "server/status.hpp"
+
+#include <cmath>
+
+#include "server/json_of.hpp"
+
+namespace rva {
+namespace {
+
+Json camera_json(const LiveCamera& camera, const LivePictures& pictures) {
+  const CameraHealth health = camera.health();
+  Json json{{"rate_hz", std::round(10.0 * health.rate_hz) / 10.0}, {"lost", health.lost}};
+  if (!health.problem.empty()) json["problem"] = health.problem;
+  json["streams"] = Json::array();
+  for (const Stream stream : pictures.streams()) json["streams"].push_back(name_of(stream));
+  if (const auto live = camera.newest()) {
+    json["model"] = live->info.camera.value_or(CameraInfo{}).model;
+    json["width"] = live->info.depth.width;
+    json["height"] = live->info.depth.height;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string status_message(const ServerParts& parts, const LivePictures& pictures, std::size_t consoles) {
+  Json json{{"type", "status"}, {"camera", camera_json(parts.camera, pictures)}};
+  if (parts.drive != nullptr) json["robot"] = json_of(parts.drive->state(), parts.drive->limits());
+  json["task"] = json_of(parts.inspector.task());
+  if (const auto readiness = parts.inspector.readiness()) json["readiness"] = json_of(*readiness);
+  json["consoles"] = consoles;
+  json["simulation"] = static_cast<bool>(parts.simulated_work);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace rva

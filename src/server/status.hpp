@@ -1,0 +1,16 @@
+// What all consoles are told again and again.
+#pragma once
+
+#include <string>
+
+#include "server/live_pictures.hpp"
+#include "server/server_parts.hpp"
+
+namespace rva {
+
+/// A "status" message (docs/api.md).
+/// @param consoles how many are connected
+[[nodiscard]] std::string status_message(const ServerParts& parts, const LivePictures& pictures,
+                                         std::size_t consoles);
+
+}  // namespace rva

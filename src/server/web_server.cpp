@@ -1,0 +1,199 @@
+#include "server/web_server.hpp"
+
+#include <fmt/format.h>
+
+#include <list>
+#include <thread>
+
+#include "core/clock.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "core/path_text.hpp"
+#include "server/asio.hpp"
+#include "server/connection.hpp"
+
+namespace rva {
+namespace {
+
+asio::ip::address parse_address(const std::string& text) {
+  ErrorCode failure;
+  const auto address = asio::ip::make_address(text, failure);
+  if (failure)
+    throw UsageError("--address", printable(text) + " is no address",
+                     "give one like 127.0.0.1, or 0.0.0.0 for all");
+  return address;
+}
+
+std::unique_ptr<asio::ssl::context> tls_context(const ServerOptions& options) {
+  if (options.tls_certificate.empty() && options.tls_key.empty()) return nullptr;
+  auto context = std::make_unique<asio::ssl::context>(asio::ssl::context::tls_server);
+  context->set_options(asio::ssl::context::default_workarounds | asio::ssl::context::no_tlsv1 |
+                       asio::ssl::context::no_tlsv1_1);
+  ErrorCode failure;
+  context->use_certificate_chain_file(options.tls_certificate, failure);
+  if (failure)
+    throw Error(printable(options.tls_certificate), "holds no certificate (" + failure.message() + ")",
+                "give --tls-certificate a PEM file");
+  context->use_private_key_file(options.tls_key, asio::ssl::context::pem, failure);
+  if (failure)
+    throw Error(printable(options.tls_key), "holds no key for that certificate (" + failure.message() + ")",
+                "give --tls-key a PEM file");
+  return context;
+}
+
+void require_safe(const asio::ip::address& address, bool tls, bool accounts) {
+  if (address.is_loopback()) return;
+  if (!tls)
+    throw UsageError("--address", "others than this computer must come by TLS",
+                     "give --tls-certificate and --tls-key, or stay at 127.0.0.1");
+  if (!accounts)
+    throw UsageError("--address", "others than this computer must sign in, and there is no account",
+                     "add one: rva account add NAME --role inspector --data DIR");
+}
+
+tcp::acceptor listen(asio::io_context& context, const asio::ip::address& address, int port) {
+  const tcp::endpoint endpoint(address, static_cast<std::uint16_t>(port));
+  try {
+    tcp::acceptor acceptor(context);
+    acceptor.open(endpoint.protocol());
+    acceptor.set_option(asio::socket_base::reuse_address(true));
+    acceptor.bind(endpoint);
+    acceptor.listen();
+    return acceptor;
+  } catch (const boost::system::system_error& error) {
+    throw Error(fmt::format("{}:{}", address.to_string(), port),
+                fmt::format("cannot be listened at ({})", error.code().message()),
+                "give another --port or --address");
+  }
+}
+
+const ServerOptions& checked(const ServerOptions& options) {
+  check_options(options);
+  if (options.tls_certificate.empty() != options.tls_key.empty())
+    throw UsageError("--tls-certificate", "and --tls-key belong together", "give both or neither");
+  return options;
+}
+
+}  // namespace
+
+class WebServer::Implementation {
+ public:
+  Implementation(const ServerOptions& options, const ServerParts& parts,
+                 std::function<void(const std::string&)> log)
+      : options_(checked(options)),
+        address_(parse_address(options.address)),
+        tls_(tls_context(options)),
+        files_(options.console),
+        complaints_(std::move(log)),
+        parts_(parts),
+        api_(parts_, tls_ != nullptr),
+        acceptor_(listen(context_, address_, options.port)),
+        hub_(context_, parts_),
+        place_{api_, hub_, files_, complaints_, pool_.get_executor(), tls_ != nullptr, address_.is_loopback(),
+               {}} {
+    require_safe(address_, tls_ != nullptr, parts.sessions.needed());
+  }
+
+  ~Implementation() {
+    pool_.stop();
+    pool_.join();
+  }
+
+  [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+
+  [[nodiscard]] std::string address() const {
+    const std::string host = address_.is_v6() ? "[" + address_.to_string() + "]" : address_.to_string();
+    return fmt::format("{}://{}:{}", tls_ ? "https" : "http", host, port());
+  }
+
+  void run() {
+    asio::co_spawn(context_, accept_all(), asio::detached);
+    asio::co_spawn(context_, watch_signals(), asio::detached);
+    asio::co_spawn(context_, hub_.tell_status(), asio::detached);
+    context_.run();
+    throw_if_interrupted();
+  }
+
+  void stop() { context_.stop(); }
+
+ private:
+  asio::awaitable<void> watch_signals() {
+    asio::steady_timer timer(context_);
+    for (;;) {
+      timer.expires_after(std::chrono::milliseconds(100));
+      co_await timer.async_wait(asio::use_awaitable);
+      try {
+        throw_if_interrupted();
+      } catch (const Interrupted&) {
+        context_.stop();
+      }
+    }
+  }
+
+  asio::awaitable<void> accept_all() {
+    for (;;) {
+      ErrorCode failure;
+      tcp::socket socket = co_await acceptor_.async_accept(noting(failure));
+      if (failure) {
+        complaints_.add("a connection could not be taken: " + failure.message(), steady_clock().now_s());
+        asio::steady_timer pause(context_, std::chrono::milliseconds(50));
+        co_await pause.async_wait(asio::use_awaitable);
+        continue;
+      }
+      make_room();
+      if (place_.open.size() >= static_cast<std::size_t>(options_.connections)) {
+        complaints_.add("too many connections: some are refused", steady_clock().now_s());
+        continue;  // closes it
+      }
+      ErrorCode ignored;
+      socket.set_option(tcp::no_delay(true), ignored);
+      start(beast::tcp_stream(std::move(socket)));
+    }
+  }
+
+  // Who was let in and does nothing goes first.
+  void make_room() {
+    if (place_.open.size() < static_cast<std::size_t>(options_.connections)) return;
+    complaints_.add("too many connections: idle ones are closed", steady_clock().now_s());
+    for (OpenConnection& connection : place_.open) {
+      if (!connection.idle) continue;
+      connection.idle = false;
+      connection.close();
+      return;
+    }
+  }
+
+  void start(beast::tcp_stream stream) {
+    if (tls_)
+      asio::co_spawn(context_, serve(beast::ssl_stream<beast::tcp_stream>(std::move(stream), *tls_), place_),
+                     asio::detached);
+    else
+      asio::co_spawn(context_, serve(std::move(stream), place_), asio::detached);
+  }
+
+  ServerOptions options_;
+  asio::ip::address address_;
+  std::unique_ptr<asio::ssl::context> tls_;
+  ConsoleFiles files_;
+  Complaints complaints_;
+  ServerParts parts_;
+  Api api_;
+  asio::io_context context_{1};
+  tcp::acceptor acceptor_;
+  LiveHub hub_;
+  asio::thread_pool pool_{2};
+  Place place_;
+};
+
+WebServer::WebServer(const ServerOptions& options, const ServerParts& parts,
+                     std::function<void(const std::string&)> log)
+    : implementation_(std::make_unique<Implementation>(options, parts, std::move(log))) {}
+
+WebServer::~WebServer() = default;
+
+std::string WebServer::address() const { return implementation_->address(); }
+std::uint16_t WebServer::port() const { return implementation_->port(); }
+void WebServer::run() { implementation_->run(); }
+void WebServer::stop() { implementation_->stop(); }
+
+}  // namespace rva

@@ -1,0 +1,112 @@
+#include "store/finding_rows.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+namespace rva {
+namespace {
+
+using nlohmann::json;
+
+json to_list(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+void bind(SQLite::Statement& statement, int index, const std::optional<double>& number) {
+  if (number) statement.bind(index, *number);
+}
+
+void bind(SQLite::Statement& statement, int index, const std::optional<Eigen::Vector3d>& point) {
+  if (point) statement.bind(index, to_list(*point).dump());
+}
+
+std::optional<double> number(const SQLite::Column& column) {
+  return column.isNull() ? std::nullopt : std::optional(column.getDouble());
+}
+
+template <typename Numbers>
+std::optional<Numbers> numbers(const SQLite::Column& column) {
+  if (column.isNull()) return std::nullopt;
+  return json::parse(column.getString()).get<Numbers>();
+}
+
+std::optional<Eigen::Vector3d> point(const SQLite::Column& column) {
+  const auto list = numbers<std::array<double, 3>>(column);
+  return list ? std::optional(Eigen::Vector3d(list->data())) : std::nullopt;
+}
+
+std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t inspection,
+                                      const std::string& compared_at, int finding) {
+  SQLite::Statement query(database,
+                          "select verdict, note, person, decided_at from decision where inspection = ? and "
+                          "compared_at = ? and finding = ? order by id desc limit 1");
+  query.bind(1, inspection);
+  query.bind(2, compared_at);
+  query.bind(3, finding);
+  if (!query.executeStep()) return std::nullopt;
+  return Decision{verdict_from_name(query.getColumn(0).getString()).value_or(Verdict::second_look),
+                  query.getColumn(1), query.getColumn(2), query.getColumn(3)};
+}
+
+Finding finding_of(SQLite::Statement& row) {
+  Finding finding;
+  finding.id = row.getColumn("number");
+  finding.kind = row.getColumn("kind").getString() == "added" ? ChangeKind::added : ChangeKind::removed;
+  const auto box = numbers<std::array<int, 4>>(row.getColumn("box")).value();
+  finding.box = {box[0], box[1], box[2], box[3]};
+  const auto centroid = numbers<std::array<double, 2>>(row.getColumn("centroid")).value();
+  finding.centroid = {centroid[0], centroid[1]};
+  finding.position_m = point(row.getColumn("position_m"));
+  finding.size_mm = numbers<std::array<double, 2>>(row.getColumn("size_mm"));
+  finding.height_mm = number(row.getColumn("height_mm"));
+  finding.score = number(row.getColumn("score"));
+  finding.p_value = number(row.getColumn("p_value"));
+  return finding;
+}
+
+}  // namespace
+
+void insert_finding(SQLite::Database& database, std::int64_t inspection, const std::string& compared_at,
+                    const ReviewedFinding& reviewed) {
+  const Finding& finding = reviewed.finding;
+  const Box& box = finding.box;
+  SQLite::Statement insert(database, "insert into finding values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  insert.bind(1, inspection);
+  insert.bind(2, compared_at);
+  insert.bind(3, reviewed.number);
+  insert.bind(4, reviewed.view);
+  insert.bind(5, reviewed.same_as);
+  insert.bind(6, finding.kind == ChangeKind::added ? "added" : "removed");
+  insert.bind(7, json{box.x, box.y, box.width, box.height}.dump());
+  insert.bind(8, json{finding.centroid.x(), finding.centroid.y()}.dump());
+  bind(insert, 9, finding.position_m);
+  bind(insert, 10, reviewed.in_foot_m);
+  if (finding.size_mm) insert.bind(11, json(*finding.size_mm).dump());
+  bind(insert, 12, finding.height_mm);
+  bind(insert, 13, finding.score);
+  bind(insert, 14, finding.p_value);
+  insert.exec();
+}
+
+std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_t inspection,
+                                         const std::string& compared_at) {
+  SQLite::Statement query(database,
+                          "select * from finding where inspection = ? and compared_at = ? order by number");
+  query.bind(1, inspection);
+  query.bind(2, compared_at);
+  std::vector<ReviewedFinding> findings;
+  while (query.executeStep()) {
+    ReviewedFinding finding;
+    finding.number = query.getColumn("number");
+    finding.view = query.getColumn("view");
+    finding.same_as = query.getColumn("same_as");
+    finding.finding = finding_of(query);
+    finding.in_foot_m = point(query.getColumn("in_foot_m"));
+    finding.decision = last_decision(database, inspection, compared_at, finding.number);
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+}  // namespace rva

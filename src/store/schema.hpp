@@ -1,0 +1,54 @@
+// The tables of SqliteRecords.
+#pragma once
+
+namespace rva {
+
+/// `pragma user_version` of a file with these tables.
+inline constexpr int schema_version = 1;
+
+/// Lists within a row are JSON. `decision` only grows: the last one of a finding holds.
+inline constexpr const char* schema = R"sql(
+create table inspection (
+  id integer primary key,
+  aircraft text not null, zone text not null, work_order text not null, person text not null,
+  created_at text not null,
+  compared_at text not null default '',
+  dither integer not null check (dither >= 1)
+) strict;
+create table view (
+  inspection integer not null references inspection, number integer not null,
+  pan_deg real not null, tilt_deg real not null,
+  primary key (inspection, number)
+) strict, without rowid;
+create table side (
+  inspection integer not null references inspection, side text not null check (side in ('initial', 'final')),
+  taken_at text not null, person text not null, base text not null,
+  primary key (inspection, side)
+) strict, without rowid;
+create table compared_view (
+  inspection integer not null references inspection, view integer not null,
+  method text not null, compared real not null, unseen real not null, invalid real not null, judged real not null,
+  warnings text not null,
+  primary key (inspection, view)
+) strict, without rowid;
+create table finding (
+  inspection integer not null references inspection, compared_at text not null, number integer not null,
+  view integer not null, same_as integer not null,
+  kind text not null check (kind in ('added', 'removed')),
+  box text not null, centroid text not null, position_m text, in_foot_m text, size_mm text,
+  height_mm real, score real, p_value real,
+  primary key (inspection, compared_at, number)
+) strict, without rowid;
+create table decision (
+  id integer primary key,
+  inspection integer not null, compared_at text not null, finding integer not null,
+  verdict text not null, note text not null, person text not null, decided_at text not null,
+  foreign key (inspection, compared_at, finding) references finding
+) strict;
+create index decision_of_finding on decision (inspection, compared_at, finding);
+create table account (
+  name text primary key, role text not null, password_hash text not null
+) strict, without rowid;
+)sql";
+
+}  // namespace rva

@@ -1,0 +1,44 @@
+// Records in one SQLite file.
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <filesystem>
+#include <mutex>
+
+#include "inspect/records.hpp"
+
+namespace rva {
+
+/// The file is made where there is none. Several programs may have it open; each change is one transaction,
+/// on the disk when it ends (write-ahead log, full synchronisation).
+class SqliteRecords : public Records {
+ public:
+  /// @throws Error when the file cannot be opened or made, is no database of ours, or is of a newer version
+  explicit SqliteRecords(const std::filesystem::path& file);
+
+  [[nodiscard]] std::int64_t add_inspection(const InspectionOrder& order, const std::string& created_at,
+                                            int dither) override;
+  [[nodiscard]] std::vector<std::int64_t> inspections() const override;
+  [[nodiscard]] std::optional<Inspection> find(std::int64_t id) const override;
+  void set_views(std::int64_t id, const std::vector<PanTilt>& views) override;
+  void set_side(std::int64_t id, Side side, const TakenSide& taken) override;
+  void set_comparison(std::int64_t id, const std::string& compared_at, const std::vector<ComparedView>& views,
+                      const std::vector<ReviewedFinding>& findings) override;
+  void decide(std::int64_t id, int finding, const Decision& decision) override;
+  void set_account(const Account& account) override;
+  [[nodiscard]] std::vector<Account> accounts() const override;
+  bool remove_account(const std::string& name) override;
+
+ private:
+  template <typename Work>
+  auto change(const Work& work);
+  template <typename Work>
+  auto read(const Work& work) const;
+
+  std::string place_;
+  mutable std::mutex mutex_;
+  mutable SQLite::Database database_;  // a read may write the log
+};
+
+}  // namespace rva
