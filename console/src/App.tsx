@@ -1,0 +1,140 @@
+// The console: what is seen in the middle, what is to be done beside it, the robot below.
+import { useEffect, useState } from 'preact/hooks';
+import { DrivePanel } from './drive/DrivePanel';
+import { Begin } from './inspection/Begin';
+import { attempt, open, openInspection, trouble } from './inspection/inspections';
+import { StepBar, Steps } from './inspection/Steps';
+import { titleOf } from './inspection/words';
+import { api } from './link/api';
+import { link } from './link/live_link';
+import { LiveView } from './live/LiveView';
+import { FindingList } from './review/FindingList';
+import { ReviewPictures } from './review/ReviewPictures';
+import { firstLook, review, show } from './review/review_state';
+import { LazySpace } from './space/LazySpace';
+import { useStore } from './store';
+import type { Inspection, Session } from './types';
+
+type Page = 'live' | 'review' | 'space';
+
+function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
+  const status = useStore(link.status);
+  const state = useStore(link.state);
+  const camera = status?.camera;
+  const bad = state !== 'open' || camera?.problem !== undefined;
+  return (
+    <div class="chips">
+      <span class={`chip ${bad ? 'bad' : 'good'}`} data-testid="camera-chip">
+        {state !== 'open' ? '✗ No connection' : camera?.problem ? '✗ Camera' : `✓ Camera ${camera ? camera.rate_hz.toFixed(0) : '–'}/s`}
+      </span>
+      {status?.robot && (
+        <span class={`chip ${status.robot.problem ? 'bad' : 'good'}`} data-testid="robot-chip">
+          {status.robot.problem ? '✗ Robot' : '✓ Robot'}
+        </span>
+      )}
+      {session.name && (
+        <button type="button" class="quiet" onClick={() => void attempt(async () => (await api.signOut(), onSignedOut()))}>
+          {session.name} · sign out
+        </button>
+      )}
+    </div>
+  );
+}
+
+function Trouble() {
+  const text = useStore(trouble);
+  const refused = useStore(link.refused);
+  useEffect(() => {
+    if (refused) trouble.value = refused.message;
+  }, [refused]);
+  if (!text) return null;
+  return (
+    <div class="trouble" role="alert" data-testid="trouble">
+      <span>{text}</span>
+      <button type="button" onClick={() => (trouble.value = '')}>
+        Close
+      </button>
+    </div>
+  );
+}
+
+function PageTabs({ page, inspection, onPick }: { page: Page; inspection: Inspection; onPick: (page: Page) => void }) {
+  const compared = inspection.compared_at !== undefined;
+  const tabs: [Page, string, boolean][] = [
+    ['live', 'Live', true],
+    ['review', 'Before / after', compared],
+    ['space', '3D', compared],
+  ];
+  return (
+    <div class="switch pages" role="tablist" aria-label="Page">
+      {tabs.map(([name, label, enabled]) => (
+        <button key={name} type="button" role="tab" aria-selected={page === name} disabled={!enabled} data-testid={`page-${name}`} onClick={() => onPick(name)}>
+          {label}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+export function App({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
+  const inspection = useStore(openInspection);
+  const ended = useStore(link.ended);
+  const [page, setPage] = useState<Page>('live');
+  const compared_at = inspection?.compared_at;
+  // Findings that have come are looked at first.
+  useEffect(() => {
+    review.value = firstLook;
+    setPage(compared_at ? 'review' : 'live');
+    if (inspection?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
+  }, [inspection?.id, compared_at]);
+
+  if (ended) {
+    return (
+      <main class="sign-in">
+        <div class="card">
+          <h1>RVA</h1>
+          <p role="alert">{ended}</p>
+          <button type="button" class="primary" onClick={() => location.reload()}>
+            Load the page again
+          </button>
+        </div>
+      </main>
+    );
+  }
+  return (
+    <div class="console">
+      <header>
+        <button type="button" class="brand quiet" data-testid="home" onClick={() => void attempt(() => open(null))}>
+          <img src="/icon.svg" alt="" width="28" height="28" />
+          {inspection ? '‹ All inspections' : 'RVA'}
+        </button>
+        <h1>{inspection ? titleOf(inspection) : 'Remote Visual Assistant'}</h1>
+        <Chips session={session} onSignedOut={onSignedOut} />
+      </header>
+      {inspection && (
+        <nav>
+          <StepBar stage={inspection.stage} />
+          <PageTabs page={page} inspection={inspection} onPick={setPage} />
+        </nav>
+      )}
+      <Trouble />
+      <main>
+        {page === 'review' && inspection?.compared_at ? (
+          <ReviewPictures inspection={inspection} />
+        ) : page === 'space' && inspection?.compared_at ? (
+          <LazySpace inspection={inspection} />
+        ) : (
+          <LiveView />
+        )}
+      </main>
+      <aside aria-label="What to do">
+        {!inspection && <Begin session={session} />}
+        {inspection && !inspection.compared_at && <Steps session={session} />}
+        {inspection?.compared_at && <FindingList inspection={inspection} session={session} />}
+      </aside>
+      <footer>
+        <DrivePanel mayDrive={session.role !== 'viewer'} />
+      </footer>
+    </div>
+  );
+}

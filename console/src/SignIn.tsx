@@ -1,0 +1,42 @@
+// Who are you? Asked where the server has accounts.
+import { useState } from 'preact/hooks';
+import { api, Refusal } from './link/api';
+
+export function SignIn({ onSignedIn }: { onSignedIn: () => void }) {
+  const [name, setName] = useState('');
+  const [password, setPassword] = useState('');
+  const [problem, setProblem] = useState('');
+  const submit = async (event: Event) => {
+    event.preventDefault();
+    try {
+      await api.signIn(name, password);
+      onSignedIn();
+    } catch (error) {
+      setPassword('');
+      setProblem(error instanceof Refusal ? error.message : String(error));
+    }
+  };
+  return (
+    <main class="sign-in">
+      <form class="card" onSubmit={(event) => void submit(event)}>
+        <h1>RVA</h1>
+        <label class="field">
+          <span>Name</span>
+          <input value={name} autocomplete="username" onInput={(event) => setName(event.currentTarget.value)} />
+        </label>
+        <label class="field">
+          <span>Password</span>
+          <input type="password" value={password} autocomplete="current-password" onInput={(event) => setPassword(event.currentTarget.value)} />
+        </label>
+        {problem && (
+          <p class="bad" role="alert">
+            {problem}
+          </p>
+        )}
+        <button type="submit" class="primary big" data-testid="sign-in" disabled={name === '' || password === ''}>
+          Sign in
+        </button>
+      </form>
+    </main>
+  );
+}

@@ -1,0 +1,91 @@
+// Turning the camera: who may, the stick, the angles, and the stop that everyone has.
+import { useState } from 'preact/hooks';
+import { link } from '../link/live_link';
+import { useStore } from '../store';
+import type { RobotStatus } from '../types';
+import { AngleGauge } from './AngleGauge';
+import { StickPad } from './StickPad';
+import { sticks } from './sticks';
+
+export function StopButton() {
+  return (
+    <button type="button" class="stop" data-testid="stop" onClick={() => link.stop()}>
+      Stop
+      <small>robot · Esc</small>
+    </button>
+  );
+}
+
+// What keeps the robot from moving just now, or what to do.
+function hint(robot: RobotStatus, yours: boolean, controller: string): string {
+  if (robot.problem) return robot.problem;
+  if (robot.lent) return 'A capture is turning the camera.';
+  if (!yours) return 'Take the controls to turn the camera.';
+  if (!robot.armed) return 'Stopped. Let go of the stick, then pull again.';
+  if (robot.at_limit) return 'End of the way: the camera turns no farther.';
+  if (robot.driving) return 'Turning. Let go to stop.';
+  return controller ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
+}
+
+export function DrivePanel({ mayDrive }: { mayDrive: boolean }) {
+  const status = useStore(link.status);
+  const lease = useStore(link.lease);
+  const controller = useStore(sticks.controller);
+  const [asking, setAsking] = useState(false);
+  const robot = status?.robot;
+  if (!robot) {
+    return (
+      <section class="drive" aria-label="Robot">
+        <p class="hint">No robot: the camera stands still.</p>
+      </section>
+    );
+  }
+  const others = lease.holder !== undefined && !lease.yours;
+  const takeOver = () => {
+    setAsking(false);
+    link.takeControls(true);
+  };
+  return (
+    <section class="drive" aria-label="Robot">
+      <StickPad enabled={lease.yours && !robot.lent} />
+      <div class="drive-middle">
+        <div class="gauges">
+          <AngleGauge label="Pan" angle_deg={robot.pan_deg} limits_deg={robot.limits.pan_deg} reversed />
+          <AngleGauge label="Tilt" angle_deg={robot.tilt_deg} limits_deg={robot.limits.tilt_deg} />
+        </div>
+        <p class={`hint ${robot.problem ? 'bad' : ''}`} role="status" data-testid="drive-hint">
+          {hint(robot, lease.yours, controller)}
+        </p>
+        <div class="drive-lease">
+          {lease.yours && (
+            <button type="button" data-testid="release" onClick={() => link.releaseControls()}>
+              Hand back the controls
+            </button>
+          )}
+          {!lease.yours && !others && (
+            <button type="button" class="primary" data-testid="take" disabled={!mayDrive} onClick={() => link.takeControls(false)}>
+              Take the controls
+            </button>
+          )}
+          {others && !asking && (
+            <button type="button" data-testid="take-over" disabled={!mayDrive} onClick={() => setAsking(true)}>
+              {lease.holder || 'Somebody'} drives · take over…
+            </button>
+          )}
+          {others && asking && (
+            <span class="confirm">
+              <span>{lease.holder || 'Somebody'} loses the controls.</span>
+              <button type="button" class="primary" data-testid="take-over-yes" onClick={takeOver}>
+                Take over
+              </button>
+              <button type="button" onClick={() => setAsking(false)}>
+                Leave them
+              </button>
+            </span>
+          )}
+        </div>
+      </div>
+      <StopButton />
+    </section>
+  );
+}

@@ -1,0 +1,88 @@
+// A capture or a comparison under way, and what it would find.
+import { useState } from 'preact/hooks';
+import { api } from '../link/api';
+import type { Levels, TaskStatus } from '../types';
+import { attempt } from './inspections';
+import { millimetres } from './words';
+
+function doneShare(task: TaskStatus): number {
+  if (task.kind === 'capture')
+    return task.views === 0 ? 0 : (task.view + (task.frames === 0 ? 0 : task.frame / task.frames)) / task.views;
+  return task.total === 0 ? 0 : task.done / task.total;
+}
+
+function says(task: TaskStatus): string {
+  if (task.waiting) return `Waiting: ${task.waiting}`;
+  if (task.kind === 'comparison') return 'Comparing before and after…';
+  const capture = task.views > 1 ? `Capture ${task.view + 1} of ${task.views}: ` : '';
+  return task.frame === 0 ? `${capture}turning the camera` : `${capture}${task.frame} of ${task.frames} frames`;
+}
+
+/** By distance, near to far: the least height of a thing that would be found. */
+export function FindableTable({ levels }: { levels: Levels }) {
+  const sure_mm = 100;
+  const rows = levels.by_distance.filter((level) => level.median_mm < sure_mm);
+  return (
+    <table class="findable">
+      <caption>Smallest thing that could be found here, at best</caption>
+      <thead>
+        <tr>
+          <th scope="col">Distance</th>
+          <th scope="col">in half the view</th>
+          <th scope="col">in nine tenths</th>
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((level) => (
+          <tr key={level.from_m}>
+            <th scope="row">
+              {level.from_m.toFixed(1)}–{level.to_m.toFixed(1)} m
+            </th>
+            <td>{millimetres(level.median_mm)}</td>
+            <td>{millimetres(level.p90_mm)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+export function NoiseReport({ task }: { task: TaskStatus }) {
+  const [shown, setShown] = useState(false);
+  const noise = task.noise;
+  if (!noise) return null;
+  return (
+    <div class="card" data-testid="noise">
+      <h2>What this camera sees</h2>
+      <p>
+        Depth varies by <strong>{noise.median_std_mm.toFixed(2)} mm</strong> (half of the pixels by less);{' '}
+        <strong>{Math.round(100 * noise.measured)} %</strong> of the view is measured.
+      </p>
+      <FindableTable levels={noise.findable} />
+      <p class="hint">Height of a thing {noise.findable.window_px} pixels wide. After the final capture you see what was really possible.</p>
+      <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
+        {shown ? 'Hide the picture' : 'Show it as a picture'}
+      </button>
+      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${noise.frames}`} alt="Smallest findable height at each place; blue is small, red large, black cannot be judged" />}
+    </div>
+  );
+}
+
+export function CaptureProgress({ task, mayCancel }: { task: TaskStatus; mayCancel: boolean }) {
+  const share = doneShare(task);
+  return (
+    <div class="card" data-testid="progress">
+      <h2>{task.kind === 'comparison' ? 'Comparing' : task.side === 'initial' ? 'Capturing the baseline' : 'Capturing after the work'}</h2>
+      <div class="progress" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * share)} aria-label="Progress">
+        <span style={{ width: `${100 * share}%` }} />
+      </div>
+      <p role="status" class={task.waiting ? 'bad' : ''}>
+        {says(task)}
+      </p>
+      <p class="hint">Keep hands and hoses still.</p>
+      <button type="button" data-testid="cancel" disabled={!mayCancel} onClick={() => void attempt(() => api.cancel())}>
+        Cancel
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,164 @@
+// The inspection, step by step: what is done, what is next, and why not yet.
+import { useState } from 'preact/hooks';
+import { api } from '../link/api';
+import { person } from '../link/client';
+import { link } from '../link/live_link';
+import { useStore } from '../store';
+import type { Inspection, Session, SideName, Stage, TaskStatus } from '../types';
+import { attempt, openInspection } from './inspections';
+import { CaptureProgress, NoiseReport } from './CaptureProgress';
+import { ReadinessCard } from './ReadinessCard';
+import { ViewsCard } from './ViewsCard';
+import { timeOf } from './words';
+
+const order: Stage[] = ['baseline', 'work', 'review', 'done'];
+const labels: Record<Stage, string> = { baseline: 'Baseline', work: 'After the work', review: 'Review', done: 'Done' };
+
+export function StepBar({ stage }: { stage: Stage }) {
+  const now = order.indexOf(stage);
+  return (
+    <ol class="steps" aria-label="Steps">
+      {order.map((step, i) => (
+        <li key={step} class={i < now ? 'past' : i === now ? 'now' : ''} aria-current={i === now ? 'step' : undefined}>
+          <span class="step-number" aria-hidden="true">
+            {i < now ? '✓' : i + 1}
+          </span>
+          {labels[step]}
+          {i < now && <span class="unseen"> (done)</span>}
+        </li>
+      ))}
+    </ol>
+  );
+}
+
+function failureOf(task: TaskStatus, inspection: Inspection): string {
+  if (task.inspection !== inspection.id || task.kind === 'readiness') return '';
+  if (task.end === 'cancelled') return 'Cancelled. What was complete is kept: start again to go on.';
+  return task.end === 'failed' ? (task.problem ?? 'It failed.') : '';
+}
+
+interface StepProps {
+  inspection: Inspection;
+  session: Session;
+  task: TaskStatus;
+}
+
+function CaptureButton({ inspection, session, side, replaced, label }: Omit<StepProps, 'task'> & { side: SideName; replaced: boolean; label: string }) {
+  const status = useStore(link.status);
+  const lease = useStore(link.lease);
+  const notReady = status?.readiness?.ready === false;
+  const others = lease.holder !== undefined && !lease.yours;
+  const why = session.role === 'viewer' ? 'You may look. An operator takes captures.' : others ? `${lease.holder} is driving. Ask them to hand back the controls.` : '';
+  const take = () =>
+    void attempt(() => api.capture(inspection.id, side, session.name || person.name || inspection.person, replaced));
+  return (
+    <>
+      {notReady && <p class="bad">Not everything is ready: see above. You may capture all the same.</p>}
+      {why && <p class="hint">{why}</p>}
+      <button type="button" class="primary big" data-testid={`capture-${side}`} disabled={why !== '' || !status} onClick={take}>
+        {label}
+      </button>
+    </>
+  );
+}
+
+function BaselineStep({ inspection, session, task }: StepProps) {
+  const mayCapture = session.role !== 'viewer';
+  const failure = failureOf(task, inspection);
+  return (
+    <>
+      <ViewsCard inspection={inspection} enabled={mayCapture} />
+      <ReadinessCard mayCapture={mayCapture} />
+      <div class="card">
+        <h2>Baseline</h2>
+        <p>The bay as it is before the work.</p>
+        {failure && (
+          <p class="bad" role="alert">
+            {failure}
+          </p>
+        )}
+        <CaptureButton inspection={inspection} session={session} side="initial" replaced={false} label="Capture the baseline" />
+      </div>
+    </>
+  );
+}
+
+function WorkStep({ inspection, session, task }: StepProps) {
+  const simulation = useStore(link.status)?.simulation ?? false;
+  const robot = useStore(link.status)?.robot !== undefined;
+  const [replaced, setReplaced] = useState(false);
+  const [worked, setWorked] = useState(false);
+  const failure = failureOf(task, inspection);
+  const simulate = () =>
+    void attempt(async () => {
+      await api.simulateWork(true);
+      setWorked(true);
+    });
+  return (
+    <>
+      <div class="card" data-testid="work">
+        <h2>The baseline is safe</h2>
+        <p>
+          Taken {inspection.initial && timeOf(inspection.initial.taken_at)} by {inspection.initial?.person}. It outlasts a restart, a power cut and the shift: switch everything off if you like.
+        </p>
+        <p>
+          <strong>Now do the work in the bay.</strong> Come back here when it is done.
+        </p>
+        {simulation && (
+          <div class="note">
+            <p>This bay is simulated: its work is done by a button.</p>
+            <button type="button" data-testid="simulate-work" onClick={simulate}>
+              {worked ? '✓ Work has been done' : 'Let the work be done'}
+            </button>
+          </div>
+        )}
+      </div>
+      <NoiseReport task={task} />
+      <ReadinessCard mayCapture={session.role !== 'viewer'} />
+      <div class="card">
+        <h2>After the work</h2>
+        {robot && (
+          <label class="tick">
+            <input type="checkbox" checked={replaced} onChange={(event) => setReplaced(event.currentTarget.checked)} />
+            The robot was taken out and put back
+          </label>
+        )}
+        {failure && (
+          <p class="bad" role="alert">
+            {failure}
+          </p>
+        )}
+        <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label="Capture and compare" />
+        {inspection.final && (
+          <button type="button" data-testid="compare" onClick={() => void attempt(() => api.compare(inspection.id))}>
+            Compare what was captured
+          </button>
+        )}
+      </div>
+    </>
+  );
+}
+
+export function Steps({ session }: { session: Session }) {
+  const inspection = useStore(openInspection);
+  const task = useStore(link.status)?.task;
+  if (!inspection || !task) return <p class="hint">Loading…</p>;
+  const running = task.end === 'running' && task.kind !== 'readiness';
+  if (running && task.inspection !== inspection.id) {
+    return <p class="hint">Another inspection is being captured just now.</p>;
+  }
+  if (running) {
+    return (
+      <div class="panel-body">
+        <CaptureProgress task={task} mayCancel={session.role !== 'viewer'} />
+        <NoiseReport task={task} />
+      </div>
+    );
+  }
+  return (
+    <div class="panel-body">
+      {inspection.stage === 'baseline' && <BaselineStep inspection={inspection} session={session} task={task} />}
+      {inspection.stage === 'work' && <WorkStep inspection={inspection} session={session} task={task} />}
+    </div>
+  );
+}

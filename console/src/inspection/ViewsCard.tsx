@@ -1,0 +1,47 @@
+// From where the bay is looked at: the views that both captures are taken of.
+import { api } from '../link/api';
+import { link } from '../link/live_link';
+import { useStore } from '../store';
+import type { Inspection, Joints } from '../types';
+import { attempt, openInspection } from './inspections';
+
+export function ViewsCard({ inspection, enabled }: { inspection: Inspection; enabled: boolean }) {
+  const robot = useStore(link.status)?.robot;
+  if (!robot) return null;
+  const set = (views: Joints[]) =>
+    void attempt(async () => {
+      openInspection.value = await api.setViews(inspection.id, views);
+    });
+  const here: Joints | null =
+    robot.pan_deg === undefined || robot.tilt_deg === undefined ? null : { pan_deg: robot.pan_deg, tilt_deg: robot.tilt_deg };
+  const { views } = inspection;
+  return (
+    <div class="card" data-testid="views">
+      <h2>Views</h2>
+      <p class="hint">Turn the camera to where the work will be, and add the view. Several views may overlap.</p>
+      <ul class="list">
+        {views.map((view, i) => (
+          <li key={`${view.pan_deg} ${view.tilt_deg} ${i}`} class="view-row">
+            <span>
+              <strong>View {i + 1}</strong> pan {view.pan_deg.toFixed(1)}°, tilt {view.tilt_deg.toFixed(1)}°
+            </span>
+            <button
+              type="button"
+              aria-label={`Remove view ${i + 1}`}
+              disabled={!enabled || views.length === 1}
+              onClick={() => set(views.filter((_, k) => k !== i))}
+            >
+              ✕
+            </button>
+          </li>
+        ))}
+      </ul>
+      <button type="button" data-testid="add-view" disabled={!enabled || !here} onClick={() => here && set([...views, here])}>
+        Add the view that you see
+      </button>
+      <button type="button" data-testid="only-view" disabled={!enabled || !here} onClick={() => here && set([here])}>
+        Use this view only
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,60 @@
+// The inspection that is open, and the list of all.
+import { api, Refusal } from '../link/api';
+import { link } from '../link/live_link';
+import { Store } from '../store';
+import type { Inspection, InspectionSummary } from '../types';
+
+export const openInspection = new Store<Inspection | null>(null);
+export const inspectionList = new Store<InspectionSummary[] | null>(null);
+/** What the server refused last, for a person. */
+export const trouble = new Store<string>('');
+
+const openKey = 'rva-inspection';
+
+/** Runs what a person asked for, and shows why where it is refused. */
+export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
+  trouble.value = '';
+  try {
+    await work();
+    return true;
+  } catch (error) {
+    trouble.value = error instanceof Refusal ? error.message : String(error);
+    return false;
+  }
+}
+
+export async function loadList(): Promise<void> {
+  inspectionList.value = (await api.inspections()).inspections;
+}
+
+export async function open(id: number | null): Promise<void> {
+  if (id === null) {
+    sessionStorage.removeItem(openKey);
+    openInspection.value = null;
+    await loadList();
+    return;
+  }
+  openInspection.value = await api.inspection(id);
+  sessionStorage.setItem(openKey, String(id));
+}
+
+export async function reopen(): Promise<void> {
+  const id = Number(sessionStorage.getItem(openKey));
+  if (id > 0) await open(id).catch(() => open(null));
+  else await loadList();
+}
+
+/** After each task, whoever started it: what it did is in the inspection. */
+export function followTasks(): void {
+  let seen = '';
+  link.status.subscribe(() => {
+    const task = link.status.value?.task;
+    if (!task) return;
+    const now = `${task.number} ${task.end} ${task.kind}`;
+    if (now === seen) return;
+    seen = now;
+    const id = openInspection.value?.id;
+    if (id !== undefined) void open(id).catch(() => undefined);
+    else void loadList().catch(() => undefined);
+  });
+}

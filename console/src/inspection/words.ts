@@ -1,0 +1,54 @@
+// How things are called on the console.
+import type { Finding, InspectionSummary, Stage, Verdict } from '../types';
+
+export const stageNames: Record<Stage, string> = {
+  baseline: 'Before the work',
+  work: 'Work',
+  review: 'Review',
+  done: 'Done',
+};
+
+export const verdictNames: Record<Verdict, string> = {
+  'debris-removed': 'Debris, removed',
+  'installed-work': 'Installed work',
+  'false-alarm': 'False alarm',
+  'second-look': 'Needs a second look',
+};
+
+export function titleOf(inspection: InspectionSummary): string {
+  const parts = [inspection.aircraft, inspection.zone, inspection.work_order].filter((part) => part !== '');
+  return parts.length > 0 ? parts.join(' · ') : `Inspection ${inspection.id}`;
+}
+
+export function timeOf(iso: string): string {
+  return new Date(iso).toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' });
+}
+
+export function millimetres(value: number): string {
+  return value < 10 ? `${value.toFixed(1)} mm` : `${Math.round(value)} mm`;
+}
+
+/** How sure: the p-value is how often an unchanged bay would show as much. */
+export function suspicion(finding: Finding): { level: 1 | 2 | 3; says: string } {
+  const certain = 1e-6;
+  const likely = 1e-3;
+  const p = finding.p_value;
+  if (p === undefined) return { level: 2, says: 'Changed' };
+  if (p < certain) return { level: 3, says: 'Certainly changed' };
+  if (p < likely) return { level: 2, says: 'Very likely changed' };
+  return { level: 1, says: 'Possibly changed' };
+}
+
+export function whatChanged(finding: Finding): string {
+  return finding.kind === 'added' ? 'Something is here that was not' : 'Something is gone';
+}
+
+/** Size, distance and how many millimetres nearer or farther than before. */
+export function whereAndHow(finding: Finding): string {
+  const parts: string[] = [];
+  if (finding.size_mm) parts.push(`${millimetres(finding.size_mm[0])} × ${millimetres(finding.size_mm[1])}`);
+  if (finding.position_m) parts.push(`${finding.position_m[2].toFixed(2)} m away`);
+  if (finding.height_mm !== undefined)
+    parts.push(`${millimetres(Math.abs(finding.height_mm))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
+  return parts.join(', ');
+}

@@ -1,0 +1,72 @@
+// The server's HTTP API.
+import type {
+  Inspection,
+  InspectionSummary,
+  Joints,
+  Measurement,
+  Session,
+  SideName,
+  Stream,
+  Verdict,
+} from '../types';
+import { clientId } from './client';
+
+/** What the server refused, in its own words. */
+export class Refusal extends Error {
+  constructor(
+    readonly status: number,
+    readonly code: string,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+async function call<T>(method: string, path: string, body?: unknown): Promise<T> {
+  let response: Response;
+  try {
+    response = await fetch(path, {
+      method,
+      headers: { 'Content-Type': 'application/json', 'X-RVA-Client': clientId },
+      ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+    });
+  } catch {
+    throw new Refusal(0, 'no-server', 'The server does not answer. Is the program running?');
+  }
+  const answer: unknown = await response.json().catch(() => ({}));
+  if (response.ok) return answer as T;
+  const error = (answer as { error?: { code: string; message: string } }).error;
+  throw new Refusal(response.status, error?.code ?? 'unknown', error?.message ?? response.statusText);
+}
+
+export interface Order {
+  aircraft: string;
+  zone: string;
+  work_order: string;
+  person: string;
+}
+
+export const api = {
+  session: () => call<Session>('GET', '/api/session'),
+  signIn: (name: string, password: string) => call<object>('POST', '/api/sign-in', { name, password }),
+  signOut: () => call<object>('POST', '/api/sign-out', {}),
+  inspections: () => call<{ inspections: InspectionSummary[] }>('GET', '/api/inspections'),
+  inspection: (id: number) => call<Inspection>('GET', `/api/inspections/${id}`),
+  begin: (order: Order) => call<Inspection>('POST', '/api/inspections', order),
+  setViews: (id: number, views: Joints[]) => call<Inspection>('PUT', `/api/inspections/${id}/views`, { views }),
+  capture: (id: number, side: SideName, person: string, replaced: boolean) =>
+    call<object>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
+  compare: (id: number) => call<object>('POST', `/api/inspections/${id}/compare`, {}),
+  decide: (id: number, finding: number, verdict: Verdict, note: string, person: string) =>
+    call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { verdict, note, person }),
+  checkReadiness: () => call<object>('POST', '/api/readiness', {}),
+  cancel: () => call<object>('POST', '/api/cancel', {}),
+  measure: (stream: Stream, points: { u: number; v: number }[]) =>
+    call<Measurement>('POST', '/api/measure', { stream, points }),
+  simulateWork: (done: boolean) => call<object>('POST', '/api/simulation', { done }),
+};
+
+/** A picture of a view's comparison; `version` changes when it was made anew. */
+export function pictureAddress(inspection: Inspection, view: number, name: string): string {
+  return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${encodeURIComponent(inspection.compared_at ?? '')}`;
+}

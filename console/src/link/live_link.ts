@@ -1,0 +1,126 @@
+// The WebSocket: pictures and status come, what the sticks say goes.
+import { Store } from '../store';
+import type { Lease, PictureHead, Refused, Status, Stream } from '../types';
+import { clientId, person } from './client';
+
+export interface LivePicture {
+  head: PictureHead;
+  bitmap: ImageBitmap;
+  /** From the camera to here, by the computers' clocks: of the same computer when both are one. */
+  latency_ms: number;
+}
+
+export type LinkState = 'connecting' | 'open' | 'lost';
+
+const protocol = 1;
+const retry_ms = 500;
+const silence_ms = 3000;
+
+class LiveLink {
+  readonly state = new Store<LinkState>('connecting');
+  readonly status = new Store<Status | null>(null);
+  readonly lease = new Store<Lease>({ type: 'lease', yours: false });
+  readonly refused = new Store<Refused | null>(null);
+  /** Why the server ended the connection for good, if it did. */
+  readonly ended = new Store<string>('');
+  onPicture: (picture: LivePicture) => void = () => undefined;
+
+  private socket: WebSocket | null = null;
+  private stream: Stream | null = null;
+  private heard_ms = 0;
+  private started = false;
+
+  start(): void {
+    if (this.started) return;
+    this.started = true;
+    this.connect();
+    setInterval(() => this.watchSilence(), retry_ms);
+  }
+
+  watch(stream: Stream | null): void {
+    this.stream = stream;
+    this.send({ type: 'watch', stream: stream ?? 'none' });
+  }
+
+  drive(pan: number, tilt: number): void {
+    this.send({ type: 'drive', pan, tilt, stamp_ms: performance.now() });
+  }
+
+  stop(): void {
+    this.send({ type: 'stop' });
+  }
+
+  takeControls(takeOver: boolean): void {
+    this.send({ type: 'lease', action: takeOver ? 'take-over' : 'take', name: person.name });
+  }
+
+  releaseControls(): void {
+    this.send({ type: 'lease', action: 'release' });
+  }
+
+  private connect(): void {
+    const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+    const socket = new WebSocket(`${scheme}://${location.host}/api/live`);
+    socket.binaryType = 'arraybuffer';
+    this.socket = socket;
+    socket.onopen = () => {
+      this.heard_ms = performance.now();
+      this.send({ type: 'hello', protocol, client: clientId, name: person.name });
+      if (this.stream) this.watch(this.stream);
+      this.state.value = 'open';
+    };
+    socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => {
+      this.heard_ms = performance.now();
+      if (typeof event.data === 'string') this.hear(event.data);
+      else void this.show(event.data);
+    };
+    socket.onclose = (event) => {
+      if (this.socket !== socket) return;
+      this.socket = null;
+      this.state.value = 'lost';
+      this.lease.value = { type: 'lease', yours: false };
+      const policyViolation = 1008;
+      if (event.code === policyViolation) this.ended.value = event.reason;
+      else setTimeout(() => this.connect(), retry_ms);
+    };
+  }
+
+  // Status comes every second at least: silence is a broken line, long before the browser notices.
+  private watchSilence(): void {
+    if (this.state.value !== 'open' || performance.now() - this.heard_ms < silence_ms) return;
+    this.socket?.close();
+  }
+
+  private hear(text: string): void {
+    const message = JSON.parse(text) as Status | Lease | Refused;
+    switch (message.type) {
+      case 'status':
+        this.status.value = message;
+        break;
+      case 'lease':
+        this.lease.value = message;
+        break;
+      case 'refused':
+        this.refused.value = message;
+        break;
+    }
+  }
+
+  private async show(bytes: ArrayBuffer): Promise<void> {
+    const length = new DataView(bytes).getUint32(0, true);
+    const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as PictureHead;
+    const jpeg = new Blob([new Uint8Array(bytes, 4 + length)], { type: 'image/jpeg' });
+    try {
+      const bitmap = await createImageBitmap(jpeg);
+      this.onPicture({ head, bitmap, latency_ms: Date.now() - head.taken_ms });
+    } finally {
+      this.send({ type: 'shown' });
+    }
+  }
+
+  private send(message: object): void {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+}
+
+export const link = new LiveLink();

@@ -1,0 +1,115 @@
+// What the camera sees now, and distances in it.
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { api } from '../link/api';
+import { link } from '../link/live_link';
+import { useStore } from '../store';
+import type { Measurement, PictureHead, Stream } from '../types';
+import { DepthScale } from './DepthScale';
+import { MeasureMarks } from './MeasureMarks';
+
+const names: Record<Stream, string> = { color: 'Colour', depth: 'Depth', infrared: 'Infrared' };
+
+export interface Pixel {
+  u: number;
+  v: number;
+}
+
+export function LiveView({ children }: { children?: ComponentChildren }) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const status = useStore(link.status);
+  const state = useStore(link.state);
+  const streams = status?.camera.streams ?? [];
+  const [wanted, setWanted] = useState<Stream>('color');
+  const stream = streams.includes(wanted) ? wanted : (streams[0] ?? 'depth');
+  const [head, setHead] = useState<PictureHead | null>(null);
+  const [points, setPoints] = useState<Pixel[]>([]);
+  const [measured, setMeasured] = useState<Measurement | null>(null);
+
+  useEffect(() => {
+    link.watch(stream);
+    setPoints([]);
+    setMeasured(null);
+    return () => link.watch(null);
+  }, [stream]);
+
+  useEffect(() => {
+    let last: PictureHead | null = null;
+    link.onPicture = ({ head: next, bitmap, latency_ms }) => {
+      const target = canvas.current;
+      if (!target || next.stream !== stream) return bitmap.close();
+      if (target.width !== next.width || target.height !== next.height) {
+        target.width = next.width;
+        target.height = next.height;
+      }
+      target.getContext('2d')?.drawImage(bitmap, 0, 0);
+      bitmap.close();
+      target.dataset['frame'] = String(next.number);
+      target.dataset['latency'] = latency_ms.toFixed(1);
+      const changed = !last || last.width !== next.width || String(last.scale_m) !== String(next.scale_m);
+      last = next;
+      if (changed) setHead(next);
+    };
+    return () => {
+      link.onPicture = ({ bitmap }) => bitmap.close();
+    };
+  }, [stream]);
+
+  // What was measured holds for a camera at rest.
+  const turning = status?.robot !== undefined && (status.robot.driving || status.robot.lent);
+  useEffect(() => {
+    if (!turning) return;
+    setPoints([]);
+    setMeasured(null);
+  }, [turning]);
+
+  const pick = (event: MouseEvent) => {
+    const target = canvas.current;
+    if (!target) return;
+    const box = target.getBoundingClientRect();
+    const pixel = {
+      u: ((event.clientX - box.left) / box.width) * target.width - 0.5,
+      v: ((event.clientY - box.top) / box.height) * target.height - 0.5,
+    };
+    const next = points.length === 1 ? [...points, pixel] : [pixel];
+    setPoints(next);
+    setMeasured(null);
+    api.measure(stream, next).then(setMeasured, () => setMeasured(null));
+  };
+
+  const problem = state !== 'open' ? 'The line to the robot’s computer is broken. Trying again…' : status?.camera.problem;
+  return (
+    <section class="view" aria-label="Live view">
+      <div class="view-bar">
+        <div class="switch" role="radiogroup" aria-label="Picture">
+          {streams.map((name) => (
+            <button
+              key={name}
+              type="button"
+              role="radio"
+              aria-checked={name === stream}
+              data-testid={`stream-${name}`}
+              onClick={() => setWanted(name)}
+            >
+              {names[name]}
+            </button>
+          ))}
+        </div>
+        <span class="hint">Tap a place for its distance, a second one for the length between.</span>
+      </div>
+      <div class="picture">
+        <div class="picture-fit" style={{ aspectRatio: `${head?.width ?? 848} / ${head?.height ?? 480}` }}>
+          <canvas ref={canvas} data-testid="live" aria-label={`Live ${names[stream].toLowerCase()} picture`} role="img" onClick={pick} />
+          {head && <MeasureMarks width={head.width} height={head.height} points={points} measured={measured} />}
+          {stream === 'depth' && head?.scale_m && <DepthScale range_m={head.scale_m} />}
+          {problem && (
+            <p class="picture-problem" role="alert" data-testid="live-problem">
+              {problem}
+            </p>
+          )}
+          {children}
+        </div>
+      </div>
+    </section>
+  );
+}

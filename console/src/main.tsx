@@ -1,0 +1,42 @@
+import { render } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { App } from './App';
+import { sticks } from './drive/sticks';
+import { followTasks, reopen } from './inspection/inspections';
+import { api } from './link/api';
+import { link } from './link/live_link';
+import { SignIn } from './SignIn';
+import './style.css';
+import type { Session } from './types';
+
+function Console() {
+  const [session, setSession] = useState<Session | null>(null);
+  const [problem, setProblem] = useState('');
+  const ask = () =>
+    api.session().then(
+      (answer) => {
+        setProblem('');
+        setSession(answer);
+      },
+      (error: Error) => {
+        setProblem(error.message);
+        setTimeout(ask, 1000);
+      },
+    );
+  useEffect(() => void ask(), []);
+  const known = session?.role !== undefined;
+  useEffect(() => {
+    if (!known) return;
+    link.start();
+    sticks.start();
+    followTasks();
+    void reopen().catch(() => undefined);
+  }, [known]);
+  if (problem) return <p class="alone" role="alert">{problem}</p>;
+  if (!session) return <p class="alone">Loading…</p>;
+  if (!session.role) return <SignIn onSignedIn={() => void ask()} />;
+  return <App session={session} onSignedOut={() => location.reload()} />;
+}
+
+const root = document.getElementById('console');
+if (root) render(<Console />, root);

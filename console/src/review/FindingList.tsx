@@ -1,0 +1,79 @@
+// Findings, most suspicious first, each to be decided.
+import { suspicion, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
+import { useStore } from '../store';
+import type { Inspection, Session } from '../types';
+import { DecisionForm } from './DecisionForm';
+import { decisionOf, groupsOf, type Group } from './groups';
+import { review, show } from './review_state';
+
+function SuspicionBar({ level, says }: { level: number; says: string }) {
+  return (
+    <span class="suspicion">
+      <span aria-hidden="true">{'●'.repeat(level) + '○'.repeat(3 - level)}</span> {says}
+    </span>
+  );
+}
+
+function FindingCard({ inspection, group, session, selected }: { inspection: Inspection; group: Group; session: Session; selected: boolean }) {
+  const { lead, all } = group;
+  const decision = decisionOf(group);
+  const { level, says } = suspicion(lead);
+  return (
+    <li class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
+      <button type="button" class="row" aria-expanded={selected} onClick={() => show({ group: lead.number, view: lead.view, findings: true })}>
+        <span class={`finding-number ${lead.kind}`}>
+          {lead.number}
+          <span aria-hidden="true">{lead.kind === 'added' ? '+' : '−'}</span>
+        </span>
+        <span>
+          <strong>{whatChanged(lead)}</strong>
+          <SuspicionBar level={level} says={says} />
+          <small>
+            {whereAndHow(lead)}
+            {all.length > 1 && `, seen in ${all.length} views`}
+          </small>
+          <small class={decision ? 'said' : 'open'}>{decision ? `✓ ${verdictNames[decision.verdict]}` : 'To be decided'}</small>
+        </span>
+      </button>
+      {selected && <DecisionForm inspection={inspection} group={group} session={session} />}
+    </li>
+  );
+}
+
+export function FindingList({ inspection, session }: { inspection: Inspection; session: Session }) {
+  const state = useStore(review);
+  const groups = groupsOf(inspection);
+  const open = groups.filter((group) => !decisionOf(group)).length;
+  if (!state.findings && state.group === 0) {
+    return (
+      <div class="panel-body">
+        <div class="card" data-testid="first-look">
+          <h2>First look</h2>
+          <p>Compare before and after with your own eyes first: blink between them. Then let the program show what it found.</p>
+          <button type="button" class="primary big" data-testid="reveal" onClick={() => show({ findings: true, uninspected: true, group: groups[0]?.lead.number ?? 0, view: groups[0]?.lead.view ?? 0 })}>
+            Show the findings
+          </button>
+        </div>
+      </div>
+    );
+  }
+  return (
+    <div class="panel-body">
+      <div class="card" data-testid="finding-summary">
+        <h2>{groups.length === 0 ? 'Nothing changed' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
+        {groups.length === 0 && <p>Nothing was found where it could have been found. Look at what could not be inspected (striped).</p>}
+        {open > 0 && <p>{open} to be decided.</p>}
+        {open === 0 && groups.length > 0 && (
+          <p class="good" data-testid="all-decided">
+            ✓ All are decided{inspection.stage === 'done' ? '. This inspection is done.' : '; some need a second look.'}
+          </p>
+        )}
+      </div>
+      <ul class="list">
+        {groups.map((group) => (
+          <FindingCard key={group.lead.number} inspection={inspection} group={group} session={session} selected={group.lead.number === state.group} />
+        ))}
+      </ul>
+    </div>
+  );
+}

@@ -1,0 +1,147 @@
+// Before and after, pixel upon pixel, with what changed and what could not be inspected.
+import { useEffect, useState } from 'preact/hooks';
+import { pictureAddress } from '../link/api';
+import { useStore } from '../store';
+import type { Finding, Inspection } from '../types';
+import { groupsOf } from './groups';
+import { review, show, type Layer, type Moment } from './review_state';
+
+const layers: [Layer, string][] = [
+  ['color', 'Colour'],
+  ['depth', 'Depth'],
+  ['binary', 'Changes only'],
+];
+const moments: [Moment, string][] = [
+  ['before', 'Before'],
+  ['after', 'After'],
+  ['blink', 'Blink'],
+];
+const blink_ms = 700;
+
+function Choice<T extends string>({ label, options, value, onPick }: { label: string; options: [T, string][]; value: T; onPick: (value: T) => void }) {
+  return (
+    <div class="switch" role="radiogroup" aria-label={label}>
+      {options.map(([option, text]) => (
+        <button key={option} type="button" role="radio" aria-checked={option === value} data-testid={`${label.toLowerCase()}-${option}`} onClick={() => onPick(option)}>
+          {text}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function Toggle({ label, on, testId, onChange }: { label: string; on: boolean; testId: string; onChange: (on: boolean) => void }) {
+  return (
+    <button type="button" class="toggle" role="switch" aria-checked={on} data-testid={testId} onClick={() => onChange(!on)}>
+      <span aria-hidden="true">{on ? '☑' : '☐'}</span> {label}
+    </button>
+  );
+}
+
+// Every second of the time, of an eye that compares.
+function useBlink(moment: Moment): boolean {
+  const [before, setBefore] = useState(false);
+  useEffect(() => {
+    if (moment !== 'blink') return setBefore(moment === 'before');
+    const timer = setInterval(() => setBefore((now) => !now), blink_ms);
+    return () => clearInterval(timer);
+  }, [moment]);
+  return before;
+}
+
+function FindingBox({ finding, number, selected, onPick }: { finding: Finding; number: number; selected: boolean; onPick: () => void }) {
+  const [x, y, width, height] = finding.bbox;
+  const gap = 6;
+  return (
+    <g class={`finding-box ${finding.kind} ${selected ? 'selected' : ''}`} onClick={onPick}>
+      <rect class="halo" x={x - gap} y={y - gap} width={width + 2 * gap} height={height + 2 * gap} rx="4" />
+      <rect x={x - gap} y={y - gap} width={width + 2 * gap} height={height + 2 * gap} rx="4" />
+      <text x={x - gap} y={y - gap - 5}>
+        {number}
+        {finding.kind === 'added' ? ' +' : ' −'}
+      </text>
+    </g>
+  );
+}
+
+function ViewTabs({ inspection, view }: { inspection: Inspection; view: number }) {
+  if (inspection.views.length < 2) return null;
+  return (
+    <div class="switch" role="radiogroup" aria-label="View">
+      {inspection.views.map((_, i) => (
+        <button key={i} type="button" role="radio" aria-checked={i === view} data-testid={`review-view-${i}`} onClick={() => show({ view: i })}>
+          View {i + 1}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+export function ReviewPictures({ inspection }: { inspection: Inspection }) {
+  const state = useStore(review);
+  const before = useBlink(state.moment);
+  const view = Math.min(state.view, inspection.views.length - 1);
+  const address = (name: string) => pictureAddress(inspection, view, name);
+  const kind = state.layer === 'depth' ? 'depth' : 'color';
+  const groups = groupsOf(inspection);
+  const here = groups.flatMap((group) => group.all.filter((finding) => finding.view === view).map((finding) => ({ group, finding })));
+  const coverage = inspection.compared.find((compared) => compared.view === view);
+  const width = 848;
+  const [size, setSize] = useState({ width, height: 480 });
+  return (
+    <section class="view" aria-label="Before and after">
+      <div class="view-bar">
+        <ViewTabs inspection={inspection} view={view} />
+        <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
+        {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
+        <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
+        <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
+      </div>
+      <div class="picture">
+        <div class="picture-fit" style={{ aspectRatio: `${size.width} / ${size.height}` }}>
+          {state.layer === 'binary' ? (
+            <img src={address('changes')} alt="White: changed" />
+          ) : (
+            <>
+              <img
+                src={address(`final_${kind}`)}
+                alt="After the work"
+                data-testid="picture-after"
+                onLoad={(event) => setSize({ width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight })}
+              />
+              <img src={address(`initial_${kind}`)} alt="Before the work" data-testid="picture-before" class={before ? '' : 'hidden'} />
+              {state.findings && !before && <img src={address('changed')} alt="" class="glow" />}
+            </>
+          )}
+          {state.uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" class="glow" data-testid="picture-uninspected" />}
+          {state.findings && (
+            <svg class="overlay clickable" viewBox={`0 0 ${size.width} ${size.height}`} data-testid="boxes">
+              {here.map(({ group, finding }) => (
+                <FindingBox
+                  key={finding.number}
+                  finding={finding}
+                  number={group.lead.number}
+                  selected={group.lead.number === state.group}
+                  onPick={() => show({ group: group.lead.number })}
+                />
+              ))}
+            </svg>
+          )}
+          <span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>
+        </div>
+      </div>
+      {coverage && (
+        <p class="coverage" data-testid="coverage">
+          <strong>{Math.round(100 * coverage.judged)} %</strong> of this view was inspected. <span class="stripes" aria-hidden="true" /> <strong>{Math.round(100 * (1 - coverage.judged))} %</strong> was not:
+          no measurement {Math.round(100 * coverage.coverage.invalid)} %, not seen before {Math.round(100 * coverage.coverage.unseen)} %, the rest edges and places too unsteady.
+          {coverage.warnings.map((warning) => (
+            <span class="bad" key={warning}>
+              {' '}
+              {warning}.
+            </span>
+          ))}
+        </p>
+      )}
+    </section>
+  );
+}

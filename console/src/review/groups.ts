@@ -1,0 +1,23 @@
+// Findings of several views that are one thing, as one.
+import type { Decision, Finding, Inspection } from '../types';
+
+export interface Group {
+  /** The most suspicious finding of the thing; its number is the group's. */
+  lead: Finding;
+  all: Finding[];
+}
+
+/** Most suspicious first. */
+export function groupsOf(inspection: Inspection): Group[] {
+  const groups = new Map<number, Group>();
+  for (const finding of inspection.findings) {
+    const group = groups.get(finding.same_as);
+    if (group) group.all.push(finding);
+    else groups.set(finding.same_as, { lead: finding, all: [finding] });
+  }
+  return [...groups.values()];
+}
+
+export function decisionOf(group: Group): Decision | undefined {
+  return group.lead.decision;
+}

@@ -1,0 +1,24 @@
+// What the review shows: kept while other pages are looked at.
+import { Store } from '../store';
+
+export type Layer = 'color' | 'depth' | 'binary';
+export type Moment = 'after' | 'before' | 'blink';
+
+export interface ReviewState {
+  /** Number of the group that is looked at; 0: none. */
+  group: number;
+  view: number;
+  layer: Layer;
+  moment: Moment;
+  /** Overlays: none during the first look (thesis 4.2.2). */
+  findings: boolean;
+  uninspected: boolean;
+}
+
+export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false };
+
+export const review = new Store<ReviewState>(firstLook);
+
+export function show(change: Partial<ReviewState>): void {
+  review.value = { ...review.value, ...change };
+}

@@ -1,0 +1,55 @@
+// Findings in the map: a ring and a number at each.
+import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
+import type { Group as FindingGroup } from '../review/groups';
+
+const size_px = 128;
+
+function picture(number: number, kind: 'added' | 'removed', selected: boolean): CanvasTexture {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = size_px;
+  const draw = canvas.getContext('2d');
+  if (draw) {
+    const middle = size_px / 2;
+    draw.lineWidth = selected ? 16 : 10;
+    draw.strokeStyle = kind === 'added' ? '#ff7a1a' : '#2aa8ff';
+    draw.fillStyle = 'rgba(10, 14, 20, 0.75)';
+    draw.beginPath();
+    draw.arc(middle, middle, middle - 12, 0, 2 * Math.PI);
+    draw.fill();
+    draw.stroke();
+    draw.fillStyle = '#ffffff';
+    draw.font = 'bold 52px sans-serif';
+    draw.textAlign = 'center';
+    draw.textBaseline = 'middle';
+    draw.fillText(`${number}${kind === 'added' ? '+' : '−'}`, middle, middle + 3);
+  }
+  return new CanvasTexture(canvas);
+}
+
+export class FindingLayer {
+  readonly group = new Group();
+
+  set(groups: FindingGroup[], selected: number): void {
+    this.dispose();
+    for (const { lead } of groups) {
+      if (!lead.in_foot_m) continue;
+      const material = new SpriteMaterial({ map: picture(lead.number, lead.kind, lead.number === selected), depthTest: false, sizeAttenuation: false });
+      const sprite = new Sprite(material);
+      const scale = lead.number === selected ? 0.075 : 0.055;
+      sprite.scale.set(scale, scale, 1);
+      sprite.position.set(...lead.in_foot_m);
+      sprite.userData['number'] = lead.number;
+      this.group.add(sprite);
+    }
+  }
+
+  dispose(): void {
+    for (const child of [...this.group.children]) {
+      if (child instanceof Sprite) {
+        child.material.map?.dispose();
+        child.material.dispose();
+      }
+      this.group.remove(child);
+    }
+  }
+}

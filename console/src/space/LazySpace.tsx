@@ -1,0 +1,12 @@
+// three.js is most of the console: it is loaded when it is first needed.
+import type { FunctionComponent } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import type { Inspection } from '../types';
+
+export function LazySpace({ inspection }: { inspection: Inspection }) {
+  const [View, setView] = useState<FunctionComponent<{ inspection: Inspection }> | null>(null);
+  useEffect(() => {
+    void import('./SpaceView').then((loaded) => setView(() => loaded.SpaceView));
+  }, []);
+  return View ? <View inspection={inspection} /> : <p class="hint">Loading…</p>;
+}

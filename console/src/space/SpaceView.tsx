@@ -1,0 +1,115 @@
+// The bay in 3D with what was found in it.
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { Vector3 } from 'three';
+import { groupsOf } from '../review/groups';
+import { review, show } from '../review/review_state';
+import { useStore } from '../store';
+import type { Inspection } from '../types';
+import { FindingLayer } from './FindingLayer';
+import { PointLayer, type Coloring } from './PointLayer';
+import { Scene3d } from './Scene3d';
+
+const colorings: [Coloring, string][] = [
+  ['color', 'Colour'],
+  ['height', 'Height'],
+  ['change', 'Change'],
+];
+
+interface Stage {
+  scene: Scene3d;
+  findings: FindingLayer;
+  points?: PointLayer;
+  changes?: PointLayer;
+}
+
+async function load(inspection: Inspection, name: 'map' | 'changes', signal: AbortSignal): Promise<ArrayBuffer> {
+  const version = encodeURIComponent(inspection.compared_at ?? '');
+  const response = await fetch(`/api/inspections/${inspection.id}/${name}?v=${version}`, { signal });
+  if (!response.ok) throw new Error('There is no map of this inspection.');
+  return response.arrayBuffer();
+}
+
+export function SpaceView({ inspection }: { inspection: Inspection }) {
+  const box = useRef<HTMLDivElement>(null);
+  const stage = useRef<Stage | null>(null);
+  const [coloring, setColoring] = useState<Coloring>('color');
+  const [says, setSays] = useState('Loading the map…');
+  const selected = useStore(review).group;
+
+  useEffect(() => {
+    if (!box.current) return;
+    let scene: Scene3d;
+    try {
+      scene = new Scene3d(box.current);
+    } catch {
+      setSays('This browser cannot draw in 3D (WebGL is off). Everything else works without.');
+      return;
+    }
+    const findings = new FindingLayer();
+    const now: Stage = { scene, findings };
+    stage.current = now;
+    scene.add(findings.group);
+    scene.onMoving = (moving) => now.points?.setMoving(moving);
+    const loading = new AbortController();
+    Promise.all([load(inspection, 'map', loading.signal), load(inspection, 'changes', loading.signal)])
+      .then(([map, changes]) => {
+        now.points = new PointLayer(map);
+        scene.add(now.points.points);
+        const largerThanOthers_m = 0.006;
+        now.changes = new PointLayer(changes, largerThanOthers_m);
+        scene.add(now.changes.points);
+        scene.lookAt(now.points.center, now.points.radius_m);
+        setSays(`${now.points.count.toLocaleString()} points`);
+      })
+      .catch((error: Error) => {
+        if (!loading.signal.aborted) setSays(error.message);
+      });
+    return () => {
+      loading.abort();
+      findings.dispose();
+      now.points?.dispose();
+      now.changes?.dispose();
+      scene.dispose();
+      stage.current = null;
+    };
+  }, [inspection.id, inspection.compared_at]);
+
+  useEffect(() => {
+    const now = stage.current;
+    now?.points?.setColoring(coloring);
+    if (now?.changes) now.changes.points.visible = coloring !== 'color';
+    now?.scene.draw();
+  }, [coloring, says]);
+
+  useEffect(() => {
+    const now = stage.current;
+    now?.findings.set(groupsOf(inspection), selected);
+    const at = inspection.findings.find((finding) => finding.number === selected)?.in_foot_m;
+    if (at && now?.points) now.scene.focus(new Vector3(...at));
+    now?.scene.draw();
+  }, [inspection, selected, says]);
+
+  const pick = (event: MouseEvent) => {
+    const hit = stage.current?.scene.pick(event, stage.current.findings.group.children);
+    const number: unknown = hit?.userData['number'];
+    if (typeof number === 'number') show({ group: number, findings: true });
+  };
+
+  return (
+    <section class="view" aria-label="3D view">
+      <div class="view-bar">
+        <div class="switch" role="radiogroup" aria-label="Colouring">
+          {colorings.map(([name, label]) => (
+            <button key={name} type="button" role="radio" aria-checked={coloring === name} data-testid={`coloring-${name}`} onClick={() => setColoring(name)}>
+              {label}
+            </button>
+          ))}
+        </div>
+        <span class="hint" role="status" data-testid="map-status">
+          {says}
+        </span>
+      </div>
+      <div class="space" ref={box} data-testid="space" onClick={pick} />
+    </section>
+  );
+}
