@@ -11,11 +11,11 @@ namespace rva {
 
 /// What a camera saw at one moment.
 struct CameraFrame {
-  DepthImage depth;                   ///< of the size and unit that info() states; 0 is no measurement
-  std::optional<ColorImage> color;    ///< of the size that info().color states; empty where there is none
-  std::optional<GrayImage> infrared;  ///< of the left imager; empty where there is none
-  std::uint64_t number = 0;           ///< counts up by one; a gap is frames that were lost
-  double time_s = 0.0;                ///< when the depth was exposed, by the camera's clock: for differences
+  DepthImage depth;                 ///< of the size and unit that info() states; 0 is no measurement
+  std::optional<ColorImage> color;  ///< of the size that info().color states; empty where there is none
+  std::uint64_t number = 0;         ///< counts up by one; a gap is frames that were lost
+  double time_s = 0.0;              ///< when the depth was exposed, by the camera's clock: for differences
+  std::optional<GrayImage> infrared{};  ///< of the left imager; empty where there is none
 };
 
 /// A stream of frames.

@@ -32,7 +32,7 @@ class LiveHub {
   void leave(const std::shared_ptr<Member>& member) { members_.remove(member); }
 
   /// Ten times a second where it changed, else once: silence tells a console that the line is broken.
-  asio::awaitable<void> tell_status();
+  asio::awaitable<void> tell_status(const bool& stopping);
 
  private:
   void tell(const std::shared_ptr<const LivePicture>& picture);

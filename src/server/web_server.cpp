@@ -109,23 +109,33 @@ class WebServer::Implementation {
   void run() {
     asio::co_spawn(context_, accept_all(), asio::detached);
     asio::co_spawn(context_, watch_signals(), asio::detached);
-    asio::co_spawn(context_, hub_.tell_status(), asio::detached);
+    asio::co_spawn(context_, hub_.tell_status(stopping_), asio::detached);
     context_.run();
     throw_if_interrupted();
   }
 
-  void stop() { context_.stop(); }
+  void stop() {
+    asio::post(context_, [this] { end(); });
+  }
 
  private:
+  // Everything ends by itself, so that nothing is left in the context that refers to what is gone.
+  void end() {
+    stopping_ = true;
+    ErrorCode ignored;
+    acceptor_.close(ignored);
+    for (OpenConnection& connection : place_.open) connection.close();
+  }
+
   asio::awaitable<void> watch_signals() {
     asio::steady_timer timer(context_);
-    for (;;) {
+    while (!stopping_) {
       timer.expires_after(std::chrono::milliseconds(100));
       co_await timer.async_wait(asio::use_awaitable);
       try {
         throw_if_interrupted();
       } catch (const Interrupted&) {
-        context_.stop();
+        end();
       }
     }
   }
@@ -134,6 +144,7 @@ class WebServer::Implementation {
     for (;;) {
       ErrorCode failure;
       tcp::socket socket = co_await acceptor_.async_accept(noting(failure));
+      if (stopping_) co_return;
       if (failure) {
         complaints_.add("a connection could not be taken: " + failure.message(), steady_clock().now_s());
         asio::steady_timer pause(context_, std::chrono::milliseconds(50));
@@ -182,6 +193,7 @@ class WebServer::Implementation {
   tcp::acceptor acceptor_;
   LiveHub hub_;
   asio::thread_pool pool_{2};
+  bool stopping_ = false;
   Place place_;
 };
 

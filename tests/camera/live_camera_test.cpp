@@ -1,0 +1,110 @@
+#include "camera/live_camera.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <vector>
+
+#include "core/error.hpp"
+#include "tests/camera/scripted_camera.hpp"
+
+namespace rva {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Live : public testing::Test {
+ protected:
+  Live()
+      : script_(std::make_shared<test::CameraScript>()),
+        live_(std::make_unique<test::ScriptedCamera>(script_), 1000.0) {}
+  ~Live() override { script_->end(); }
+
+  // Gives a frame and returns when it has come through.
+  void give(std::uint64_t number) {
+    const auto before = live_.newest();
+    script_->give(number);
+    while (live_.newest() == before)
+      static_cast<void>(live_.wait_for_other(before.get(), milliseconds(1000)));
+  }
+  void fail(const std::string& problem) {
+    script_->fail(problem);
+    while (live_.health().problem.empty()) std::this_thread::sleep_for(milliseconds(1));
+  }
+
+  std::shared_ptr<test::CameraScript> script_;
+  LiveCamera live_;
+};
+
+std::vector<std::uint64_t> numbers(Camera& camera, int count) {
+  std::vector<std::uint64_t> numbers;
+  for (int i = 0; i < count; ++i) numbers.push_back(camera.wait_for_frame()->number);
+  return numbers;
+}
+
+TEST_F(Live, ShowsTheNewestFrameAndNothingBefore) {
+  EXPECT_EQ(live_.newest(), nullptr);
+  give(0);
+  give(1);
+  EXPECT_EQ(live_.newest()->frame.number, 1U);
+  EXPECT_EQ(live_.wait_for_other(live_.newest().get(), milliseconds(1)), nullptr) << "there is no other yet";
+}
+
+TEST_F(Live, ManyReadersGetEveryFrameEach) {
+  give(0);
+  const auto a = live_.every_frame();
+  const auto b = live_.every_frame();
+  give(1);  // was under way when they began
+  for (std::uint64_t number = 2; number < 7; ++number) give(number);
+  EXPECT_THAT(numbers(*a, 5), ElementsAre(2, 3, 4, 5, 6));
+  EXPECT_THAT(numbers(*b, 5), ElementsAre(2, 3, 4, 5, 6));
+}
+
+TEST_F(Live, AReaderWhoIsLateLosesTheOldestFrames) {
+  const auto reader = live_.every_frame();
+  for (std::uint64_t number = 0; number < 50; ++number) give(number);
+  EXPECT_THAT(numbers(*reader, 2), ElementsAre(20, 21)) << "thirty wait";
+}
+
+TEST_F(Live, WhatWaitedIsForgottenOnRequest) {
+  const auto reader = live_.every_frame();
+  for (std::uint64_t number = 0; number < 5; ++number) give(number);
+  reader->drop_waiting();
+  give(5);  // began, perhaps, before
+  give(6);
+  EXPECT_THAT(numbers(*reader, 1), ElementsAre(6));
+}
+
+TEST_F(Live, CountsFramesThatTheCameraLost) {
+  give(3);
+  give(4);
+  give(9);
+  EXPECT_EQ(live_.health().lost, 4U);
+  EXPECT_EQ(live_.health().frames, 3U);
+}
+
+TEST_F(Live, ACameraThatGoesAwayIsSaidToReadersAndComesBack) {
+  give(0);
+  const auto reader = live_.every_frame();
+  fail("was unplugged");
+  EXPECT_THAT(live_.health().problem, HasSubstr("was unplugged"));
+  EXPECT_THROW(static_cast<void>(reader->wait_for_frame()), Error);
+  give(1);
+  give(2);
+  EXPECT_EQ(live_.health().problem, "");
+  EXPECT_THAT(numbers(*reader, 1), ElementsAre(2));
+}
+
+TEST_F(Live, AReaderThatBeganAfterAFailureHearsOfTheNextOnly) {
+  fail("was unplugged");
+  const auto reader = live_.every_frame();
+  give(0);
+  give(1);
+  EXPECT_THAT(numbers(*reader, 1), ElementsAre(1));
+}
+
+}  // namespace
+}  // namespace rva

@@ -1,0 +1,41 @@
+#include "inspect/inspection.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rva {
+namespace {
+
+ReviewedFinding decided(Verdict verdict) {
+  ReviewedFinding finding;
+  finding.decision = Decision{verdict, "", "Ann", "t"};
+  return finding;
+}
+
+TEST(InspectionStage, FollowsFromWhatIsThere) {
+  Inspection inspection;
+  EXPECT_EQ(stage_of(inspection), Stage::baseline);
+  inspection.initial = TakenSide{};
+  EXPECT_EQ(stage_of(inspection), Stage::work);
+  inspection.final = TakenSide{};
+  EXPECT_EQ(stage_of(inspection), Stage::work) << "captured, but not compared";
+  inspection.compared_at = "t";
+  EXPECT_EQ(stage_of(inspection), Stage::done) << "nothing to decide";
+  inspection.findings = {decided(Verdict::false_alarm), ReviewedFinding{}};
+  EXPECT_EQ(stage_of(inspection), Stage::review);
+  inspection.findings[1] = decided(Verdict::second_look);
+  EXPECT_EQ(stage_of(inspection), Stage::review) << "a second look is still to be had";
+  inspection.findings[1] = decided(Verdict::debris_removed);
+  EXPECT_EQ(stage_of(inspection), Stage::done);
+}
+
+TEST(InspectionNames, LeadBackToWhatTheyName) {
+  for (const Verdict verdict :
+       {Verdict::debris_removed, Verdict::installed_work, Verdict::false_alarm, Verdict::second_look})
+    EXPECT_EQ(verdict_from_name(name_of(verdict)), verdict);
+  for (const Side side : {Side::initial, Side::final}) EXPECT_EQ(side_from_name(name_of(side)), side);
+  EXPECT_FALSE(verdict_from_name("maybe"));
+  EXPECT_FALSE(side_from_name(""));
+}
+
+}  // namespace
+}  // namespace rva

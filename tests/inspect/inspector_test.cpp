@@ -1,0 +1,111 @@
+#include "inspect/inspector.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/error.hpp"
+#include "store/sqlite_records.hpp"
+#include "tests/inspect/waving_camera.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rva {
+namespace {
+
+using testing::HasSubstr;
+
+class Standing : public testing::Test {
+ protected:
+  Standing()
+      : plug_(std::make_shared<test::Plug>()), camera_(std::make_unique<test::WavingCamera>(plug_), 1000.0) {
+    restart();
+  }
+  // As after a power cut, but for the camera.
+  void restart() {
+    inspector_.reset();
+    records_ = std::make_unique<SqliteRecords>(folder_ / "rva.db");
+    inspector_ = std::make_unique<Inspector>(InspectionRig{camera_}, *records_, folder_.path(),
+                                             InspectorOptions{.readiness = {.least_free_gb = 0.0}});
+  }
+  TaskState wait() {
+    while (inspector_->task().end == TaskEnd::running)
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return inspector_->task();
+  }
+  TaskState take(std::int64_t id, Side side) {
+    inspector_->capture(id, side, "Ann", false);
+    return wait();
+  }
+
+  test::TemporaryFolder folder_;
+  std::shared_ptr<test::Plug> plug_;
+  LiveCamera camera_;
+  std::unique_ptr<SqliteRecords> records_;
+  std::unique_ptr<Inspector> inspector_;
+};
+
+TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
+  const std::int64_t id = inspector_->begin({"N1", "bay 3", "WO", "Ann"});
+  EXPECT_EQ(take(id, Side::initial).end, TaskEnd::done);
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::work);
+  restart();
+  plug_->bump_mm = 12;
+  const TaskState task = take(id, Side::final);
+  EXPECT_EQ(task.end, TaskEnd::done) << task.problem;
+  const Inspection inspection = inspector_->inspection(id);
+  EXPECT_EQ(stage_of(inspection), Stage::review);
+  ASSERT_EQ(inspection.findings.size(), 1U);
+  EXPECT_NEAR(*inspection.findings[0].finding.height_mm, 12.0, 1.0);
+  for (const char* const picture :
+       {"initial_depth.png", "final_depth.png", "changed.png", "not_inspected.png"})
+    EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(0) / picture)) << picture;
+  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map()));
+  inspector_->decide(id, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
+}
+
+TEST_F(Standing, WhereNothingChangedNothingIsFound) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  EXPECT_EQ(take(id, Side::final).end, TaskEnd::done);
+  EXPECT_TRUE(inspector_->inspection(id).findings.empty());
+}
+
+TEST_F(Standing, OneTaskAtATimeWhichCanBeCancelledAndGoneOnWith) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  inspector_->capture(id, Side::initial, "Ann", false);
+  EXPECT_THROW(inspector_->check_readiness(), Error);
+  inspector_->cancel();
+  EXPECT_EQ(wait().end, TaskEnd::cancelled);
+  EXPECT_FALSE(inspector_->inspection(id).initial);
+  EXPECT_EQ(take(id, Side::initial).end, TaskEnd::done);
+}
+
+TEST_F(Standing, StepsOutOfOrderAreRefused) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  EXPECT_THROW(inspector_->capture(id, Side::final, "Ann", false), Error) << "no baseline";
+  EXPECT_THROW(inspector_->compare(id), Error);
+  EXPECT_THROW(inspector_->decide(id, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error);
+  EXPECT_THROW(inspector_->set_views(id, {{0, 0}, {5, 5}}), Error) << "it stands still";
+  EXPECT_THROW(inspector_->capture(id + 1, Side::initial, "Ann", false), Error) << "no such inspection";
+  EXPECT_THROW(static_cast<void>(inspector_->begin({"", "", "", "  "})), Error) << "nobody";
+  take(id, Side::initial);
+  EXPECT_THROW(inspector_->set_views(id, {{1, 1}}), Error) << "the baseline has its view";
+}
+
+TEST_F(Standing, ReadinessNamesWhatIsMissing) {
+  inspector_->check_readiness();
+  wait();
+  ASSERT_TRUE(inspector_->readiness());
+  EXPECT_TRUE(inspector_->readiness()->ready());
+  plug_->pulled = true;
+  while (camera_.health().problem.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  inspector_->check_readiness();
+  wait();
+  EXPECT_FALSE(inspector_->readiness()->ready());
+  EXPECT_THAT(inspector_->readiness()->items.at(0).says, HasSubstr("unplugged"));
+}
+
+}  // namespace
+}  // namespace rva

@@ -1,0 +1,119 @@
+#include "inspect/side_capture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "depth/capture.hpp"
+#include "sim/simulated_robot.hpp"
+#include "tests/inspect/waving_camera.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rva {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+class Side3Views : public testing::Test {
+ protected:
+  Side3Views()
+      : plug_(std::make_shared<test::Plug>()),
+        camera_(std::make_unique<test::WavingCamera>(plug_), 1000.0),
+        robot_({.speed_deg_s = 1000.0}),
+        drive_(robot_) {}
+
+  void take(const std::function<void(const CaptureProgress&)>& see = [](const CaptureProgress&) {}) {
+    take_side({camera_, &drive_}, side_,
+              {see, [this](const NoiseSoFar& noise) { noise_ = noise.median_std_mm; },
+               [this](const std::string& why) { waited_.push_back(why); }});
+  }
+  [[nodiscard]] std::size_t captures() const {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(side_.folder))
+      count += entry.path().filename().string().size() == 3 ? 1U : 0U;
+    return count;
+  }
+
+  test::TemporaryFolder folder_;
+  std::shared_ptr<test::Plug> plug_;
+  LiveCamera camera_;
+  SimulatedRobot robot_;
+  Drive drive_;
+  SideCapture side_{{{0, 0}, {5, -5}, {-5, -10}}, folder_ / "initial", "base", 12, false};
+  double noise_ = 0.0;
+  std::vector<std::string> waited_;
+};
+
+TEST_F(Side3Views, AreTakenWithTheirPosesAndTheirNoiseIsTold) {
+  take();
+  ASSERT_EQ(captures(), 3U);
+  const auto capture = open_capture(side_.folder / "001");
+  EXPECT_EQ(capture->depth_frames(), 12U);
+  EXPECT_NEAR(*capture->info().pose->pan_deg, 5.0, 0.4);
+  EXPECT_EQ(capture->info().pose->base, "base");
+  EXPECT_FALSE(capture->info().captured_at.empty());
+  EXPECT_NEAR(noise_, 0.5, 0.1);
+}
+
+TEST_F(Side3Views, WhoeverEndsItFindsTheCompleteOnesAndGoesOnFromThere) {
+  EXPECT_THROW(take([](const CaptureProgress& now) {
+                 if (now.view == 1 && now.frame == 6) throw Interrupted(0);
+               }),
+               Interrupted);
+  EXPECT_EQ(captures(), 1U) << "and nothing half written";
+  std::vector<std::size_t> taken;
+  take([&](const CaptureProgress& now) { taken.push_back(now.view); });
+  EXPECT_EQ(captures(), 3U);
+  EXPECT_THAT(taken, testing::Not(Contains(0U))) << "the first was there";
+}
+
+TEST_F(Side3Views, ACameraThatIsUnpluggedIsWaitedForAndTheViewTakenAnew) {
+  bool pulled = false;
+  take([&](const CaptureProgress& now) {
+    if (now.view == 1 && now.frame == 6 && !pulled) pulled = plug_->pulled = true;
+    if (!waited_.empty()) plug_->pulled = false;
+  });
+  EXPECT_EQ(captures(), 3U);
+  EXPECT_EQ(open_capture(side_.folder / "001")->depth_frames(), 12U);
+  ASSERT_FALSE(waited_.empty());
+  EXPECT_THAT(waited_.front(), HasSubstr("unplugged"));
+  EXPECT_EQ(waited_.back(), "") << "and it is said when it is back";
+}
+
+TEST_F(Side3Views, AStopIsNoDeviceThatIsAway) {
+  robot_.move_to({-60, -60});
+  EXPECT_THROW(take([&](const CaptureProgress& now) {
+                 if (now.frame == 0) robot_.stop();
+               }),
+               Error);
+  EXPECT_TRUE(waited_.empty());
+}
+
+TEST_F(Side3Views, BeyondTheLimitsNothingMoves) {
+  side_.views.push_back({0, 60});
+  EXPECT_THROW(take(), UsageError);
+  EXPECT_EQ(robot_.joints(), PanTilt{});
+}
+
+TEST(StandingCamera, TakesItsOneViewOnce) {
+  const test::TemporaryFolder folder;
+  const auto plug = std::make_shared<test::Plug>();
+  LiveCamera camera(std::make_unique<test::WavingCamera>(plug), 1000.0);
+  const SideCapture side{{{0, 0}}, folder / "initial", "base", 8, false};
+  std::size_t frames = 0;
+  const CaptureEvents events{[&](const CaptureProgress&) { ++frames; }, [](const NoiseSoFar&) {},
+                             [](const std::string&) {}};
+  take_side({camera}, side, events);
+  EXPECT_EQ(open_capture(side.folder / "000")->depth_frames(), 8U);
+  const std::size_t first = frames;
+  take_side({camera}, side, events);
+  EXPECT_EQ(frames, first) << "it is there";
+}
+
+}  // namespace
+}  // namespace rva

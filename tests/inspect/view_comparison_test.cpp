@@ -1,0 +1,47 @@
+#include "inspect/view_comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace rva {
+namespace {
+
+ReviewedFinding at(int view, double x_m, double score, ChangeKind kind = ChangeKind::added) {
+  ReviewedFinding finding;
+  finding.view = view;
+  finding.finding.kind = kind;
+  finding.finding.score = score;
+  finding.in_foot_m = Eigen::Vector3d(x_m, 0.5, 0.0);
+  return finding;
+}
+
+TEST(RankedFindings, AreMostSuspiciousFirstAndNumberedSo) {
+  const std::vector<ReviewedFinding> ranked = rank({at(0, 0.0, 2.0), at(0, 0.5, 9.0), at(1, 1.0, 5.0)});
+  ASSERT_EQ(ranked.size(), 3U);
+  for (std::size_t i = 0; i < ranked.size(); ++i) EXPECT_EQ(ranked[i].number, static_cast<int>(i) + 1);
+  EXPECT_EQ(ranked[0].finding.score, 9.0);
+  EXPECT_EQ(ranked[2].finding.score, 2.0);
+}
+
+TEST(RankedFindings, OfOneThingInSeveralViewsNameTheFirst) {
+  const std::vector<ReviewedFinding> ranked = rank({at(0, 0.00, 9.0), at(1, 0.02, 5.0), at(2, -0.01, 7.0)});
+  for (const ReviewedFinding& finding : ranked) EXPECT_EQ(finding.same_as, 1);
+}
+
+TEST(RankedFindings, OfOneViewOfAnotherKindOrFarApartAreOthers) {
+  for (const ReviewedFinding& other :
+       {at(0, 0.01, 5.0), at(1, 0.01, 5.0, ChangeKind::removed), at(1, 0.2, 5.0)}) {
+    const std::vector<ReviewedFinding> ranked = rank({at(0, 0.0, 9.0), other});
+    EXPECT_EQ(ranked[1].same_as, 2);
+  }
+}
+
+TEST(RankedFindings, ThatNobodyCanPlaceStandAlone) {
+  ReviewedFinding placeless = at(1, 0.0, 5.0);
+  placeless.in_foot_m.reset();
+  EXPECT_EQ(rank({at(0, 0.0, 9.0), placeless})[1].same_as, 2);
+}
+
+}  // namespace
+}  // namespace rva

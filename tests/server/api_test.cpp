@@ -1,0 +1,125 @@
+#include "server/api.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/clock.hpp"
+#include "server/password.hpp"
+#include "tests/server/served.hpp"
+
+namespace rva {
+namespace {
+
+using testing::HasSubstr;
+
+class Asked : public testing::Test {
+ protected:
+  ApiResponse ask(const std::string& method, const std::string& path, const std::string& body = "") const {
+    return api_.answer({method, path, body, "client-of-this-test", token_});
+  }
+  std::string code(const std::string& method, const std::string& path, const std::string& body = "") const {
+    return Json::parse(ask(method, path, body).body)["error"]["code"];
+  }
+  void sign_in(Role role) {
+    served_.records.set_account({"ann", role, hash_password("correct horse")});
+    const ApiResponse answer = ask("POST", "/api/sign-in", R"({"name":"ann","password":"correct horse"})");
+    ASSERT_EQ(answer.status, 200);
+    const std::string cookie = answer.headers.at(0).second;
+    token_ = cookie.substr(cookie.find('=') + 1, 64);
+    EXPECT_THAT(cookie, HasSubstr("HttpOnly"));
+    EXPECT_THAT(cookie, HasSubstr("SameSite=Strict"));
+    EXPECT_THAT(cookie, HasSubstr("Secure"));
+  }
+
+  test::Served served_;
+  Api api_{served_.parts(), true};
+  std::string token_;
+};
+
+TEST_F(Asked, AnInspectionIsBegunListedAndGivenItsViews) {
+  const ApiResponse begun = ask("POST", "/api/inspections", R"({"aircraft":"N1","person":"Ann"})");
+  EXPECT_EQ(begun.status, 201);
+  EXPECT_EQ(Json::parse(begun.body)["stage"], "baseline");
+  EXPECT_EQ(ask("PUT", "/api/inspections/1/views", R"({"views":[{"pan_deg":1,"tilt_deg":-2}]})").status, 200);
+  const Json inspection = Json::parse(ask("GET", "/api/inspections/1").body);
+  EXPECT_EQ(inspection["views"][0]["tilt_deg"], -2.0);
+  EXPECT_EQ(Json::parse(ask("GET", "/api/inspections").body)["inspections"].size(), 1U);
+}
+
+TEST_F(Asked, WhatIsMissingOrMalformedIsSaidWithACode) {
+  EXPECT_EQ(code("GET", "/api/nothing"), "not-found");
+  EXPECT_EQ(code("DELETE", "/api/inspections"), "method-not-allowed");
+  EXPECT_EQ(code("GET", "/api/inspections/7"), "refused");
+  for (const char* const id : {"x", "-1", "0", "1x", "99999999999999999999", "%31", ""})
+    EXPECT_EQ(ask("GET", std::string("/api/inspections/") + id).status, 404) << id;
+  EXPECT_EQ(code("POST", "/api/inspections", "{"), "bad-request");
+  EXPECT_EQ(ask("POST", "/api/inspections", R"({"person":" "})").status, 409);
+  ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
+  for (const char* const body :
+       {R"({})", R"({"views":1})", R"({"views":[1]})", R"({"views":[{"pan_deg":"x","tilt_deg":0}]})",
+        R"({"views":[]})", R"({"views":[{"pan_deg":0,"tilt_deg":80}]})"})
+    EXPECT_GE(ask("PUT", "/api/inspections/1/views", body).status, 400) << body;
+  EXPECT_EQ(code("POST", "/api/inspections/1/capture", R"({"side":"middle","person":"Ann"})"), "bad-request");
+  EXPECT_EQ(code("POST", "/api/inspections/1/capture", R"({"side":"final","person":"Ann"})"), "refused");
+  EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"maybe"})"), "bad-request");
+  EXPECT_EQ(code("POST", "/api/simulation", R"({"done":true})"), "refused") << "the bay is real";
+}
+
+TEST_F(Asked, PicturesAreThoseOfTheListAndNoOtherFile) {
+  ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
+  for (const char* const name : {"0/final_color.png", "0/..%2f..%2frva.db", "0/../../../rva.db", "0/rva.db",
+                                 "-1/changes.png", "x/changes.png", "0/"})
+    EXPECT_EQ(ask("GET", std::string("/api/inspections/1/views/") + name).status, 404) << name;
+  EXPECT_EQ(ask("GET", "/api/inspections/1/map").status, 404);
+}
+
+TEST_F(Asked, MeasuresWhatTheCameraSees) {
+  while (!served_.camera.newest()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const Json answer = Json::parse(
+      ask("POST", "/api/measure", R"({"stream":"depth","points":[{"u":20,"v":60},{"u":140,"v":60}]})").body);
+  EXPECT_NEAR(answer["length_mm"].get<double>(), 800.0 * 120.0 / 212.0, 3.0);
+  EXPECT_EQ(code("POST", "/api/measure", R"({"stream":"depth","points":[]})"), "bad-request");
+  EXPECT_EQ(code("POST", "/api/measure", R"({"stream":"sonar","points":[{"u":1,"v":1}]})"), "bad-request");
+}
+
+TEST_F(Asked, WhoeverIsNotSignedInSeesNothing) {
+  sign_in(Role::inspector);
+  EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
+  token_ = std::string(64, '0');
+  EXPECT_EQ(code("GET", "/api/inspections"), "sign-in-required");
+  const Json session = Json::parse(ask("GET", "/api/session").body);
+  EXPECT_TRUE(session["sign_in_needed"]);
+  EXPECT_FALSE(session.contains("name"));
+}
+
+TEST_F(Asked, RolesMayDoWhatIsTheirs) {
+  sign_in(Role::viewer);
+  EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
+  EXPECT_EQ(code("POST", "/api/inspections", R"({"person":"Ann"})"), "not-allowed");
+  EXPECT_EQ(code("POST", "/api/readiness", "{}"), "not-allowed");
+  served_.records.set_account({"ann", Role::operator_, hash_password("correct horse")});
+  EXPECT_EQ(ask("POST", "/api/inspections", R"({"person":"Bob"})").status, 201);
+  EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1").body)["person"], "ann")
+      << "an account cannot lend a name";
+  EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
+            "not-allowed");
+  served_.records.set_account({"ann", Role::inspector, hash_password("correct horse")});
+  EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
+            "refused");
+}
+
+TEST_F(Asked, ACaptureWaitsForWhoeverDrives) {
+  ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
+  const double now_s = steady_clock().now_s();
+  served_.lease.take({"another-client", "Bob"}, false, now_s);
+  EXPECT_EQ(code("POST", "/api/inspections/1/capture", R"({"side":"initial","person":"Ann"})"),
+            "somebody-drives");
+  served_.lease.take({"client-of-this-test", "Ann"}, true, now_s);
+  EXPECT_EQ(ask("POST", "/api/inspections/1/capture", R"({"side":"initial","person":"Ann"})").status, 202);
+}
+
+}  // namespace
+}  // namespace rva

@@ -1,0 +1,54 @@
+#include "server/lease.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rva {
+namespace {
+
+const Lease::Holder ann{"client-a", "Ann"};
+const Lease::Holder bob{"client-b", "Bob"};
+
+TEST(Lease, IsOnesUntilLetGo) {
+  Lease lease;
+  EXPECT_FALSE(lease.holder(0));
+  EXPECT_TRUE(lease.take(ann, false, 0));
+  EXPECT_FALSE(lease.take(bob, false, 1));
+  EXPECT_EQ(lease.holder(1)->name, "Ann");
+  lease.release(bob.client);
+  EXPECT_TRUE(lease.holder(1)) << "who does not hold it cannot let it go";
+  lease.release(ann.client);
+  EXPECT_TRUE(lease.take(bob, false, 2));
+}
+
+TEST(Lease, IsTakenOverOnlyWhenAskedTo) {
+  Lease lease;
+  ASSERT_TRUE(lease.take(ann, false, 0));
+  EXPECT_TRUE(lease.take(bob, true, 1));
+  EXPECT_FALSE(lease.use(ann.client, 1));
+  EXPECT_TRUE(lease.use(bob.client, 1));
+}
+
+TEST(Lease, EndsAfterAMinuteWithoutUse) {
+  Lease lease;
+  ASSERT_TRUE(lease.take(ann, false, 0));
+  EXPECT_TRUE(lease.use(ann.client, 59));
+  EXPECT_TRUE(lease.holder(118));
+  EXPECT_FALSE(lease.holder(119));
+  EXPECT_FALSE(lease.use(ann.client, 119)) << "it must be taken anew";
+  EXPECT_TRUE(lease.take(bob, false, 119));
+}
+
+TEST(Lease, WaitsTenSecondsForAPageThatIsLoadedAgain) {
+  Lease lease;
+  ASSERT_TRUE(lease.take(ann, false, 0));
+  lease.set_gone(ann.client, true, 5);
+  EXPECT_TRUE(lease.holder(14));
+  lease.set_gone(ann.client, false, 14);
+  EXPECT_TRUE(lease.holder(30));
+  lease.set_gone(ann.client, true, 30);
+  EXPECT_FALSE(lease.holder(40));
+  lease.set_gone(bob.client, true, 0);
+}
+
+}  // namespace
+}  // namespace rva

@@ -1,0 +1,179 @@
+#include "store/sqlite_records.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <memory>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rva {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+class Kept : public testing::Test {
+ protected:
+  Kept() { open(); }
+  void open() {
+    records_.reset();
+    records_ = std::make_unique<SqliteRecords>(folder_ / "rva.db");
+  }
+  std::int64_t add() {
+    return records_->add_inspection({"N1", "bay 3", "WO 7", "Ann O'Neil \"x\"; drop table view"},
+                                    "2026-01-01T00:00:00Z", 4);
+  }
+
+  test::TemporaryFolder folder_;
+  std::unique_ptr<SqliteRecords> records_;
+};
+
+ReviewedFinding finding(int number) {
+  ReviewedFinding reviewed;
+  reviewed.number = reviewed.same_as = number;
+  reviewed.view = 1;
+  reviewed.finding.kind = number % 2 == 0 ? ChangeKind::removed : ChangeKind::added;
+  reviewed.finding.box = {1, 2, 3, 4};
+  reviewed.finding.centroid = {2.5, 4.25};
+  reviewed.finding.position_m = Eigen::Vector3d(0.1, -0.2, 1.0 / 3.0);
+  reviewed.in_foot_m = Eigen::Vector3d(1, 2, 3);
+  reviewed.finding.size_mm = {7.1, 8.2};
+  reviewed.finding.height_mm = 6.9;
+  reviewed.finding.score = 9.5;
+  reviewed.finding.p_value = 1e-9;
+  return reviewed;
+}
+
+TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
+  const std::int64_t id = add();
+  records_->set_views(id, {{-10.5, 3}, {12, -20.15}});
+  records_->set_side(id, Side::initial, {"2026-01-01T01:00:00Z", "Ann", "base"});
+  records_->set_side(id, Side::final, {"2026-01-01T02:00:00Z", "Bob", "other"});
+  records_->set_comparison(id, "2026-01-01T03:00:00Z",
+                           {{0, "spatial", {0.9, 0.06, 0.04, {}}, 0.8, {"a \"word\""}}},
+                           {finding(1), finding(2)});
+  open();
+  const std::optional<Inspection> back = records_->find(id);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->order.person, "Ann O'Neil \"x\"; drop table view");
+  EXPECT_EQ(back->dither, 4);
+  EXPECT_THAT(back->views, ElementsAre(PanTilt{-10.5, 3}, PanTilt{12, -20.15}));
+  EXPECT_EQ(back->initial->person, "Ann");
+  EXPECT_EQ(back->final->base, "other");
+  ASSERT_THAT(back->compared, SizeIs(1));
+  EXPECT_EQ(back->compared[0].coverage.unseen, 0.06);
+  EXPECT_THAT(back->compared[0].warnings, ElementsAre("a \"word\""));
+  ASSERT_THAT(back->findings, SizeIs(2));
+  const Finding& first = back->findings[0].finding;
+  EXPECT_EQ(first.position_m, finding(1).finding.position_m) << "to the last bit";
+  EXPECT_EQ(first.size_mm, finding(1).finding.size_mm);
+  EXPECT_EQ(first.p_value, 1e-9);
+  EXPECT_EQ(first.box, (Box{1, 2, 3, 4}));
+  EXPECT_EQ(back->findings[1].finding.kind, ChangeKind::removed);
+}
+
+TEST_F(Kept, WhatAMethodCouldNotGiveStaysEmpty) {
+  const std::int64_t id = add();
+  ReviewedFinding bare;
+  bare.number = bare.same_as = 1;
+  records_->set_comparison(id, "x", {}, {bare});
+  const ReviewedFinding back = records_->find(id)->findings.at(0);
+  EXPECT_FALSE(back.finding.position_m || back.in_foot_m || back.finding.size_mm || back.finding.height_mm ||
+               back.finding.score || back.finding.p_value || back.decision);
+}
+
+TEST_F(Kept, NewestInspectionsComeFirst) {
+  const std::int64_t first = add();
+  const std::int64_t second = add();
+  EXPECT_THAT(records_->inspections(), ElementsAre(second, first));
+  EXPECT_FALSE(records_->find(second + 1));
+}
+
+TEST_F(Kept, TheLastDecisionHoldsAndANewComparisonBeginsAnew) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, "first", {}, {finding(1)});
+  records_->decide(id, 1, {Verdict::second_look, "?", "Ann", "t1"});
+  records_->decide(id, 1, {Verdict::debris_removed, "a collar", "Bob", "t2"});
+  EXPECT_EQ(records_->find(id)->findings[0].decision->verdict, Verdict::debris_removed);
+  EXPECT_EQ(records_->find(id)->findings[0].decision->person, "Bob");
+  records_->set_comparison(id, "second", {}, {finding(1)});
+  EXPECT_FALSE(records_->find(id)->findings[0].decision);
+  SQLite::Database file((folder_ / "rva.db").string());
+  EXPECT_EQ(file.execAndGet("select count(*) from decision").getInt(), 2)
+      << "nothing that was decided is lost";
+}
+
+TEST_F(Kept, WhatIsNotThereCannotBeChanged) {
+  EXPECT_THROW(records_->set_views(7, {{0, 0}}), Error);
+  EXPECT_THROW(records_->set_side(7, Side::initial, {}), Error);
+  EXPECT_THROW(records_->set_comparison(7, "t", {}, {}), Error);
+  const std::int64_t id = add();
+  EXPECT_THROW(records_->decide(id, 1, {}), Error);
+}
+
+TEST_F(Kept, AFailedChangeLeavesAllAsItWas) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, "first", {}, {finding(1)});
+  EXPECT_THROW(records_->set_comparison(id, "second", {}, {finding(1), finding(1)}), Error)
+      << "a number twice";
+  EXPECT_EQ(records_->find(id)->compared_at, "first");
+  EXPECT_THAT(records_->find(id)->findings, SizeIs(1));
+}
+
+TEST_F(Kept, AccountsAreAddedReplacedAndRemoved) {
+  records_->set_account({"ann", Role::viewer, "h1"});
+  records_->set_account({"ann", Role::inspector, "h2"});
+  ASSERT_THAT(records_->accounts(), SizeIs(1));
+  EXPECT_EQ(records_->accounts()[0].role, Role::inspector);
+  EXPECT_TRUE(records_->remove_account("ann"));
+  EXPECT_FALSE(records_->remove_account("ann"));
+}
+
+// As a power cut would: nothing of the process is left to tidy up.
+TEST_F(Kept, WhatWasSaidToBeDoneSurvivesAKill) {
+  records_.reset();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    SqliteRecords records(folder_ / "rva.db");
+    for (int i = 0; i < 3; ++i) static_cast<void>(records.add_inspection({"", "", "", "Ann"}, "t", 1));
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  open();
+  EXPECT_THAT(records_->inspections(), SizeIs(3));
+}
+
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    const SqliteRecords records(file);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SqliteRecords, RefusesWhatIsNoDatabaseOfOurs) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "text.db", "no database at all, but long enough to be looked at as one by a reader");
+  EXPECT_THAT(refusal(folder / "text.db"), HasSubstr("text.db"));
+  SQLite::Database((folder / "other.db").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("create table t (x)");
+  EXPECT_THAT(refusal(folder / "other.db"), HasSubstr("another program"));
+  EXPECT_THAT(refusal(folder / "missing" / "rva.db"), HasSubstr("rva.db"));
+  { const SqliteRecords records(folder / "newer.db"); }
+  SQLite::Database((folder / "newer.db").string(), SQLite::OPEN_READWRITE).exec("pragma user_version = 99");
+  EXPECT_THAT(refusal(folder / "newer.db"), HasSubstr("newer version"));
+}
+
+}  // namespace
+}  // namespace rva
