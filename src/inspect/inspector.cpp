@@ -100,6 +100,7 @@ void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
 
 void Inspector::start(TaskState task, const Work& work) {
   const std::lock_guard starting(starting_);
+  end_check();
   {
     const std::lock_guard lock(mutex_);
     if (task_.end == TaskEnd::running)
@@ -111,6 +112,14 @@ void Inspector::start(TaskState task, const Work& work) {
   if (thread_.joinable()) thread_.join();
   cancelled_ = false;
   thread_ = std::thread([this, work] { run(work); });
+}
+
+// Whoever asks for more does not wait for a check to end.
+void Inspector::end_check() {
+  const TaskState now = task();
+  if (now.end != TaskEnd::running || now.kind != TaskKind::readiness) return;
+  cancelled_ = true;
+  thread_.join();
 }
 
 void Inspector::run(const Work& work) {

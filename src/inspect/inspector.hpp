@@ -60,7 +60,8 @@ class Inspector {
   ///         robot's limits (UsageError)
   void set_views(std::int64_t id, const std::vector<PanTilt>& views);
 
-  // Each starts a task. @throws Error when another is under way, or the inspection is not so far.
+  // Each starts a task. @throws Error when another is under way that is no check of readiness, which is
+  // ended, or when the inspection is not so far.
 
   void check_readiness();
   /// Of every view; the final side is compared at once. An earlier, complete side is taken anew.
@@ -84,6 +85,7 @@ class Inspector {
 
   void start(TaskState task, const Work& work);
   void run(const Work& work);
+  void end_check();
   void update(const std::function<void(TaskState&)>& change);
   [[nodiscard]] Progress counted_progress();
   [[nodiscard]] CaptureEvents capture_events();

@@ -39,7 +39,8 @@ class Witness {
     watch_.add(frame.depth);
     now_.frame = std::min(watch_.frames(), now_.frames);
     events_.progress(now_);
-    if (watch_.frames() % frames_between_noise == 0) events_.noise(watch_.measure());
+    if (watch_.frames() % frames_between_noise == 0 || watch_.frames() == now_.frames)
+      events_.noise(watch_.measure());
   }
 
   void tick() const { events_.progress(now_); }

@@ -5,7 +5,7 @@ import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session, SideName, Stage, TaskStatus } from '../types';
-import { attempt, openInspection } from './inspections';
+import { attempt, lastFailure, openInspection } from './inspections';
 import { CaptureProgress, NoiseReport } from './CaptureProgress';
 import { ReadinessCard } from './ReadinessCard';
 import { ViewsCard } from './ViewsCard';
@@ -31,10 +31,14 @@ export function StepBar({ stage }: { stage: Stage }) {
   );
 }
 
-function failureOf(task: TaskStatus, inspection: Inspection): string {
-  if (task.inspection !== inspection.id || task.kind === 'readiness') return '';
-  if (task.end === 'cancelled') return 'Cancelled. What was complete is kept: start again to go on.';
-  return task.end === 'failed' ? (task.problem ?? 'It failed.') : '';
+function Failure({ inspection }: { inspection: Inspection }) {
+  const failure = useStore(lastFailure);
+  if (failure?.inspection !== inspection.id) return null;
+  return (
+    <p class="bad" role="alert" data-testid="failure">
+      {failure.says}
+    </p>
+  );
 }
 
 interface StepProps {
@@ -62,9 +66,8 @@ function CaptureButton({ inspection, session, side, replaced, label }: Omit<Step
   );
 }
 
-function BaselineStep({ inspection, session, task }: StepProps) {
+function BaselineStep({ inspection, session }: Omit<StepProps, 'task'>) {
   const mayCapture = session.role !== 'viewer';
-  const failure = failureOf(task, inspection);
   return (
     <>
       <ViewsCard inspection={inspection} enabled={mayCapture} />
@@ -72,11 +75,7 @@ function BaselineStep({ inspection, session, task }: StepProps) {
       <div class="card">
         <h2>Baseline</h2>
         <p>The bay as it is before the work.</p>
-        {failure && (
-          <p class="bad" role="alert">
-            {failure}
-          </p>
-        )}
+        <Failure inspection={inspection} />
         <CaptureButton inspection={inspection} session={session} side="initial" replaced={false} label="Capture the baseline" />
       </div>
     </>
@@ -88,7 +87,6 @@ function WorkStep({ inspection, session, task }: StepProps) {
   const robot = useStore(link.status)?.robot !== undefined;
   const [replaced, setReplaced] = useState(false);
   const [worked, setWorked] = useState(false);
-  const failure = failureOf(task, inspection);
   const simulate = () =>
     void attempt(async () => {
       await api.simulateWork(true);
@@ -123,11 +121,7 @@ function WorkStep({ inspection, session, task }: StepProps) {
             The robot was taken out and put back
           </label>
         )}
-        {failure && (
-          <p class="bad" role="alert">
-            {failure}
-          </p>
-        )}
+        <Failure inspection={inspection} />
         <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label="Capture and compare" />
         {inspection.final && (
           <button type="button" data-testid="compare" onClick={() => void attempt(() => api.compare(inspection.id))}>
@@ -157,7 +151,7 @@ export function Steps({ session }: { session: Session }) {
   }
   return (
     <div class="panel-body">
-      {inspection.stage === 'baseline' && <BaselineStep inspection={inspection} session={session} task={task} />}
+      {inspection.stage === 'baseline' && <BaselineStep inspection={inspection} session={session} />}
       {inspection.stage === 'work' && <WorkStep inspection={inspection} session={session} task={task} />}
     </div>
   );

@@ -2,7 +2,7 @@
 import { api, Refusal } from '../link/api';
 import { link } from '../link/live_link';
 import { Store } from '../store';
-import type { Inspection, InspectionSummary } from '../types';
+import type { Inspection, InspectionSummary, TaskStatus } from '../types';
 
 export const openInspection = new Store<Inspection | null>(null);
 export const inspectionList = new Store<InspectionSummary[] | null>(null);
@@ -44,6 +44,21 @@ export async function reopen(): Promise<void> {
   else await loadList();
 }
 
+/** How the last capture or comparison ended, where it did not end well: a check of readiness after it does not
+ * wipe it away. */
+export const lastFailure = new Store<{ inspection: number; says: string } | null>(null);
+
+function noteEnd(task: TaskStatus): void {
+  if (task.kind === 'readiness' || task.inspection === undefined) return;
+  const says =
+    task.end === 'cancelled'
+      ? 'Cancelled. What was complete is kept: start again to go on.'
+      : task.end === 'failed'
+        ? (task.problem ?? 'It failed.')
+        : '';
+  lastFailure.value = says === '' ? null : { inspection: task.inspection, says };
+}
+
 /** After each task, whoever started it: what it did is in the inspection. */
 export function followTasks(): void {
   let seen = '';
@@ -53,6 +68,7 @@ export function followTasks(): void {
     const now = `${task.number} ${task.end} ${task.kind}`;
     if (now === seen) return;
     seen = now;
+    noteEnd(task);
     const id = openInspection.value?.id;
     if (id !== undefined) void open(id).catch(() => undefined);
     else void loadList().catch(() => undefined);

@@ -1,0 +1,19 @@
+import { defineConfig } from '@playwright/test';
+
+export default defineConfig({
+  testDir: 'tests',
+  workers: 1,
+  timeout: 120_000,
+  expect: { timeout: 20_000 },
+  reporter: [['list']],
+  outputDir: process.env['RVA_BROWSER_OUT'] ?? '../build/browser',
+  use: {
+    viewport: { width: 1280, height: 800 },
+    trace: 'off',
+    launchOptions: {
+      executablePath: process.env['RVA_CHROMIUM'] ?? '/usr/bin/chromium',
+      // As root, as in a container, Chromium has no sandbox; without a GPU it draws 3D by itself.
+      args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
+    },
+  },
+});

@@ -1,0 +1,93 @@
+// A whole inspection, as a person does it who has never seen the console.
+import { begin, expect, test } from './served';
+
+test('from the empty list to the last decision, with a reload and a power cut between', async ({ console: page, served }) => {
+  await begin(page);
+  await expect(page.getByTestId('readiness')).toContainText('Camera: ready');
+  await expect(page.getByTestId('readiness')).toContainText('Disk: ready');
+
+  // Two views.
+  await page.getByTestId('take').click();
+  await page.keyboard.down('ArrowLeft');
+  await page.waitForTimeout(500);
+  await page.keyboard.up('ArrowLeft');
+  await page.waitForTimeout(500);
+  await page.getByTestId('add-view').click();
+  await expect(page.getByTestId('views').getByRole('listitem')).toHaveCount(2);
+
+  await page.getByTestId('capture-initial').click();
+  await expect(page.getByTestId('progress')).toContainText('Capture 2 of 4');
+  await expect(page.getByTestId('noise')).toContainText('Depth varies by');
+  // In the middle of a capture, the page is loaded again and finds itself there.
+  await page.reload();
+  await expect(page.getByTestId('work')).toContainText('The baseline is safe', { timeout: 60_000 });
+
+  // The power fails during the work. The baseline is still there.
+  const port = served.port;
+  await served.kill();
+  await expect(page.getByTestId('camera-chip')).toContainText('No connection');
+  await served.start(port);
+  await expect(page.getByTestId('camera-chip')).toContainText('Camera', { timeout: 30_000 });
+  await page.reload();
+  await expect(page.getByTestId('work')).toContainText('by Ann');
+
+  await page.getByTestId('simulate-work').click();
+  await expect(page.getByTestId('simulate-work')).toContainText('has been done');
+  await page.getByTestId('capture-final').click();
+
+  // First with one's own eyes.
+  await expect(page.getByTestId('first-look')).toBeVisible({ timeout: 90_000 });
+  await expect(page.getByTestId('boxes')).toHaveCount(0);
+  await page.getByTestId('moment-blink').click();
+  await expect(page.getByTestId('picture-before')).not.toHaveClass(/hidden/);
+  await expect(page.getByTestId('picture-before')).toHaveClass(/hidden/);
+
+  // Then what was found, and what could not be inspected.
+  await page.getByTestId('reveal').click();
+  await expect(page.getByTestId('picture-uninspected')).toBeVisible();
+  await expect(page.getByTestId('coverage')).toContainText('was inspected');
+  const findings = page.locator('[data-testid^="finding-"]:not([data-testid="finding-summary"])');
+  const count = await findings.count();
+  expect(count, 'flashlight and screwdriver at least').toBeGreaterThanOrEqual(2);
+
+  // In the map, too.
+  await page.getByTestId('page-space').click();
+  await expect(page.getByTestId('map-status')).toContainText('points', { timeout: 30_000 });
+  await page.getByTestId('coloring-change').click();
+  await page.getByTestId('page-review').click();
+
+  await page.getByLabel('Note').fill('flashlight, handed to the crew chief');
+  await page.getByTestId('verdict-debris-removed').click();
+  for (let decided = 1; decided < count; ++decided) {
+    await expect(page.locator('.finding.decided')).toHaveCount(decided);
+    await page.getByTestId('verdict-debris-removed').click();
+  }
+  await expect(page.getByTestId('all-decided')).toContainText('This inspection is done');
+
+  await page.getByTestId('home').click();
+  await expect(page.getByTestId('open-1')).toContainText('Done');
+});
+
+test('a capture is cancelled, and goes on where it was', async ({ console: page }) => {
+  await begin(page);
+  await page.getByTestId('capture-initial').click();
+  await page.getByTestId('cancel').click();
+  await expect(page.getByTestId('failure')).toContainText('Cancelled');
+  await page.getByTestId('capture-initial').click();
+  await expect(page.getByTestId('work')).toBeVisible({ timeout: 60_000 });
+});
+
+test('pictures of all kinds come, and places in them are measured', async ({ console: page }) => {
+  const live = page.getByTestId('live');
+  for (const stream of ['depth', 'infrared', 'color']) {
+    await page.getByTestId(`stream-${stream}`).click();
+    await expect.poll(async () => Number(await live.getAttribute('data-frame'))).toBeGreaterThan(0);
+    const before = Number(await live.getAttribute('data-frame'));
+    await expect.poll(async () => Number(await live.getAttribute('data-frame'))).toBeGreaterThan(before);
+  }
+  const box = (await live.boundingBox())!;
+  await page.mouse.click(box.x + 0.4 * box.width, box.y + 0.7 * box.height);
+  await expect(page.getByTestId('measure')).toContainText(/0\.\d\d\d m/);
+  await page.mouse.click(box.x + 0.6 * box.width, box.y + 0.7 * box.height);
+  await expect(page.getByTestId('measure')).toContainText(/\d+\.\d mm/);
+});

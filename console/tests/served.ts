@@ -1,0 +1,95 @@
+// A server of one test's own, with a simulated bay and robot.
+import { test as base, expect, type Page } from '@playwright/test';
+import { spawn, type ChildProcess } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const program = process.env['RVA'] ?? join(root, 'build', 'rva');
+
+export class Served {
+  readonly data = mkdtempSync(join(tmpdir(), 'rva-console-'));
+  address = '';
+  private process: ChildProcess | null = null;
+
+  /** @param port 0 for any */
+  async start(port = 0, more: string[] = []): Promise<void> {
+    const scene = join(root, 'data', 'scenes', 'three-tools.yaml');
+    const options = ['--camera', `sim:${scene}`, '--robot', 'sim', '--data', this.data, '--port', String(port)];
+    this.process = spawn(program, ['serve', ...options, '--frames', '16', '--dither', '2', ...more], {
+      stdio: ['ignore', 'pipe', 'inherit'],
+    });
+    const lines = createInterface({ input: this.process.stdout! });
+    this.address = await new Promise<string>((resolve, reject) => {
+      lines.once('line', resolve);
+      this.process!.once('exit', (code) => reject(new Error(`rva serve ended with ${code}`)));
+    });
+  }
+
+  get port(): number {
+    return Number(new URL(this.address).port);
+  }
+
+  /** As a power cut: at once. */
+  async kill(): Promise<void> {
+    const gone = new Promise((resolve) => this.process?.once('exit', resolve));
+    this.process?.kill('SIGKILL');
+    await gone;
+  }
+
+  async end(): Promise<void> {
+    await this.kill();
+    rmSync(this.data, { recursive: true, force: true });
+  }
+}
+
+export const test = base.extend<{ served: Served; console: Page }>({
+  served: async ({}, use) => {
+    const served = new Served();
+    await served.start();
+    await use(served);
+    await served.end();
+  },
+  /** A page whose console stays free of complaints. */
+  console: async ({ page, served }, use) => {
+    const complaints: string[] = [];
+    page.on('pageerror', (error) => complaints.push(error.message));
+    page.on('console', (message) => {
+      const ofTheNetwork = /ERR_|WebSocket connection|Failed to load resource|GL Driver/.test(message.text());
+      if (message.type() === 'error' && !ofTheNetwork) complaints.push(message.text());
+    });
+    await page.goto(served.address);
+    await use(page);
+    expect(complaints).toEqual([]);
+  },
+});
+
+export { expect };
+
+/** From the list to an inspection that has begun. */
+export async function begin(page: Page, name = 'Ann'): Promise<void> {
+  await page.getByLabel('Aircraft').fill('N123AB');
+  await page.getByLabel('Zone').fill('Left wing, bay 3');
+  await page.getByLabel('Work order').fill('WO-4711');
+  await page.getByLabel('Your name').fill(name);
+  await page.getByTestId('begin').click();
+  await expect(page.getByTestId('capture-initial')).toBeVisible();
+}
+
+export async function angle(page: Page, joint: 'pan' | 'tilt'): Promise<number> {
+  return parseFloat((await page.getByTestId(`angle-${joint}`).locator('strong').textContent()) ?? '');
+}
+
+/** Two readings apart are the same. */
+export async function expectAtRest(page: Page): Promise<void> {
+  await expect
+    .poll(async () => {
+      const before = [await angle(page, 'pan'), await angle(page, 'tilt')];
+      await page.waitForTimeout(400);
+      return String(before) === String([await angle(page, 'pan'), await angle(page, 'tilt')]);
+    })
+    .toBe(true);
+}
