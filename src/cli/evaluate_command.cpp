@@ -36,7 +36,7 @@ struct EvaluateArguments {
 
 constexpr auto file_name = "evaluation.json";
 
-std::vector<Inspection> earlier(const EvaluateArguments& arguments) {
+std::vector<SimulatedInspection> earlier(const EvaluateArguments& arguments) {
   const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
   if (!arguments.resume || !std::filesystem::exists(file)) return {};
   Evaluation evaluation = evaluation_from_json(read_text_file(file), printable(file));
@@ -51,13 +51,13 @@ void evaluate(const EvaluateArguments& arguments) {
   if (!arguments.scene.empty()) scene = load_scene(arguments.scene);
   Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
-  const auto keep = [&](const std::vector<Inspection>& inspections) {
+  const auto keep = [&](const std::vector<SimulatedInspection>& inspections) {
     OutputFolder out(arguments.out, {file_name}, existing);
     write_file(out.path(file_name), to_json({arguments.scene, inspections}));
     out.commit();
     existing = Existing::replace;
   };
-  const std::vector<Inspection> inspections =
+  const std::vector<SimulatedInspection> inspections =
       run_study(arguments.study, scene, earlier(arguments), terminal_progress(), keep);
   print("{}{}\n", to_table(tally(inspections)), arguments.out);
 }

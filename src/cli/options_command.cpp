@@ -6,9 +6,12 @@
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
 #include "evaluate/study.hpp"
+#include "inspect/inspector.hpp"
 #include "map/calibration.hpp"
 #include "map/map_cloud.hpp"
 #include "map/pose_refinement.hpp"
+#include "robot/drive.hpp"
+#include "server/web_server.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva::cli {
@@ -38,6 +41,7 @@ void print_options() {
   print_table<StudyOptions>("rva evaluate");
   print_table<MapCloudOptions, RefinementOptions>("rva map");
   print_table<CalibrationOptions>("rva calibrate");
+  print_table<ServerOptions, InspectorOptions, DriveOptions>("rva serve");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Json to_json_value(const Tally& tally) {
       {"all_found", tally.all_found}};
 }
 
-Json to_json_value(const Inspection& inspection) {
+Json to_json_value(const SimulatedInspection& inspection) {
   Json json{{"seed", inspection.seed}, {"targets", Json::array()}, {"results", Json::array()}};
   for (const Target& target : inspection.targets) json["targets"].push_back(to_json_value(target));
   for (const Result& result : inspection.results) json["results"].push_back(to_json_value(result));
@@ -87,7 +87,7 @@ Result result_from(const nlohmann::json& json) {
 Evaluation evaluation_from(const nlohmann::json& json) {
   Evaluation evaluation{json.at("scene").get<std::string>(), {}};
   for (const nlohmann::json& one : json.at("inspections")) {
-    Inspection inspection{one.at("seed").get<std::uint64_t>(), {}, {}};
+    SimulatedInspection inspection{one.at("seed").get<std::uint64_t>(), {}, {}};
     for (const nlohmann::json& target : one.at("targets")) inspection.targets.push_back(target_from(target));
     for (const nlohmann::json& result : one.at("results")) {
       inspection.results.push_back(result_from(result));
@@ -107,7 +107,7 @@ std::string to_json(const Evaluation& evaluation) {
   json["tallies"] = Json::array();
   for (const Tally& of : tally(evaluation.inspections)) json["tallies"].push_back(to_json_value(of));
   json["inspections"] = Json::array();
-  for (const Inspection& inspection : evaluation.inspections)
+  for (const SimulatedInspection& inspection : evaluation.inspections)
     json["inspections"].push_back(to_json_value(inspection));
   return json.dump(1) + "\n";
 }

@@ -10,7 +10,7 @@ namespace rva {
 
 struct Evaluation {
   std::string scene;  ///< the file that was inspected; empty for wings drawn by chance
-  std::vector<Inspection> inspections;
+  std::vector<SimulatedInspection> inspections;
 };
 
 /// Ends in a line feed. Tallies are added; the pixels of targets are left out.

@@ -19,7 +19,7 @@ void add_small(const Target& target, std::size_t found, Tally& tally) {
   tally.small_shown_found += found;
 }
 
-void add(const Inspection& inspection, const Result& result, Tally& tally) {
+void add(const SimulatedInspection& inspection, const Result& result, Tally& tally) {
   ++tally.inspections;
   tally.false_when_clean += result.false_when_clean;
   tally.false_with_debris += result.false_with_debris;
@@ -43,9 +43,9 @@ void add(const Inspection& inspection, const Result& result, Tally& tally) {
 
 }  // namespace
 
-std::vector<Tally> tally(const std::vector<Inspection>& inspections) {
+std::vector<Tally> tally(const std::vector<SimulatedInspection>& inspections) {
   std::vector<Tally> tallies;
-  for (const Inspection& inspection : inspections) {
+  for (const SimulatedInspection& inspection : inspections) {
     if (tallies.empty()) {
       for (const Result& result : inspection.results) {
         Tally empty;

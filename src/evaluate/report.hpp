@@ -28,7 +28,7 @@ struct Tally {
 };
 
 /// One for each detector and number of frames, in the order of the results.
-[[nodiscard]] std::vector<Tally> tally(const std::vector<Inspection>& inspections);
+[[nodiscard]] std::vector<Tally> tally(const std::vector<SimulatedInspection>& inspections);
 
 /// A table with intervals of 95 %.
 [[nodiscard]] std::string to_table(const std::vector<Tally>& tallies);

@@ -77,14 +77,14 @@ void count_shown_by_twins(const Scene& scene, std::uint64_t seed, std::vector<Ta
               info.depth.fx * info.camera->baseline_m.value() / info.depth_unit_m, targets);
 }
 
-Inspection inspect(const StudyOptions& options, const std::optional<Scene>& scene, std::uint64_t seed,
-                   const std::vector<Detector>& detectors) {
+SimulatedInspection inspect(const StudyOptions& options, const std::optional<Scene>& scene,
+                            std::uint64_t seed, const std::vector<Detector>& detectors) {
   Scene after = scene ? *scene : random_wing(seed);
   if (!scene) drop_debris(after, seed);
   Take before(without_debris(after), mix(seed, 1));
   Take unchanged(without_debris(after), mix(seed, 2));
   Take changed(std::move(after), mix(seed, 3));
-  Inspection inspection{seed, visible_targets(changed.camera()), {}};
+  SimulatedInspection inspection{seed, visible_targets(changed.camera()), {}};
   count_shown_by_twins(changed.camera().scene(), seed, inspection.targets);
   for (const int frames : options.frames) {
     for (Take* take : {&before, &unchanged, &changed}) take->up_to(frames);
@@ -111,7 +111,7 @@ void check(const StudyOptions& options) {
                      "give for example 10,20,40");
 }
 
-bool is_of(const Inspection& inspection, const std::vector<int>& frames,
+bool is_of(const SimulatedInspection& inspection, const std::vector<int>& frames,
            const std::vector<Detector>& detectors) {
   auto result = inspection.results.begin();
   for (const int count : frames) {
@@ -124,10 +124,10 @@ bool is_of(const Inspection& inspection, const std::vector<int>& frames,
   return result == inspection.results.end();
 }
 
-void check(const std::vector<Inspection>& done, const StudyOptions& options,
+void check(const std::vector<SimulatedInspection>& done, const StudyOptions& options,
            const std::vector<Detector>& detectors) {
   std::uint64_t seed = options.first_seed;
-  for (const Inspection& inspection : done) {
+  for (const SimulatedInspection& inspection : done) {
     if (inspection.seed != seed++ || !is_of(inspection, options.frames, detectors))
       throw UsageError("--resume", "the evaluation that is there has other seeds, frames or methods",
                        "give the options that it was begun with, or another --out");
@@ -144,9 +144,9 @@ std::vector<Detector> detectors_to_compare() {
   return detectors;
 }
 
-std::vector<Inspection> run_study(const StudyOptions& options, const std::optional<Scene>& scene,
-                                  std::vector<Inspection> done, const Progress& progress,
-                                  const InspectionsDone& keep) {
+std::vector<SimulatedInspection> run_study(const StudyOptions& options, const std::optional<Scene>& scene,
+                                           std::vector<SimulatedInspection> done, const Progress& progress,
+                                           const InspectionsDone& keep) {
   check(options);
   const std::vector<Detector> detectors = detectors_to_compare();
   check(done, options, detectors);

@@ -47,14 +47,14 @@ struct Result {
   std::vector<bool> found_when_clean;  ///< the same with the findings where nothing changed: hits by chance
 };
 
-struct Inspection {
+struct SimulatedInspection {
   std::uint64_t seed = 0;
   std::vector<Target> targets;
   std::vector<Result> results;
 };
 
 /// Called with the inspections so far, after each of them.
-using InspectionsDone = std::function<void(const std::vector<Inspection>&)>;
+using InspectionsDone = std::function<void(const std::vector<SimulatedInspection>&)>;
 
 /// Runs one inspection after the other: a capture before, another one in which nothing changed, and one with
 /// debris, of one place, each with noise of its own.
@@ -62,9 +62,10 @@ using InspectionsDone = std::function<void(const std::vector<Inspection>&)>;
 /// @param done  inspections of an earlier run with the same options and scene: those are not run again
 /// @throws UsageError for options out of range, and where `done` is of others; Error of the scene;
 ///         Interrupted
-[[nodiscard]] std::vector<Inspection> run_study(const StudyOptions& options,
-                                                const std::optional<Scene>& scene,
-                                                std::vector<Inspection> done, const Progress& progress,
-                                                const InspectionsDone& keep);
+[[nodiscard]] std::vector<SimulatedInspection> run_study(const StudyOptions& options,
+                                                         const std::optional<Scene>& scene,
+                                                         std::vector<SimulatedInspection> done,
+                                                         const Progress& progress,
+                                                         const InspectionsDone& keep);
 
 }  // namespace rva

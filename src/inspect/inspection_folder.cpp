@@ -11,7 +11,8 @@ InspectionFolder::InspectionFolder(const std::filesystem::path& data, std::int64
 
 std::filesystem::path InspectionFolder::capture(Side side, const Inspection& inspection, int view,
                                                 int dither) const {
-  return this->side(side) / view_name(static_cast<std::size_t>(view * inspection.dither + dither));
+  const int number = view * inspection.dither + dither;
+  return this->side(side) / view_name(static_cast<std::size_t>(number));
 }
 
 std::filesystem::path InspectionFolder::result(int view) const {

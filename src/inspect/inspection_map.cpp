@@ -40,14 +40,15 @@ void write_inspection_map(const InspectionFolder& folder, const Inspection& insp
 
 std::vector<MapPoint> changed_points(const Detection& detection, const ColorImage& picture,
                                      const Intrinsics& camera, const Transform& map_from_camera) {
-  const auto width = static_cast<std::size_t>(picture.width());
+  const auto width = static_cast<std::uint32_t>(picture.width());
   std::vector<MapPoint> points;
   for (const Finding& finding : detection.findings.findings) {
     for (const std::uint32_t pixel : finding.pixels) {
       const double depth_m = detection.final_m[pixel];
       if (depth_m <= 0.0) continue;
-      const Eigen::Vector2d at(static_cast<double>(pixel % width), static_cast<double>(pixel / width));
-      const Eigen::Vector3d position_m = map_from_camera * camera.deproject(at, depth_m);
+      const std::uint32_t u = pixel % width;
+      const std::uint32_t v = pixel / width;
+      const Eigen::Vector3d position_m = map_from_camera * camera.deproject({u, v}, depth_m);
       points.push_back({position_m.cast<float>(), picture[pixel], 1});
     }
   }

@@ -2,20 +2,20 @@
 
 namespace rva {
 
-std::string_view name_of(Role role) {
+std::string_view name_of(PersonRole role) {
   switch (role) {
-    case Role::viewer:
+    case PersonRole::viewer:
       return "viewer";
-    case Role::operator_:
+    case PersonRole::operator_:
       return "operator";
-    case Role::inspector:
+    case PersonRole::inspector:
       return "inspector";
   }
   return "";
 }
 
-std::optional<Role> role_from_name(std::string_view name) {
-  for (const Role role : {Role::viewer, Role::operator_, Role::inspector}) {
+std::optional<PersonRole> role_from_name(std::string_view name) {
+  for (const PersonRole role : {PersonRole::viewer, PersonRole::operator_, PersonRole::inspector}) {
     if (name == name_of(role)) return role;
   }
   return std::nullopt;

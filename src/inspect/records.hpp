@@ -12,17 +12,17 @@
 namespace rva {
 
 /// What somebody may do; each may do what those before it may.
-enum class Role {
+enum class PersonRole {
   viewer,     ///< look, and stop the robot
   operator_,  ///< drive, take captures
   inspector,  ///< decide on findings
 };
-[[nodiscard]] std::string_view name_of(Role role);
-[[nodiscard]] std::optional<Role> role_from_name(std::string_view name);
+[[nodiscard]] std::string_view name_of(PersonRole role);
+[[nodiscard]] std::optional<PersonRole> role_from_name(std::string_view name);
 
 struct Account {
   std::string name;
-  Role role = Role::viewer;
+  PersonRole role = PersonRole::viewer;
   std::string password_hash;  ///< as inspect/password.hpp makes it
 };
 

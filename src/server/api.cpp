@@ -48,21 +48,21 @@ const std::vector<Api::Route>& Api::routes() {
       {"GET", "/api/session", std::nullopt, &Api::get_session},
       {"POST", "/api/sign-in", std::nullopt, &Api::sign_in},
       {"POST", "/api/sign-out", std::nullopt, &Api::sign_out},
-      {"GET", "/api/inspections", Role::viewer, &Api::list_inspections},
-      {"POST", "/api/inspections", Role::operator_, &Api::begin_inspection},
-      {"GET", "/api/inspections/{}", Role::viewer, &Api::get_inspection},
-      {"PUT", "/api/inspections/{}/views", Role::operator_, &Api::set_views},
-      {"POST", "/api/inspections/{}/capture", Role::operator_, &Api::take_side},
-      {"POST", "/api/inspections/{}/compare", Role::operator_, &Api::compare},
-      {"POST", "/api/inspections/{}/findings/{}/decision", Role::inspector, &Api::decide},
-      {"GET", "/api/inspections/{}/views/{}/{}", Role::viewer, &Api::get_picture},
-      {"GET", "/api/inspections/{}/map", Role::viewer, &Api::get_map},
-      {"GET", "/api/inspections/{}/changes", Role::viewer, &Api::get_changes},
-      {"POST", "/api/readiness", Role::operator_, &Api::check_readiness},
-      {"GET", "/api/findable.png", Role::viewer, &Api::get_findable},
-      {"POST", "/api/cancel", Role::operator_, &Api::cancel},
-      {"POST", "/api/measure", Role::viewer, &Api::measure_points},
-      {"POST", "/api/simulation", Role::operator_, &Api::simulate_work},
+      {"GET", "/api/inspections", PersonRole::viewer, &Api::list_inspections},
+      {"POST", "/api/inspections", PersonRole::operator_, &Api::begin_inspection},
+      {"GET", "/api/inspections/{}", PersonRole::viewer, &Api::get_inspection},
+      {"PUT", "/api/inspections/{}/views", PersonRole::operator_, &Api::set_views},
+      {"POST", "/api/inspections/{}/capture", PersonRole::operator_, &Api::take_side},
+      {"POST", "/api/inspections/{}/compare", PersonRole::operator_, &Api::compare},
+      {"POST", "/api/inspections/{}/findings/{}/decision", PersonRole::inspector, &Api::decide},
+      {"GET", "/api/inspections/{}/views/{}/{}", PersonRole::viewer, &Api::get_picture},
+      {"GET", "/api/inspections/{}/map", PersonRole::viewer, &Api::get_map},
+      {"GET", "/api/inspections/{}/changes", PersonRole::viewer, &Api::get_changes},
+      {"POST", "/api/readiness", PersonRole::operator_, &Api::check_readiness},
+      {"GET", "/api/findable.png", PersonRole::viewer, &Api::get_findable},
+      {"POST", "/api/cancel", PersonRole::operator_, &Api::cancel},
+      {"POST", "/api/measure", PersonRole::viewer, &Api::measure_points},
+      {"POST", "/api/simulation", PersonRole::operator_, &Api::simulate_work},
   };
   return all;
 }
@@ -98,7 +98,7 @@ ApiResponse Api::dispatch(const ApiRequest& request) const {
 }
 
 std::optional<Person> Api::person(const std::string& token) const {
-  if (!parts_.sessions.needed()) return Person{"", Role::inspector};
+  if (!parts_.sessions.needed()) return Person{"", PersonRole::inspector};
   return parts_.sessions.person(token, steady_clock().now_s());
 }
 

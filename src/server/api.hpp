@@ -69,7 +69,7 @@ class Api {
   struct Route {
     std::string_view method;
     std::string_view path;
-    std::optional<Role> least;  ///< empty: who is not signed in may, too
+    std::optional<PersonRole> least;  ///< empty: who is not signed in may, too
     Handler handler;
   };
   static const std::vector<Route>& routes();

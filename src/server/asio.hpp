@@ -1,6 +1,12 @@
 // Boost.Asio and Beast with coroutines, and short names for them. For source files of src/server alone.
 #pragma once
 
+// Boost 1.74 knows coroutines of g++ alone; clang-tidy reads with clang.
+#if defined(__clang__)
+#define BOOST_ASIO_HAS_CO_AWAIT 1
+#define BOOST_ASIO_HAS_STD_COROUTINE 1
+#endif
+
 #include <utility>  // Boost 1.74's awaitable.hpp forgets it
 
 // After <utility>.

@@ -10,6 +10,9 @@
 namespace rva {
 namespace {
 
+using Request = http::request<http::string_body>;
+using Response = http::response<http::string_body>;
+
 constexpr std::chrono::seconds first_request_limit{10};
 constexpr std::chrono::seconds next_request_limit{30};
 constexpr std::chrono::seconds write_limit{30};
@@ -74,8 +77,7 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
 }
 
 template <typename Stream>
-asio::awaitable<void> talk(Stream& stream, http::request<http::string_body> request, Person person,
-                           Place& place) {
+asio::awaitable<void> talk(Stream& stream, const Request& request, Person person, Place& place) {
   using Socket = websocket::stream<Stream&>;
   Socket socket(stream);
   socket.read_message_max(Conversation::most_message_bytes);
@@ -119,6 +121,34 @@ std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
   return std::nullopt;
 }
 
+// What asks the database or reads pictures does not hold up the live view.
+asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCaller& caller, Place& place) {
+  co_return co_await asio::co_spawn(
+      place.pool, [&]() -> asio::awaitable<Response> { co_return http_answer(request, caller); },
+      asio::use_awaitable);
+}
+
+// @return empty when the connection has become a WebSocket, and ended
+template <typename Stream>
+asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, Place& place) {
+  const HttpCaller caller{place.api, place.files, place.tls, place.loopback};
+  if (!websocket::is_upgrade(request)) co_return co_await answer_on_pool(request, caller, place);
+  const std::variant<Person, ApiResponse> visitor = who_talks(request, caller);
+  if (const auto* person = std::get_if<Person>(&visitor)) {
+    co_await talk(stream, request, *person, place);
+    co_return std::nullopt;
+  }
+  place.complaints.add("a WebSocket was refused", now_s());
+  co_return http_response(std::get<ApiResponse>(visitor), false, place.tls);
+}
+
+std::optional<Response> answer_to_nonsense(const ErrorCode& failure, Place& place) {
+  const std::optional<ApiResponse> refused = refusal_of(failure);
+  if (!refused) return std::nullopt;
+  place.complaints.add("a request was refused: " + failure.message(), now_s());
+  return http_response(*refused, false, place.tls);
+}
+
 template <typename Stream>
 asio::awaitable<void> serve_requests(Stream& stream, Place& place, Registered& registered) {
   beast::flat_buffer buffer;
@@ -131,35 +161,15 @@ asio::awaitable<void> serve_requests(Stream& stream, Place& place, Registered& r
     registered.set_idle(true);
     co_await http::async_read(stream, buffer, parser, noting(failure));
     registered.set_idle(false);
-    http::response<http::string_body> response;
-    if (failure) {
-      const std::optional<ApiResponse> refused = refusal_of(failure);
-      if (!refused) co_return;
-      place.complaints.add("a request was refused: " + failure.message(), now_s());
-      response = http_response(*refused, false, place.tls);
-    } else {
-      const http::request<http::string_body> request = parser.release();
-      const HttpCaller caller{place.api, place.files, place.tls, place.loopback};
-      if (websocket::is_upgrade(request)) {
-        const std::variant<Person, ApiResponse> visitor = who_talks(request, caller);
-        if (const auto* person = std::get_if<Person>(&visitor))
-          co_return co_await talk(stream, request, *person, place);
-        place.complaints.add("a WebSocket was refused", now_s());
-        response = http_response(std::get<ApiResponse>(visitor), false, place.tls);
-      } else {
-        // What asks the database or reads pictures does not hold up the live view.
-        response = co_await asio::co_spawn(
-            place.pool,
-            [&]() -> asio::awaitable<http::response<http::string_body>> {
-              co_return http_answer(request, caller);
-            },
-            asio::use_awaitable);
-      }
-    }
-    const bool last = !response.keep_alive();
+    std::optional<Response> response;
+    if (failure)
+      response = answer_to_nonsense(failure, place);
+    else
+      response = co_await answer(stream, parser.get(), place);
+    if (!response) co_return;
     beast::get_lowest_layer(stream).expires_after(write_limit);
-    co_await http::async_write(stream, response, noting(failure));
-    if (failure || last) co_return;
+    co_await http::async_write(stream, *response, noting(failure));
+    if (failure || !response->keep_alive()) co_return;
   }
 }
 

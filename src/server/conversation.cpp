@@ -138,7 +138,7 @@ void Conversation::drive(const Json& message, double now_s) {
 }
 
 void Conversation::lease(const Json& message, double now_s) {
-  if (person_.role < Role::operator_)
+  if (person_.role < PersonRole::operator_)
     throw ApiError(403, "not-allowed", "robot", "you may look, and stop it", "ask an operator to drive");
   const std::string action = text_field(message, "action");
   if (action == "release") {

@@ -26,10 +26,10 @@ void LiveHub::tell(const std::shared_ptr<const LivePicture>& picture) {
   }
 }
 
-asio::awaitable<void> LiveHub::tell_status(const bool& stopping) {
+asio::awaitable<void> LiveHub::tell_status() {
   constexpr int rounds_of_silence = 10;
   asio::steady_timer timer(context_);
-  for (int round = 0; !stopping; ++round) {
+  for (int round = 0; !ended_; ++round) {
     std::string status = status_message(parts_, pictures_, members_.size());
     if (!status_ || *status_ != status || round % rounds_of_silence == 0)
       status_ = std::make_shared<const std::string>(std::move(status));

@@ -32,7 +32,9 @@ class LiveHub {
   void leave(const std::shared_ptr<Member>& member) { members_.remove(member); }
 
   /// Ten times a second where it changed, else once: silence tells a console that the line is broken.
-  asio::awaitable<void> tell_status(const bool& stopping);
+  asio::awaitable<void> tell_status();
+  /// tell_status() ends soon.
+  void end() { ended_ = true; }
 
  private:
   void tell(const std::shared_ptr<const LivePicture>& picture);
@@ -41,6 +43,7 @@ class LiveHub {
   const ServerParts& parts_;
   std::list<std::shared_ptr<Member>> members_;
   std::shared_ptr<const std::string> status_;
+  bool ended_ = false;
   LivePictures pictures_;
 };
 

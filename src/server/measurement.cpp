@@ -1,7 +1,6 @@
 #include "server/measurement.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "core/quantile.hpp"
 
@@ -24,33 +23,44 @@ std::optional<double> depth_around(const LiveFrame& live, int u, int v) {
   return quantile(measured, 0.5) * live.info.depth_unit_m;
 }
 
+/// A pixel of the depth image as a candidate for a place in the colour picture.
+struct Candidate {
+  Eigen::Vector2d pixel{0, 0};
+  double off_px = 0.0;  ///< from the place
+  double depth_m = 0.0;
+};
+
+// Where one surface hides another, the nearer is seen.
+bool is_better(const Candidate& a, const Candidate& b) {
+  constexpr double same_px = 1.0;
+  return a.off_px < b.off_px - same_px || (a.off_px < b.off_px + same_px && a.depth_m < b.depth_m);
+}
+
+std::optional<Candidate> candidate_at(const LiveFrame& live, int u, int v,
+                                      const Eigen::Vector2d& color_pixel) {
+  const std::uint16_t units = live.frame.depth(u, v);
+  if (units == no_depth) return std::nullopt;
+  Candidate candidate{{u, v}, 0.0, units * live.info.depth_unit_m};
+  const Eigen::Vector3d point =
+      *live.info.color_from_depth * live.info.depth.deproject(candidate.pixel, candidate.depth_m);
+  if (point.z() <= 0.0) return std::nullopt;
+  candidate.off_px = (live.info.color->project(point) - color_pixel).norm();
+  return candidate;
+}
+
 // The pixel of the depth image whose surface the colour imager sees nearest to the place.
 std::optional<Eigen::Vector2d> depth_pixel_of(const LiveFrame& live, const Eigen::Vector2d& color_pixel) {
-  const CaptureInfo& info = live.info;
-  if (!info.color || !info.color_from_depth) return std::nullopt;
-  const DepthImage& depth = live.frame.depth;
+  if (!live.info.color || !live.info.color_from_depth) return std::nullopt;
   constexpr double farthest_px = 3.0;
-  double nearest_px = farthest_px;
-  double nearest_m = std::numeric_limits<double>::infinity();
-  std::optional<Eigen::Vector2d> found;
-  for (int v = 0; v < depth.height(); ++v) {
-    for (int u = 0; u < depth.width(); ++u) {
-      if (depth(u, v) == no_depth) continue;
-      const double depth_m = depth(u, v) * info.depth_unit_m;
-      const Eigen::Vector3d point = *info.color_from_depth * info.depth.deproject({u, v}, depth_m);
-      if (point.z() <= 0.0) continue;
-      const double off_px = (info.color->project(point) - color_pixel).norm();
-      // Where one surface hides another, the nearer is seen.
-      constexpr double same_px = 1.0;
-      const bool better =
-          off_px < nearest_px - same_px || (off_px < nearest_px + same_px && depth_m < nearest_m);
-      if (off_px >= farthest_px || !better) continue;
-      nearest_px = off_px;
-      nearest_m = depth_m;
-      found = {u, v};
+  std::optional<Candidate> best;
+  for (int v = 0; v < live.frame.depth.height(); ++v) {
+    for (int u = 0; u < live.frame.depth.width(); ++u) {
+      const std::optional<Candidate> candidate = candidate_at(live, u, v, color_pixel);
+      if (!candidate || candidate->off_px >= farthest_px) continue;
+      if (!best || is_better(*candidate, *best)) best = candidate;
     }
   }
-  return found;
+  return best ? std::optional(best->pixel) : std::nullopt;
 }
 
 }  // namespace

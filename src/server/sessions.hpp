@@ -13,7 +13,7 @@ namespace rva {
 /// Somebody who asks.
 struct Person {
   std::string name;  ///< of the account; empty where nobody needs to sign in
-  Role role = Role::viewer;
+  PersonRole role = PersonRole::viewer;
 };
 
 /// Sign-ins are kept in memory: a restart ends them. They end after twelve hours, a shift; and five wrong

@@ -109,7 +109,7 @@ class WebServer::Implementation {
   void run() {
     asio::co_spawn(context_, accept_all(), asio::detached);
     asio::co_spawn(context_, watch_signals(), asio::detached);
-    asio::co_spawn(context_, hub_.tell_status(stopping_), asio::detached);
+    asio::co_spawn(context_, hub_.tell_status(), asio::detached);
     context_.run();
     throw_if_interrupted();
   }
@@ -122,6 +122,7 @@ class WebServer::Implementation {
   // Everything ends by itself, so that nothing is left in the context that refers to what is gone.
   void end() {
     stopping_ = true;
+    hub_.end();
     ErrorCode ignored;
     acceptor_.close(ignored);
     for (OpenConnection& connection : place_.open) connection.close();

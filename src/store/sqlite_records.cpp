@@ -278,7 +278,7 @@ std::vector<Account> SqliteRecords::accounts() const {
     SQLite::Statement query(database, "select name, role, password_hash from account order by name");
     std::vector<Account> accounts;
     while (query.executeStep()) {
-      const std::optional<Role> role = role_from_name(query.getColumn(1).getString());
+      const std::optional<PersonRole> role = role_from_name(query.getColumn(1).getString());
       if (!role) throw Error(place_, "holds an account with an unknown role", "add that account anew");
       accounts.push_back({query.getColumn(0), *role, query.getColumn(2)});
     }

@@ -11,8 +11,8 @@
 namespace rva {
 namespace {
 
-Inspection inspection(std::uint64_t seed, bool small_found, std::size_t false_when_clean) {
-  Inspection inspection;
+SimulatedInspection inspection(std::uint64_t seed, bool small_found, std::size_t false_when_clean) {
+  SimulatedInspection inspection;
   inspection.seed = seed;
   inspection.targets = {{"collar-0.27", 9, 9.0, 0.9, {1}},
                         {"key", 100, 100.0, 0.5, {2}},
@@ -47,7 +47,7 @@ TEST(Tally, CountsWhatIsVisible) {
 }
 
 TEST(Report, SaysTheSameToAPersonAndToAProgram) {
-  const std::vector<Inspection> inspections{inspection(7, true, 0), inspection(8, false, 3)};
+  const std::vector<SimulatedInspection> inspections{inspection(7, true, 0), inspection(8, false, 3)};
   const std::vector<Tally> tallies = tally(inspections);
   EXPECT_THAT(to_table(tallies), testing::HasSubstr("1.5 (0.31-4.4)"));
   EXPECT_THAT(to_table(tallies), testing::HasSubstr("5/6 83 % (36-100)"));
@@ -85,17 +85,17 @@ TEST(Study, GoesOnOnlyWithWhatItBegan) {
   options.inspections = 1;
   options.frames = {10};
   options.first_seed = 7;
-  Inspection whole{7, {}, {}};
+  SimulatedInspection whole{7, {}, {}};
   for (const Detector& detector : detectors_to_compare())
     whole.results.push_back({10, detector, 0, 0, {}, {}});
   EXPECT_EQ(run_study(options, std::nullopt, {whole}, {}, {}).size(), 1) << "nothing is left to do";
-  Inspection other_seed = whole;
+  SimulatedInspection other_seed = whole;
   other_seed.seed = 8;
-  Inspection other_frames = whole;
+  SimulatedInspection other_frames = whole;
   other_frames.results.back().frames = 20;
-  Inspection incomplete = whole;
+  SimulatedInspection incomplete = whole;
   incomplete.results.pop_back();
-  for (const Inspection& other : {other_seed, other_frames, incomplete, inspection(7, true, 0)})
+  for (const SimulatedInspection& other : {other_seed, other_frames, incomplete, inspection(7, true, 0)})
     EXPECT_THROW((void)run_study(options, std::nullopt, {other}, {}, {}), UsageError);
 }
 

@@ -23,7 +23,7 @@ class Asked : public testing::Test {
   std::string code(const std::string& method, const std::string& path, const std::string& body = "") const {
     return Json::parse(ask(method, path, body).body)["error"]["code"];
   }
-  void sign_in(Role role) {
+  void sign_in(PersonRole role) {
     served_.records.set_account({"ann", role, hash_password("correct horse")});
     const ApiResponse answer = ask("POST", "/api/sign-in", R"({"name":"ann","password":"correct horse"})");
     ASSERT_EQ(answer.status, 200);
@@ -86,7 +86,7 @@ TEST_F(Asked, MeasuresWhatTheCameraSees) {
 }
 
 TEST_F(Asked, WhoeverIsNotSignedInSeesNothing) {
-  sign_in(Role::inspector);
+  sign_in(PersonRole::inspector);
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
   token_ = std::string(64, '0');
   EXPECT_EQ(code("GET", "/api/inspections"), "sign-in-required");
@@ -96,17 +96,17 @@ TEST_F(Asked, WhoeverIsNotSignedInSeesNothing) {
 }
 
 TEST_F(Asked, RolesMayDoWhatIsTheirs) {
-  sign_in(Role::viewer);
+  sign_in(PersonRole::viewer);
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
   EXPECT_EQ(code("POST", "/api/inspections", R"({"person":"Ann"})"), "not-allowed");
   EXPECT_EQ(code("POST", "/api/readiness", "{}"), "not-allowed");
-  served_.records.set_account({"ann", Role::operator_, hash_password("correct horse")});
+  served_.records.set_account({"ann", PersonRole::operator_, hash_password("correct horse")});
   EXPECT_EQ(ask("POST", "/api/inspections", R"({"person":"Bob"})").status, 201);
   EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1").body)["person"], "ann")
       << "an account cannot lend a name";
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
             "not-allowed");
-  served_.records.set_account({"ann", Role::inspector, hash_password("correct horse")});
+  served_.records.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
             "refused");
 }

@@ -18,7 +18,7 @@ constexpr const char* hello = R"({"type":"hello","protocol":1,"client":"01234567
 
 class Talk : public testing::Test {
  protected:
-  std::unique_ptr<Conversation> talk(Role role = Role::inspector) {
+  std::unique_ptr<Conversation> talk(PersonRole role = PersonRole::inspector) {
     auto conversation = std::make_unique<Conversation>(parts_, pictures_, Person{"", role});
     return conversation;
   }
@@ -132,7 +132,7 @@ TEST_F(Talk, AStopIsEverybodys) {
     driver->hear(drive(1.0, 1000.0 * now_s()), now_s());
     return served_.drive.state().driving;
   }));
-  const auto viewer = talk(Role::viewer);
+  const auto viewer = talk(PersonRole::viewer);
   viewer->hear(R"({"type":"hello","protocol":1,"client":"fedcba9876543210","name":"Bob"})", now_s());
   viewer->hear(R"({"type":"stop"})", now_s());
   EXPECT_TRUE(eventually([&] { return !served_.drive.state().driving && !served_.drive.state().armed; }));
@@ -148,7 +148,7 @@ TEST_F(Talk, TheLeaseIsTakenOverWhenAskedAndNotByAViewer) {
   EXPECT_THAT(all(*bob).at(0).bytes, HasSubstr("somebody-drives"));
   bob->hear(R"({"type":"lease","action":"take-over"})", now_s());
   EXPECT_THAT(all(*ann).back().bytes, HasSubstr("\"holder\":\"Bob\""));
-  const auto viewer = talk(Role::viewer);
+  const auto viewer = talk(PersonRole::viewer);
   viewer->hear(R"({"type":"hello","protocol":1,"client":"aaaaaaaaaaaaaaaa"})", now_s());
   viewer->hear(R"({"type":"lease","action":"take-over"})", now_s());
   EXPECT_THAT(all(*viewer).at(0).bytes, HasSubstr("not-allowed"));

@@ -22,39 +22,39 @@ class SignIn : public testing::Test {
 
 TEST_F(SignIn, IsNeededOnceThereIsAnAccount) {
   EXPECT_FALSE(sessions_.needed());
-  records_.set_account({"ann", Role::inspector, hash_password("correct horse")});
+  records_.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
   EXPECT_TRUE(sessions_.needed());
 }
 
 TEST_F(SignIn, LetsInWhoKnowsThePassword) {
-  records_.set_account({"ann", Role::inspector, hash_password("correct horse")});
+  records_.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
   EXPECT_EQ(answer("ann", "wrong horse"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("bob", "correct horse"), Sessions::Answer::wrong);
   const Sessions::SignIn in = sessions_.sign_in("ann", "correct horse", 10.0);
   ASSERT_EQ(in.answer, Sessions::Answer::signed_in);
   EXPECT_EQ(in.token.size(), 64U);
-  EXPECT_EQ(sessions_.person(in.token, 11.0)->role, Role::inspector);
+  EXPECT_EQ(sessions_.person(in.token, 11.0)->role, PersonRole::inspector);
   EXPECT_FALSE(sessions_.person(in.token + "0", 11.0));
   EXPECT_FALSE(sessions_.person("", 11.0));
   EXPECT_FALSE(sessions_.person(in.token, 10.0 + Sessions::lifetime_s)) << "a shift is over";
 }
 
 TEST_F(SignIn, EndsWithSignOutAndWithTheAccount) {
-  records_.set_account({"ann", Role::viewer, hash_password("correct horse")});
+  records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
   const std::string a = sessions_.sign_in("ann", "correct horse", 0.0).token;
   const std::string b = sessions_.sign_in("ann", "correct horse", 0.0).token;
   EXPECT_NE(a, b);
   sessions_.sign_out(a);
   EXPECT_FALSE(sessions_.person(a, 1.0));
   EXPECT_TRUE(sessions_.person(b, 1.0));
-  records_.set_account({"ann", Role::operator_, hash_password("correct horse")});
-  EXPECT_EQ(sessions_.person(b, 1.0)->role, Role::operator_) << "a new role holds at once";
+  records_.set_account({"ann", PersonRole::operator_, hash_password("correct horse")});
+  EXPECT_EQ(sessions_.person(b, 1.0)->role, PersonRole::operator_) << "a new role holds at once";
   records_.remove_account("ann");
   EXPECT_FALSE(sessions_.person(b, 1.0));
 }
 
 TEST_F(SignIn, GuessingIsSlowedDown) {
-  records_.set_account({"ann", Role::viewer, hash_password("correct horse")});
+  records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
   for (int i = 0; i < Sessions::most_failures_of_name; ++i)
     EXPECT_EQ(answer("ann", "guess"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many) << "even the right one";
@@ -62,7 +62,7 @@ TEST_F(SignIn, GuessingIsSlowedDown) {
 }
 
 TEST_F(SignIn, GuessingManyNamesIsSlowedDownToo) {
-  records_.set_account({"ann", Role::viewer, hash_password("correct horse")});
+  records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
   for (int i = 0; i < Sessions::most_failures; ++i)
     EXPECT_EQ(answer("name-" + std::to_string(i), "guess"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many);

@@ -236,7 +236,7 @@ TEST_F(Web, ASlowReaderGetsFewerPicturesAndHoldsUpNobody) {
 }
 
 TEST_F(Web, AccountsKeepStrangersOut) {
-  served_.records.set_account({"ann", Role::viewer, hash_password("correct horse")});
+  served_.records.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
   EXPECT_THAT(get("/api/inspections"), HasSubstr("401"));
   EXPECT_THROW(live(), boost::system::system_error);
   EXPECT_THAT(get("/"), HasSubstr("200 OK")) << "the page itself asks who they are";

@@ -129,10 +129,10 @@ TEST_F(Kept, AFailedChangeLeavesAllAsItWas) {
 }
 
 TEST_F(Kept, AccountsAreAddedReplacedAndRemoved) {
-  records_->set_account({"ann", Role::viewer, "h1"});
-  records_->set_account({"ann", Role::inspector, "h2"});
+  records_->set_account({"ann", PersonRole::viewer, "h1"});
+  records_->set_account({"ann", PersonRole::inspector, "h2"});
   ASSERT_THAT(records_->accounts(), SizeIs(1));
-  EXPECT_EQ(records_->accounts()[0].role, Role::inspector);
+  EXPECT_EQ(records_->accounts()[0].role, PersonRole::inspector);
   EXPECT_TRUE(records_->remove_account("ann"));
   EXPECT_FALSE(records_->remove_account("ann"));
 }
