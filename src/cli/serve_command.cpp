@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/config_file.hpp"
 #include "cli/console_folder.hpp"
 #include "cli/live_rig.hpp"
 #include "cli/option_flags.hpp"
@@ -23,11 +24,17 @@ struct ServeArguments {
   std::string robot = "none";
   std::string data;
   std::string geometry;
+  std::string config;
   std::uint64_t seed = 1;
   InspectorOptions inspector;
   DriveOptions drive;
   ServerOptions server;
 };
+
+// On the command line or in the file.
+void require(const std::string& value, const char* option, const std::string& what) {
+  if (value.empty()) throw UsageError(option, "is missing", "give " + what);
+}
 
 void serve(ServeArguments arguments) {
   check_options(arguments.inspector);
@@ -57,12 +64,11 @@ void serve(ServeArguments arguments) {
 void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& command = *program.add_subcommand("serve", "the operator console, in a browser");
   const auto arguments = std::make_shared<ServeArguments>();
-  command.add_option("--camera", arguments->camera, "sim:SCENE or replay:PATH")->required()->type_name("URI");
+  command.add_option("--camera", arguments->camera, "sim:SCENE or replay:PATH")->type_name("URI");
   command.add_option("--robot", arguments->robot, "sim, serial:DEVICE, or none")
       ->type_name("URI")
       ->capture_default_str();
   command.add_option("--data", arguments->data, "folder of inspections: records and captures")
-      ->required()
       ->type_name("DIR");
   command.add_option("--geometry", arguments->geometry, "the robot's geometry, as rva calibrate writes it")
       ->type_name("FILE");
@@ -81,8 +87,14 @@ void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str();
   add_flags(command, arguments->inspector);
   add_flags(command, arguments->drive);
-  command.set_config("--config", "", "file with any of these options, as option = value");
-  command.callback([arguments] { serve(*arguments); });
+  command.add_option("--config", arguments->config, "file with any of these options, as option = value")
+      ->type_name("FILE");
+  command.callback([arguments, &command] {
+    if (!arguments->config.empty()) apply_config_file(command, arguments->config);
+    require(arguments->camera, "--camera", "sim:SCENE or replay:PATH");
+    require(arguments->data, "--data", "a folder");
+    serve(*arguments);
+  });
 }
 
 }  // namespace rva::cli

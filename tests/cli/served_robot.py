@@ -1,0 +1,68 @@
+"""`rva serve` with the built firmware on a simulated board at the end of its serial line, and an ear on that line."""
+import os
+import pathlib
+import subprocess
+import termios
+import threading
+import time
+import tty
+
+
+class Line:
+    """A serial line of its own between the program and the robot: passes all on, and notes what the host says when."""
+
+    def __init__(self, link, robot):
+        self.said = []  # (monotonic seconds, bytes)
+        host, device = os.openpty()
+        tty.setraw(device)
+        os.symlink(os.ttyname(device), link)
+        self.robot = os.open(robot, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(self.robot, termios.TCSANOW)
+        self.host = host
+        self.device = device  # stays open, so that the line outlives whoever uses it
+        threading.Thread(target=self._pass, args=(host, self.robot, True), daemon=True).start()
+        threading.Thread(target=self._pass, args=(self.robot, host, False), daemon=True).start()
+
+    def _pass(self, source, target, note):
+        try:
+            while data := os.read(source, 4096):
+                if note:
+                    self.said.append((time.monotonic(), data))
+                os.write(target, data)
+        except OSError:
+            return
+
+    def stops_after(self, time_s):
+        """When the host first said to stop after that, or nothing."""
+        return next((at for at, data in list(self.said) if at >= time_s and (b'STOP' in data or b'!' in data)), None)
+
+    def moves(self):
+        return sum(data.count(b'MOVE') for _, data in list(self.said))
+
+
+class NotBuilt(Exception):
+    """The firmware: gcc-avr, arduino-core-avr and libsimavr-dev are missing."""
+
+
+class ServedRobot:
+    def __init__(self, program, robot_in_the_loop, scene, folder, *options):
+        folder = pathlib.Path(folder)
+        robot, joints, line = folder / 'robot', folder / 'joints', folder / 'line'
+        self.board = subprocess.Popen([robot_in_the_loop, robot, joints], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                      encoding='utf-8')
+        if 'ready\n' not in self.board.stdout:  # simavr says what it loads
+            raise NotBuilt if self.board.wait() == 77 else ChildProcessError('the board did not come up')
+        self.line = Line(line, robot)
+        self.server = subprocess.Popen(
+            [program, 'serve', '--camera', f'sim:{scene},joints={joints}', '--robot', f'serial:{line}', '--data',
+             folder / 'data', '--port', '0', *options], stdout=subprocess.PIPE, encoding='utf-8')
+        self.address = self.server.stdout.readline().strip()
+
+    def end(self):
+        self.server.terminate()
+        status = self.server.wait(30)
+        self.server.stdout.close()
+        self.board.stdin.close()
+        self.board.wait(30)
+        self.board.stdout.close()
+        return status
