@@ -3,6 +3,7 @@ import base64
 import json
 import os
 import socket
+import ssl
 import struct
 import threading
 import time
@@ -13,13 +14,23 @@ import urllib.request
 TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
 
 
-def ask(address, method, path, body=None, client=''):
-    """(status, answer) of a request."""
+def any_certificate():
+    context = ssl.create_default_context()
+    context.check_hostname = False
+    context.verify_mode = ssl.CERT_NONE
+    return context
+
+
+def ask(address, method, path, body=None, client='', cookie='', headers=None):
+    """(status, answer) of a request; `headers` takes those of the answer."""
     request = urllib.request.Request(address + path, method=method,
                                      data=None if body is None else json.dumps(body).encode(),
-                                     headers={'Content-Type': 'application/json', 'X-RVA-Client': client})
+                                     headers={'Content-Type': 'application/json', 'X-RVA-Client': client,
+                                              'Cookie': cookie})
     try:
-        with urllib.request.urlopen(request, timeout=30) as answer:
+        with urllib.request.urlopen(request, timeout=30, context=any_certificate()) as answer:
+            if headers is not None:
+                headers.update(answer.headers)
             return answer.status, json.loads(answer.read())
     except urllib.error.HTTPError as error:
         return error.code, json.loads(error.read())
@@ -28,7 +39,7 @@ def ask(address, method, path, body=None, client=''):
 class Console:
     """Says hello, keeps the last status, and counts pictures, on a thread of its own."""
 
-    def __init__(self, address, name='Ann', stream=None):
+    def __init__(self, address, name='Ann', stream=None, cookie=''):
         self.client = os.urandom(16).hex()
         self.status, self.lease, self.refused = None, None, []
         self.pictures = 0
@@ -36,10 +47,12 @@ class Console:
         self.changed = threading.Condition()
         host = urllib.parse.urlsplit(address)
         self.socket = socket.create_connection((host.hostname, host.port), timeout=30)
+        if host.scheme == 'https':
+            self.socket = any_certificate().wrap_socket(self.socket)
         self.file = self.socket.makefile('rb')
         key = base64.b64encode(os.urandom(16)).decode()
         self.socket.sendall((f'GET /api/live HTTP/1.1\r\nHost: {host.netloc}\r\nOrigin: {address}\r\n'
-                             f'Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: {key}\r\n'
+                             f'Cookie: {cookie}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: {key}\r\n'
                              'Sec-WebSocket-Version: 13\r\n\r\n').encode())
         answer = self.file.readline()
         if b' 101 ' not in answer:

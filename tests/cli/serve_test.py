@@ -146,6 +146,44 @@ class Starting(program.ProgramTest):
             self.assertIn(words, done.stderr)
         self.assertIn('missing.conf', self.rva('serve', '--config', 'missing.conf').stderr)
 
+    def test_others_come_by_tls_and_sign_in(self):
+        console = self.folder / 'console'
+        console.mkdir()
+        (console / 'index.html').write_text('"RVA"')
+        certificate, key, data = self.folder / 'certificate.pem', self.folder / 'key.pem', self.folder / 'data'
+        subprocess.run(['openssl', 'req', '-x509', '-newkey', 'rsa:2048', '-nodes', '-keyout', key, '-out', certificate,
+                        '-days', '2', '-subj', '/CN=rva'], check=True, capture_output=True)
+        options = ('--camera', f'sim:{TOOLS}', '--data', data, '--port', '0', '--console', console, '--address',
+                   '0.0.0.0', '--tls-certificate', certificate, '--tls-key', key)
+        self.assertIn('rva account add', self.rva('serve', *options).stderr)
+        subprocess.run(self.command('account', 'add', 'ann', '--role', 'operator', '--data', data),
+                       input='correct horse\n', check=True, capture_output=True, encoding='utf-8')
+        server = subprocess.Popen(self.command('serve', *options), stdout=subprocess.PIPE, encoding='utf-8')
+        try:
+            address = server.stdout.readline().strip().replace('0.0.0.0', '127.0.0.1')
+            self.assertTrue(address.startswith('https://'))
+            headers = {}
+            ask(address, 'GET', '/', headers=headers)
+            self.assertIn('Strict-Transport-Security', headers)
+            self.assertEqual(ask(address, 'GET', '/api/inspections')[0], 401)
+            with self.assertRaises(ConnectionError):
+                Console(address)
+            self.assertEqual(ask(address, 'POST', '/api/sign-in', {'name': 'ann', 'password': 'wrong horse'})[0], 401)
+            headers = {}
+            ask(address, 'POST', '/api/sign-in', {'name': 'ann', 'password': 'correct horse'}, headers=headers)
+            self.assertIn('Secure', headers['Set-Cookie'])
+            cookie = headers['Set-Cookie'].split(';')[0]
+            self.assertEqual(ask(address, 'GET', '/api/inspections', cookie=cookie)[0], 200)
+            signed_in = Console(address, cookie=cookie)
+            self.addCleanup(signed_in.close)
+            signed_in.wait_for(lambda status: status['camera']['streams'])
+            with self.assertRaises(OSError):
+                ask(address.replace('https', 'http'), 'GET', '/api/session')
+        finally:
+            server.terminate()
+            server.wait(30)
+            server.stdout.close()
+
     def test_accounts(self):
         data = ('--data', self.folder / 'data')
 
