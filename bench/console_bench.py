@@ -46,7 +46,8 @@ def in_a_browser(address, seconds):
 
 def pictures(program, folder, arguments):
     recording = folder / 'recording'
-    subprocess.run([program, 'simulate', SCENE, '--frames', '30', '--out', recording], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, 'record', '--camera', f'sim:{SCENE}', '--frames', '30', '--out', recording], check=True,
+                   stdout=subprocess.DEVNULL)
     server = subprocess.Popen([program, 'serve', '--camera', f'replay:{recording}', '--data', folder / 'data', '--port', '0'],
                               stdout=subprocess.PIPE, encoding='utf-8')
     try:

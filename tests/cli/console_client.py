@@ -56,6 +56,7 @@ class Console:
                              'Sec-WebSocket-Version: 13\r\n\r\n').encode())
         answer = self.file.readline()
         if b' 101 ' not in answer:
+            self.close()
             raise ConnectionError(answer)
         while self.file.readline() != b'\r\n':
             pass

@@ -72,7 +72,7 @@ function BaselineStep({ inspection, session }: Omit<StepProps, 'task'>) {
     <>
       <ViewsCard inspection={inspection} enabled={mayCapture} />
       <ReadinessCard mayCapture={mayCapture} />
-      <div class="card">
+      <div class="card action">
         <h2>Baseline</h2>
         <p>The bay as it is before the work.</p>
         <Failure inspection={inspection} />
@@ -113,7 +113,7 @@ function WorkStep({ inspection, session, task }: StepProps) {
       </div>
       <NoiseReport task={task} />
       <ReadinessCard mayCapture={session.role !== 'viewer'} />
-      <div class="card">
+      <div class="card action">
         <h2>After the work</h2>
         {robot && (
           <label class="tick">
