@@ -60,17 +60,19 @@ def pictures(program, folder, arguments):
                 print(f'{"":44} {len(found["latencies_ms"]) / seconds:6.1f} pictures a second')
         viewers = [Console(address, stream=('color', 'depth')[i % 2]) for i in range(arguments.viewers)]
         time.sleep(2)
-        before_mb = resident_mb(server)
         for viewer in viewers:
             viewer.pictures, viewer.latencies_ms = 0, []
         start = time.monotonic()
-        time.sleep(60 * arguments.minutes)
+        memory_mb = [resident_mb(server)]
+        for _ in range(12):
+            time.sleep(60 * arguments.minutes / 12)
+            memory_mb.append(resident_mb(server))
         passed = time.monotonic() - start
         say(f'camera to {arguments.viewers} viewers', [ms for viewer in viewers for ms in viewer.latencies_ms])
         say('pictures of each viewer', [viewer.pictures / passed for viewer in viewers], 'a second')
         camera = viewers[0].status['camera']
         print(f'camera: {camera["rate_hz"]} frames a second, {camera["lost"]} lost')
-        print(f'memory: {before_mb:.1f} MB, after {passed / 60:.1f} minutes {resident_mb(server):.1f} MB')
+        print(f'memory in {passed / 60:.1f} minutes, MB:', ' '.join(f'{mb:.1f}' for mb in memory_mb))
     finally:
         server.terminate()
         server.wait()

@@ -127,13 +127,13 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <LiveView />
         )}
       </main>
-      <aside aria-label="What to do">
+      <aside aria-label="What to do" key={`${inspection?.id} ${inspection?.stage}`}>
         {!inspection && <Begin session={session} />}
         {inspection && !inspection.compared_at && <Steps session={session} />}
         {inspection?.compared_at && <FindingList inspection={inspection} session={session} />}
       </aside>
       <footer>
-        <DrivePanel mayDrive={session.role !== 'viewer'} />
+        <DrivePanel mayDrive={session.role !== 'viewer'} small={page !== 'live'} />
       </footer>
     </div>
   );

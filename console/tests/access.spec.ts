@@ -65,8 +65,11 @@ for (const [name, viewport] of Object.entries({ laptop: { width: 1280, height: 8
 }
 
 test('an inspection is begun by keyboard alone', async ({ console: page }) => {
-  await page.getByLabel('Your name').focus();
-  await page.keyboard.type('Ann');
+  await page.getByLabel('Aircraft').focus();
+  for (const text of ['N123AB', 'Left wing', 'WO 7', 'Ann']) {
+    await page.keyboard.type(text);
+    if (text !== 'Ann') await page.keyboard.press('Tab');
+  }
   await page.keyboard.press('Enter');
   await expect(page.getByTestId('capture-initial')).toBeVisible();
   for (let i = 0; i < 60 && !(await page.getByTestId('capture-initial').evaluate((button) => button === document.activeElement)); ++i)

@@ -134,6 +134,9 @@ test('one drives, others watch, stop and take over', async ({ console: ann, serv
   await expect(bob.getByTestId('release')).toBeVisible();
   await expect(ann.getByTestId('release')).toHaveCount(0);
   await expect(ann.getByTestId('take-over')).toBeVisible();
+  await expect(ann.getByTestId('trouble'), 'she is told why').toContainText('Somebody has taken over');
+  await ann.keyboard.press('ArrowLeft');
+  await expect(ann.getByTestId('drive-hint'), 'and what to do').toHaveClass(/warn/);
 });
 
 test('a line that breaks while the stick is held stops the robot', async ({ console: page, served, browser }) => {

@@ -14,13 +14,14 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await page.waitForTimeout(500);
   await page.getByTestId('add-view').click();
   await expect(page.getByTestId('views').getByRole('listitem')).toHaveCount(2);
+  await expect(page.getByTestId('add-view'), 'the same view again would show nothing more').toBeDisabled();
 
   await page.getByTestId('capture-initial').click();
-  await expect(page.getByTestId('progress')).toContainText('Capture 2 of 4');
-  await expect(page.getByTestId('noise')).toContainText('Depth varies by');
+  await expect(page.getByTestId('progress')).toContainText('Place 2 of 4');
+  await expect(page.getByTestId('noise')).toContainText('its readings tremble by');
   // In the middle of a capture, the page is loaded again and finds itself there.
   await page.reload();
-  await expect(page.getByTestId('work')).toContainText('The baseline is safe', { timeout: 60_000 });
+  await expect(page.getByTestId('work')).toContainText('The baseline is kept', { timeout: 60_000 });
 
   // The power fails during the work. The baseline is still there.
   const port = served.port;
@@ -52,17 +53,40 @@ test('from the empty list to the last decision, with a reload and a power cut be
 
   // In the map, too.
   await page.getByTestId('page-space').click();
-  await expect(page.getByTestId('map-status')).toContainText('points', { timeout: 30_000 });
+  await expect(page.getByTestId('map-status')).toContainText('Drag to turn', { timeout: 30_000 });
   await page.getByTestId('coloring-change').click();
   await page.getByTestId('page-review').click();
 
+  // Numbers are those of the list, whatever was joined; a finding can be looked at closer.
+  await expect(findings.locator('.finding-number').first()).toContainText('1');
+  await expect(findings.locator('.finding-number').nth(1)).toContainText('2');
+  const width = async () => (await page.getByTestId('picture-after').boundingBox())!.width;
+  const before = await width();
+  await page.getByTestId('closer').click();
+  expect(await width()).toBeCloseTo(3 * before, -1);
+  await page.getByTestId('closer').click();
+
   await page.getByLabel('Note').fill('flashlight, handed to the crew chief');
-  await page.getByTestId('verdict-debris-removed').click();
+  await page.getByTestId('verdict-second-look').click();
+  await expect(page.locator('.finding.decided').first()).toContainText('handed to the crew chief');
+  await expect(page.locator('.finding.decided').first()).toContainText('… Needs a second look');
+  await page.getByTestId('finding-1').getByRole('button').first().click();
+  await page.getByTestId('finding-1').getByTestId('verdict-debris-removed').click();
   for (let decided = 1; decided < count; ++decided) {
     await expect(page.locator('.finding.decided')).toHaveCount(decided);
     await page.getByTestId('verdict-debris-removed').click();
   }
-  await expect(page.getByTestId('all-decided')).toContainText('This inspection is done');
+
+  // What was removed must be seen to be gone.
+  await expect(page.getByTestId('all-decided')).toContainText('capture again to see that it is gone');
+  await page.getByTestId('capture-again').click();
+  await expect(page.getByTestId('first-look')).toBeVisible({ timeout: 90_000 });
+  await page.getByTestId('reveal').click();
+  expect(await findings.count(), 'what was removed is no finding any more').toBeLessThan(count);
+  for (let left = await findings.count(); left > 0; --left) {
+    await page.getByTestId('verdict-false-alarm').click();
+    await expect(page.locator('.finding:not(.decided)')).toHaveCount(left - 1);
+  }
 
   await page.getByTestId('home').click();
   await expect(page.getByTestId('open-1')).toContainText('Done');

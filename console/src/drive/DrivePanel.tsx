@@ -27,10 +27,12 @@ function hint(robot: RobotStatus, yours: boolean, controller: string): string {
   return controller ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
 }
 
-export function DrivePanel({ mayDrive }: { mayDrive: boolean }) {
+/** @param small a page of pictures needs the room: the stop button and who drives */
+export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: boolean }) {
   const status = useStore(link.status);
   const lease = useStore(link.lease);
   const controller = useStore(sticks.controller);
+  const denied = useStore(sticks.denied) && !lease.yours;
   const [asking, setAsking] = useState(false);
   const robot = status?.robot;
   if (!robot) {
@@ -46,15 +48,17 @@ export function DrivePanel({ mayDrive }: { mayDrive: boolean }) {
     link.takeControls(true);
   };
   return (
-    <section class="drive" aria-label="Robot">
-      <StickPad enabled={lease.yours && !robot.lent} />
+    <section class={`drive ${small ? 'small' : ''}`} aria-label="Robot">
+      {!small && <StickPad enabled={lease.yours && !robot.lent} />}
       <div class="drive-middle">
-        <div class="gauges">
-          <AngleGauge label="Pan" angle_deg={robot.pan_deg} limits_deg={robot.limits.pan_deg} reversed />
-          <AngleGauge label="Tilt" angle_deg={robot.tilt_deg} limits_deg={robot.limits.tilt_deg} />
-        </div>
-        <p class={`hint ${robot.problem ? 'bad' : ''}`} role="status" data-testid="drive-hint">
-          {hint(robot, lease.yours, controller)}
+        {!small && (
+          <div class="gauges">
+            <AngleGauge label="Pan" angle_deg={robot.pan_deg} limits_deg={robot.limits.pan_deg} reversed />
+            <AngleGauge label="Tilt" angle_deg={robot.tilt_deg} limits_deg={robot.limits.tilt_deg} />
+          </div>
+        )}
+        <p class={`hint ${robot.problem ? 'bad' : denied ? 'warn' : ''}`} role="status" data-testid="drive-hint">
+          {small && !robot.problem ? 'The camera is driven on the page “Live”.' : hint(robot, lease.yours, controller)}
         </p>
         <div class="drive-lease">
           {lease.yours && (
@@ -62,12 +66,12 @@ export function DrivePanel({ mayDrive }: { mayDrive: boolean }) {
               Hand back the controls
             </button>
           )}
-          {!lease.yours && !others && (
+          {!lease.yours && !others && !small && (
             <button type="button" class="primary" data-testid="take" disabled={!mayDrive} onClick={() => link.takeControls(false)}>
               Take the controls
             </button>
           )}
-          {others && !asking && (
+          {others && !asking && !small && (
             <button type="button" data-testid="take-over" disabled={!mayDrive} onClick={() => setAsking(true)}>
               {lease.holder || 'Somebody'} drives · take over…
             </button>

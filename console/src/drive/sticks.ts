@@ -40,6 +40,9 @@ class Sticks {
   /** The name of a game controller that is connected, or nothing. */
   readonly controller = new Store<string>('');
 
+  /** Somebody tried to drive who does not have the controls. */
+  readonly denied = new Store(false);
+
   private readonly pressed = new Set<string>();
   private touch: Deflection = neutral;
   private stopWasPressed = false;
@@ -74,7 +77,10 @@ class Sticks {
       return;
     }
     if (!(event.code in keys) || isTyping(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
-    if (!link.lease.value.yours) return;
+    if (!link.lease.value.yours) {
+      this.denied.value = true;
+      return;
+    }
     event.preventDefault();
     if (event.repeat) return;
     this.pressed.add(event.code);

@@ -38,11 +38,11 @@ function NewInspection({ session }: { session: Session }) {
   return (
     <form class="card" onSubmit={begin} aria-label="New inspection">
       <h2>New inspection</h2>
-      <Field label="Aircraft" value={order.aircraft} onInput={set('aircraft')} />
-      <Field label="Zone" value={order.zone} onInput={set('zone')} />
+      <Field label="Aircraft" value={order.aircraft} required onInput={set('aircraft')} />
+      <Field label="Zone" value={order.zone} required onInput={set('zone')} />
       <Field label="Work order" value={order.work_order} onInput={set('work_order')} />
       {signedIn === '' && <Field label="Your name" value={name} required onInput={setName} />}
-      <button type="submit" class="primary" data-testid="begin" disabled={name.trim() === '' || session.role === 'viewer'}>
+      <button type="submit" class="primary" data-testid="begin" disabled={[order.aircraft, order.zone, name].some((text) => text.trim() === '') || session.role === 'viewer'}>
         Begin
       </button>
     </form>
@@ -56,7 +56,7 @@ export function Begin({ session }: { session: Session }) {
     <div class="panel-body">
       <NewInspection session={session} />
       <div class="card" aria-label="Inspections" role="region">
-        <h2>Go on with</h2>
+        <h2>Earlier inspections</h2>
         {list === null && <p class="hint">Loading…</p>}
         {list?.length === 0 && <p class="hint">No inspection yet.</p>}
         <ul class="list">

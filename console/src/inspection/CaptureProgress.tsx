@@ -14,7 +14,7 @@ function doneShare(task: TaskStatus): number {
 function says(task: TaskStatus): string {
   if (task.waiting) return `Waiting: ${task.waiting}`;
   if (task.kind === 'comparison') return 'Comparing before and after…';
-  const capture = task.views > 1 ? `Capture ${task.view + 1} of ${task.views}: ` : '';
+  const capture = task.views > 1 ? `Place ${task.view + 1} of ${task.views}: ` : '';
   return task.frame === 0 ? `${capture}turning the camera` : `${capture}${task.frame} of ${task.frames} frames`;
 }
 
@@ -24,12 +24,12 @@ export function FindableTable({ levels }: { levels: Levels }) {
   const rows = levels.by_distance.filter((level) => level.median_mm < sure_mm);
   return (
     <table class="findable">
-      <caption>Smallest thing that could be found here, at best</caption>
+      <caption>Height from which a thing stands out, at best</caption>
       <thead>
         <tr>
           <th scope="col">Distance</th>
-          <th scope="col">in half the view</th>
-          <th scope="col">in nine tenths</th>
+          <th scope="col">in the better half</th>
+          <th scope="col">nearly everywhere</th>
         </tr>
       </thead>
       <tbody>
@@ -53,13 +53,13 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
   if (!noise) return null;
   return (
     <div class="card" data-testid="noise">
-      <h2>What this camera sees</h2>
+      <h2>How small a thing would be found here</h2>
       <p>
-        Depth varies by <strong>{noise.median_std_mm.toFixed(2)} mm</strong> (half of the pixels by less);{' '}
-        <strong>{Math.round(100 * noise.measured)} %</strong> of the view is measured.
+        The camera measures <strong>{Math.round(100 * noise.measured)} %</strong> of this view; its readings tremble by{' '}
+        <strong>{noise.median_std_mm.toFixed(2)} mm</strong>.
       </p>
       <FindableTable levels={noise.findable} />
-      <p class="hint">Height of a thing {noise.findable.window_px} pixels wide. After the final capture you see what was really possible.</p>
+      <p class="hint">For a thing {noise.findable.window_px} pixels wide. After the final capture you see what was really possible.</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
         {shown ? 'Hide the picture' : 'Show it as a picture'}
       </button>

@@ -70,11 +70,11 @@ function BaselineStep({ inspection, session }: Omit<StepProps, 'task'>) {
   const mayCapture = session.role !== 'viewer';
   return (
     <>
-      <ViewsCard inspection={inspection} enabled={mayCapture} />
-      <ReadinessCard mayCapture={mayCapture} />
-      <div class="card action">
-        <h2>Baseline</h2>
-        <p>The bay as it is before the work.</p>
+      <div class="panel-body">
+        <ViewsCard inspection={inspection} enabled={mayCapture} />
+        <ReadinessCard mayCapture={mayCapture} />
+      </div>
+      <div class="panel-action">
         <Failure inspection={inspection} />
         <CaptureButton inspection={inspection} session={session} side="initial" replaced={false} label="Capture the baseline" />
       </div>
@@ -94,27 +94,28 @@ function WorkStep({ inspection, session, task }: StepProps) {
     });
   return (
     <>
-      <div class="card" data-testid="work">
-        <h2>The baseline is safe</h2>
-        <p>
-          Taken {inspection.initial && timeOf(inspection.initial.taken_at)} by {inspection.initial?.person}. It outlasts a restart, a power cut and the shift: switch everything off if you like.
-        </p>
-        <p>
-          <strong>Now do the work in the bay.</strong> Come back here when it is done.
-        </p>
-        {simulation && (
-          <div class="note">
-            <p>This bay is simulated: its work is done by a button.</p>
-            <button type="button" data-testid="simulate-work" onClick={simulate}>
-              {worked ? '✓ Work has been done' : 'Let the work be done'}
-            </button>
-          </div>
-        )}
+      <div class="panel-body">
+        <div class="card" data-testid="work">
+          <h2>The baseline is kept</h2>
+          <p>
+            Taken {inspection.initial && timeOf(inspection.initial.taken_at)} by {inspection.initial?.person}. It outlasts a restart, a power cut and the shift: switch everything off if you like.
+          </p>
+          <p>
+            <strong>Now do the work in the bay.</strong> Come back here when it is done.
+          </p>
+          {simulation && (
+            <div class="note">
+              <p>This bay is simulated: its work is done by a button.</p>
+              <button type="button" data-testid="simulate-work" onClick={simulate}>
+                {worked ? '✓ Work has been done' : 'Let the work be done'}
+              </button>
+            </div>
+          )}
+        </div>
+        <NoiseReport task={task} />
+        <ReadinessCard mayCapture={session.role !== 'viewer'} />
       </div>
-      <NoiseReport task={task} />
-      <ReadinessCard mayCapture={session.role !== 'viewer'} />
-      <div class="card action">
-        <h2>After the work</h2>
+      <div class="panel-action">
         {robot && (
           <label class="tick">
             <input type="checkbox" checked={replaced} onChange={(event) => setReplaced(event.currentTarget.checked)} />
@@ -149,10 +150,9 @@ export function Steps({ session }: { session: Session }) {
       </div>
     );
   }
-  return (
-    <div class="panel-body">
-      {inspection.stage === 'baseline' && <BaselineStep inspection={inspection} session={session} />}
-      {inspection.stage === 'work' && <WorkStep inspection={inspection} session={session} task={task} />}
-    </div>
+  return inspection.stage === 'baseline' ? (
+    <BaselineStep inspection={inspection} session={session} />
+  ) : (
+    <WorkStep inspection={inspection} session={session} task={task} />
   );
 }

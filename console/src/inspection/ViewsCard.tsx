@@ -15,6 +15,10 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
   const here: Joints | null =
     robot.pan_deg === undefined || robot.tilt_deg === undefined ? null : { pan_deg: robot.pan_deg, tilt_deg: robot.tilt_deg };
   const { views } = inspection;
+  const same_deg = 2;
+  const known = here
+    ? views.findIndex((view) => Math.abs(view.pan_deg - here.pan_deg) < same_deg && Math.abs(view.tilt_deg - here.tilt_deg) < same_deg)
+    : -1;
   return (
     <div class="card" data-testid="views">
       <h2>Views</h2>
@@ -36,7 +40,8 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
           </li>
         ))}
       </ul>
-      <button type="button" data-testid="add-view" disabled={!enabled || !here} onClick={() => here && set([...views, here])}>
+      {known >= 0 && <p class="hint">You see view {known + 1}. Turn the camera for another one.</p>}
+      <button type="button" data-testid="add-view" disabled={!enabled || !here || known >= 0} onClick={() => here && set([...views, here])}>
         Add the view that you see
       </button>
       <button type="button" data-testid="only-view" disabled={!enabled || !here} onClick={() => here && set([here])}>

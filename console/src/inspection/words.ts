@@ -40,7 +40,7 @@ export function suspicion(finding: Finding): { level: 1 | 2 | 3; says: string } 
 }
 
 export function whatChanged(finding: Finding): string {
-  return finding.kind === 'added' ? 'Something is here that was not' : 'Something is gone';
+  return finding.kind === 'added' ? 'Something new' : 'Something gone';
 }
 
 /** Size, distance and how many millimetres nearer or farther than before. */
@@ -49,6 +49,6 @@ export function whereAndHow(finding: Finding): string {
   if (finding.size_mm) parts.push(`${millimetres(finding.size_mm[0])} × ${millimetres(finding.size_mm[1])}`);
   if (finding.position_m) parts.push(`${finding.position_m[2].toFixed(2)} m away`);
   if (finding.height_mm !== undefined)
-    parts.push(`${millimetres(Math.abs(finding.height_mm))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
+    parts.push(`surface ${millimetres(Math.abs(finding.height_mm))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
   return parts.join(', ');
 }

@@ -28,7 +28,9 @@ class LiveLink {
   private socket: WebSocket | null = null;
   private stream: Stream | null = null;
   private heard_ms = 0;
+  private watched_ms = 0;
   private started = false;
+  private releasing = false;
 
   start(): void {
     if (this.started) return;
@@ -55,6 +57,7 @@ class LiveLink {
   }
 
   releaseControls(): void {
+    this.releasing = true;
     this.send({ type: 'lease', action: 'release' });
   }
 
@@ -87,7 +90,11 @@ class LiveLink {
 
   // Status comes every second at least: silence is a broken line, long before the browser notices.
   private watchSilence(): void {
-    if (this.state.value !== 'open' || performance.now() - this.heard_ms < silence_ms) return;
+    const now_ms = performance.now();
+    // A page that was busy itself has not listened: what came meanwhile still waits to be heard.
+    const listened = now_ms - this.watched_ms < 2 * retry_ms;
+    this.watched_ms = now_ms;
+    if (this.state.value !== 'open' || !listened || now_ms - this.heard_ms < silence_ms) return;
     this.socket?.close();
   }
 
@@ -98,12 +105,24 @@ class LiveLink {
         this.status.value = message;
         break;
       case 'lease':
+        this.sayWhyLost(message);
         this.lease.value = message;
         break;
       case 'refused':
         this.refused.value = message;
         break;
     }
+  }
+
+  // Controls that go without a word leave a person pulling at a dead stick.
+  private sayWhyLost(now: Lease): void {
+    if (this.lease.value.yours && !now.yours && !this.releasing) {
+      const message = now.holder !== undefined
+        ? `${now.holder || 'Somebody'} has taken over the controls.`
+        : 'Nobody has driven for a minute, so your controls were handed back. Take them again to drive.';
+      this.refused.value = { type: 'refused', code: 'controls-gone', message };
+    }
+    if (!now.yours) this.releasing = false;
   }
 
   private async show(bytes: ArrayBuffer): Promise<void> {

@@ -1,7 +1,11 @@
 // Findings, most suspicious first, each to be decided.
+import { link } from '../link/live_link';
+import { api } from '../link/api';
+import { person } from '../link/client';
+import { attempt } from '../inspection/inspections';
 import { suspicion, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
-import type { Inspection, Session } from '../types';
+import type { Decision, Inspection, Session } from '../types';
 import { DecisionForm } from './DecisionForm';
 import { decisionOf, groupsOf, type Group } from './groups';
 import { review, show } from './review_state';
@@ -14,6 +18,17 @@ function SuspicionBar({ level, says }: { level: number; says: string }) {
   );
 }
 
+function Said({ decision }: { decision: Decision | undefined }) {
+  if (!decision) return <small class="open">To be decided</small>;
+  const settled = decision.verdict !== 'second-look';
+  return (
+    <small class={settled ? 'said' : 'open'}>
+      {settled ? '✓' : '…'} {verdictNames[decision.verdict]}
+      {decision.note && <q>{decision.note}</q>}
+    </small>
+  );
+}
+
 function FindingCard({ inspection, group, session, selected }: { inspection: Inspection; group: Group; session: Session; selected: boolean }) {
   const { lead, all } = group;
   const decision = decisionOf(group);
@@ -22,7 +37,7 @@ function FindingCard({ inspection, group, session, selected }: { inspection: Ins
     <li class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
       <button type="button" class="row" aria-expanded={selected} onClick={() => show({ group: lead.number, view: lead.view, findings: true })}>
         <span class={`finding-number ${lead.kind}`}>
-          {lead.number}
+          {group.label}
           <span aria-hidden="true">{lead.kind === 'added' ? '+' : '−'}</span>
         </span>
         <span>
@@ -32,11 +47,47 @@ function FindingCard({ inspection, group, session, selected }: { inspection: Ins
             {whereAndHow(lead)}
             {all.length > 1 && `, seen in ${all.length} views`}
           </small>
-          <small class={decision ? 'said' : 'open'}>{decision ? `✓ ${verdictNames[decision.verdict]}` : 'To be decided'}</small>
+          <Said decision={decision} />
         </span>
       </button>
       {selected && <DecisionForm inspection={inspection} group={group} session={session} />}
     </li>
+  );
+}
+
+// What follows from the decisions. Debris that was removed is gone only when the camera has seen so.
+function Verdicts({ groups, inspection, session }: { groups: Group[]; inspection: Inspection; session: Session }) {
+  const simulation = useStore(link.status)?.simulation ?? false;
+  const count = (verdict: string) => groups.filter((group) => decisionOf(group)?.verdict === verdict).length;
+  const [unsure, removed] = [count('second-look'), count('debris-removed')];
+  const again = () =>
+    void attempt(async () => {
+      if (simulation) await api.simulateWork(false);
+      await api.capture(inspection.id, 'final', session.name || person.name || inspection.person, false);
+    });
+  if (unsure > 0) {
+    return (
+      <p class="open" data-testid="all-decided">
+        … {unsure === 1 ? 'One needs' : `${unsure} need`} a second look. Look again, in the bay too, then decide once more: this inspection is not done.
+      </p>
+    );
+  }
+  if (removed === 0) {
+    return (
+      <p class="good" data-testid="all-decided">
+        ✓ All are decided. This inspection is done.
+      </p>
+    );
+  }
+  return (
+    <>
+      <p data-testid="all-decided">
+        <span class="good">✓ All are decided.</span> Debris was removed since these pictures were taken: capture again to see that it is gone, and that nothing else was left.
+      </p>
+      <button type="button" class="primary" data-testid="capture-again" disabled={session.role === 'viewer'} onClick={again}>
+        Capture again{simulation ? ' (the simulated bay is tidied up)' : ''}
+      </button>
+    </>
   );
 }
 
@@ -63,11 +114,7 @@ export function FindingList({ inspection, session }: { inspection: Inspection; s
         <h2>{groups.length === 0 ? 'Nothing changed' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
         {groups.length === 0 && <p>Nothing was found where it could have been found. Look at what could not be inspected (striped).</p>}
         {open > 0 && <p>{open} to be decided.</p>}
-        {open === 0 && groups.length > 0 && (
-          <p class="good" data-testid="all-decided">
-            ✓ All are decided{inspection.stage === 'done' ? '. This inspection is done.' : '; some need a second look.'}
-          </p>
-        )}
+        {open === 0 && groups.length > 0 && <Verdicts groups={groups} inspection={inspection} session={session} />}
       </div>
       <ul class="list">
         {groups.map((group) => (

@@ -3,7 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { pictureAddress } from '../link/api';
 import { useStore } from '../store';
 import type { Finding, Inspection } from '../types';
-import { groupsOf } from './groups';
+import { groupsOf, type Group } from './groups';
 import { review, show, type Layer, type Moment } from './review_state';
 
 const layers: [Layer, string][] = [
@@ -64,6 +64,21 @@ function FindingBox({ finding, number, selected, onPick }: { finding: Finding; n
   );
 }
 
+function viewsOf(group: Group): string {
+  const views = [...new Set(group.all.map((finding) => finding.view + 1))];
+  return `view ${views.join(' and ')}`;
+}
+
+// Three times as large, with the finding in the middle as far as the picture's edges allow.
+function enlarged(finding: Finding, size: { width: number; height: number }): { transform: string } {
+  const times = 3;
+  const shift = (middle: number, length: number) => Math.max(1 - times, Math.min(0, 0.5 - (times * middle) / length));
+  const [x, y, width, height] = finding.bbox;
+  return {
+    transform: `translate(${100 * shift(x + width / 2, size.width)}%, ${100 * shift(y + height / 2, size.height)}%) scale(${times})`,
+  };
+}
+
 function ViewTabs({ inspection, view }: { inspection: Inspection; view: number }) {
   if (inspection.views.length < 2) return null;
   return (
@@ -88,6 +103,8 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
   const coverage = inspection.compared.find((compared) => compared.view === view);
   const width = 848;
   const [size, setSize] = useState({ width, height: 480 });
+  const chosen = groups.find((group) => group.lead.number === state.group);
+  const closer = state.closer ? here.find(({ group }) => group === chosen)?.finding : undefined;
   return (
     <section class="view" aria-label="Before and after">
       <div class="view-bar">
@@ -95,45 +112,60 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
         <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
         {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
         <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
+        <Toggle label="Closer" testId="closer" on={state.closer} onChange={(next) => show({ closer: next })} />
         <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
       </div>
       <div class="picture">
         <div class="picture-fit" style={{ aspectRatio: `${size.width} / ${size.height}` }}>
-          {state.layer === 'binary' ? (
-            <img src={address('changes')} alt="White: changed" />
-          ) : (
-            <>
-              <img
-                src={address(`final_${kind}`)}
-                alt="After the work"
-                data-testid="picture-after"
-                onLoad={(event) => setSize({ width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight })}
-              />
-              <img src={address(`initial_${kind}`)} alt="Before the work" data-testid="picture-before" class={before ? '' : 'hidden'} />
-              {state.findings && !before && <img src={address('changed')} alt="" class="glow" />}
-            </>
-          )}
-          {state.uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" class="glow" data-testid="picture-uninspected" />}
-          {state.findings && (
-            <svg class="overlay clickable" viewBox={`0 0 ${size.width} ${size.height}`} data-testid="boxes">
-              {here.map(({ group, finding }) => (
-                <FindingBox
-                  key={finding.number}
-                  finding={finding}
-                  number={group.lead.number}
-                  selected={group.lead.number === state.group}
-                  onPick={() => show({ group: group.lead.number })}
+          <div class="layers" style={closer && enlarged(closer, size)}>
+            {state.layer === 'binary' ? (
+              <img src={address('changes')} alt="White: changed" />
+            ) : (
+              <>
+                <img
+                  src={address(`final_${kind}`)}
+                  alt="After the work"
+                  data-testid="picture-after"
+                  onLoad={(event) => setSize({ width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight })}
                 />
-              ))}
-            </svg>
-          )}
+                <img src={address(`initial_${kind}`)} alt="Before the work" data-testid="picture-before" class={before ? '' : 'hidden'} />
+                {state.findings && !before && <img src={address('changed')} alt="" class="glow" />}
+              </>
+            )}
+            {state.uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" class="glow" data-testid="picture-uninspected" />}
+            {state.findings && (
+              <svg class="overlay clickable" viewBox={`0 0 ${size.width} ${size.height}`} data-testid="boxes">
+                {here.map(({ group, finding }) => (
+                  <FindingBox
+                    key={finding.number}
+                    finding={finding}
+                    number={group.label}
+                    selected={group.lead.number === state.group}
+                    onPick={() => show({ group: group.lead.number })}
+                  />
+                ))}
+              </svg>
+            )}
+          </div>
           <span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>
         </div>
       </div>
+      {chosen && !here.some(({ group }) => group === chosen) && (
+        <p class="coverage" data-testid="not-here">
+          Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here does not speak against it.
+        </p>
+      )}
       {coverage && (
         <p class="coverage" data-testid="coverage">
           <strong>{Math.round(100 * coverage.judged)} %</strong> of this view was inspected. <span class="stripes" aria-hidden="true" /> <strong>{Math.round(100 * (1 - coverage.judged))} %</strong> was not:
-          no measurement {Math.round(100 * coverage.coverage.invalid)} %, not seen before {Math.round(100 * coverage.coverage.unseen)} %, the rest edges and places too unsteady.
+          the camera measured nothing there ({Math.round(100 * coverage.coverage.invalid)} %), the baseline had not seen it ({Math.round(100 * coverage.coverage.unseen)} %), or it is an edge or too unsteady.
+          {state.findings && (
+            <>
+              {' '}
+              <span class="changed-mark" aria-hidden="true" /> Changed.
+            </>
+          )}{' '}
+          Grey in colour pictures: beyond the colour camera's view.
           {coverage.warnings.map((warning) => (
             <span class="bad" key={warning}>
               {' '}

@@ -2,7 +2,9 @@
 import type { Decision, Finding, Inspection } from '../types';
 
 export interface Group {
-  /** The most suspicious finding of the thing; its number is the group's. */
+  /** Its place in the list, from 1: what a person calls it. */
+  label: number;
+  /** The most suspicious finding of the thing; its number is the group's for the server. */
   lead: Finding;
   all: Finding[];
 }
@@ -13,7 +15,7 @@ export function groupsOf(inspection: Inspection): Group[] {
   for (const finding of inspection.findings) {
     const group = groups.get(finding.same_as);
     if (group) group.all.push(finding);
-    else groups.set(finding.same_as, { lead: finding, all: [finding] });
+    else groups.set(finding.same_as, { label: groups.size + 1, lead: finding, all: [finding] });
   }
   return [...groups.values()];
 }

@@ -13,9 +13,11 @@ export interface ReviewState {
   /** Overlays: none during the first look (thesis 4.2.2). */
   findings: boolean;
   uninspected: boolean;
+  /** The finding that is looked at fills the picture. */
+  closer: boolean;
 }
 
-export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false };
+export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false, closer: false };
 
 export const review = new Store<ReviewState>(firstLook);
 

@@ -31,9 +31,9 @@ export class FindingLayer {
 
   set(groups: FindingGroup[], selected: number): void {
     this.dispose();
-    for (const { lead } of groups) {
+    for (const { label, lead } of groups) {
       if (!lead.in_foot_m) continue;
-      const material = new SpriteMaterial({ map: picture(lead.number, lead.kind, lead.number === selected), depthTest: false, sizeAttenuation: false });
+      const material = new SpriteMaterial({ map: picture(label, lead.kind, lead.number === selected), depthTest: false, sizeAttenuation: false });
       const sprite = new Sprite(material);
       const scale = lead.number === selected ? 0.075 : 0.055;
       sprite.scale.set(scale, scale, 1);

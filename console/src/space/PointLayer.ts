@@ -21,6 +21,24 @@ function shuffled(count: number): Uint32Array {
   return order;
 }
 
+// Of a few thousand points, which are in no order: what lies at this share of them. Strays have no say.
+function quantile(values: Float32Array, share: number): number {
+  return values.sort()[Math.floor(share * (values.length - 1))] ?? 0;
+}
+
+const enough = 5000;
+
+function middle(xyz: Float32Array, axis: number): number {
+  const values = Float32Array.from({ length: Math.min(enough, xyz.length / 3) }, (_, i) => xyz[3 * i + axis]!);
+  return (quantile(values, 0.05) + quantile(values, 0.95)) / 2;
+}
+
+function reach(xyz: Float32Array, center: Vector3): number {
+  const point = new Vector3();
+  const distances = Float32Array.from({ length: Math.min(enough, xyz.length / 3) }, (_, i) => point.fromArray(xyz, 3 * i).distanceTo(center));
+  return Math.max(0.05, quantile(distances, 0.95));
+}
+
 export class PointLayer {
   readonly points: Points<BufferGeometry, PointsMaterial>;
   readonly count: number;
@@ -45,8 +63,8 @@ export class PointLayer {
     this.original = new BufferAttribute(rgb, 3);
     ordered.setAttribute('color', this.original);
     ordered.computeBoundingSphere();
-    this.center.copy(ordered.boundingSphere?.center ?? new Vector3());
-    this.radius_m = ordered.boundingSphere?.radius ?? 1;
+    this.center.set(middle(xyz, 0), middle(xyz, 1), middle(xyz, 2));
+    this.radius_m = reach(xyz, this.center);
     this.points = new Points(ordered, new PointsMaterial({ size: size_m, vertexColors: true }));
     geometry.dispose();
   }

@@ -41,7 +41,7 @@ export class Scene3d {
   /** As the robot looks at the bay: along y, a little from above. */
   lookAt(center: Vector3, radius_m: number): void {
     this.controls.target.copy(center);
-    this.camera.position.copy(center).add(new Vector3(0, -1.1 * radius_m, 0.8 * radius_m));
+    this.camera.position.copy(center).add(new Vector3(0, -1.35 * radius_m, 0.9 * radius_m));
     this.controls.update();
     this.draw();
   }

@@ -59,7 +59,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
         now.changes = new PointLayer(changes, largerThanOthers_m);
         scene.add(now.changes.points);
         scene.lookAt(now.points.center, now.points.radius_m);
-        setSays(`${now.points.count.toLocaleString()} points`);
+        setSays('Drag to turn, two fingers or wheel for closer, right button to shift.');
       })
       .catch((error: Error) => {
         if (!loading.signal.aborted) setSays(error.message);
@@ -105,6 +105,14 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
             </button>
           ))}
         </div>
+        <button type="button" data-testid="whole-map" onClick={() => stage.current?.points && stage.current.scene.lookAt(stage.current.points.center, stage.current.points.radius_m)}>
+          Show all
+        </button>
+        {coloring === 'change' && (
+          <span>
+            <span class="changed-mark" aria-hidden="true" /> Changed
+          </span>
+        )}
         <span class="hint" role="status" data-testid="map-status">
           {says}
         </span>
