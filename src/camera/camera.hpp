@@ -16,6 +16,7 @@ struct CameraFrame {
   std::uint64_t number = 0;         ///< counts up by one; a gap is frames that were lost
   double time_s = 0.0;              ///< when the depth was exposed, by the camera's clock: for differences
   std::optional<GrayImage> infrared{};  ///< of the left imager; empty where there is none
+  FrameMetadata metadata{};  ///< what the device says besides; of a replayed frame, what it said then
 };
 
 /// A stream of frames.

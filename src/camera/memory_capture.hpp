@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/progress.hpp"
@@ -10,21 +11,35 @@
 
 namespace rva {
 
+/// A depth frame, and what goes with it.
+struct MemoryFrame {
+  DepthImage depth;
+  std::optional<ColorImage> color{};
+  std::optional<GrayImage> infrared{};
+  FrameMetadata metadata{};
+};
+
 /// For a recording that is seen again and again: decoding takes longer than showing.
 class MemoryCapture : public Capture {
  public:
-  /// @param depth at least one, of the size that `info` states
-  /// @param color as many or fewer
-  MemoryCapture(CaptureInfo info, std::vector<DepthImage> depth, std::vector<ColorImage> color);
+  /// @param frames at least one, of the sizes that `info` states
+  MemoryCapture(CaptureInfo info, std::vector<MemoryFrame> frames);
 
-  [[nodiscard]] std::size_t depth_frames() const override { return depth_.size(); }
-  [[nodiscard]] std::size_t color_frames() const override { return color_.size(); }
-  [[nodiscard]] DepthImage depth(std::size_t i) const override { return depth_[i]; }
-  [[nodiscard]] ColorImage color(std::size_t i) const override { return color_[i]; }
+  [[nodiscard]] std::size_t depth_frames() const override { return frames_.size(); }
+  [[nodiscard]] std::size_t color_frames() const override { return with_color_.size(); }
+  [[nodiscard]] DepthImage depth(std::size_t i) const override { return frames_.at(i).depth; }
+  [[nodiscard]] ColorImage color(std::size_t i) const override { return *frames_[with_color_.at(i)].color; }
+  [[nodiscard]] std::optional<ColorImage> color_of(std::size_t i) const override {
+    return frames_.at(i).color;
+  }
+  [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t i) const override {
+    return frames_.at(i).infrared;
+  }
+  [[nodiscard]] FrameMetadata metadata_of(std::size_t i) const override { return frames_.at(i).metadata; }
 
  private:
-  std::vector<DepthImage> depth_;
-  std::vector<ColorImage> color_;
+  std::vector<MemoryFrame> frames_;
+  std::vector<std::size_t> with_color_;
 };
 
 /// The first frames of a capture, as many as fit.

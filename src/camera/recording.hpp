@@ -9,7 +9,13 @@
 
 namespace rva {
 
-/// Writes the camera's next `frames` frames, from number 0, each with its colour image where it has one.
+/// What was recorded.
+struct Recorded {
+  std::size_t frames = 0;
+  std::size_t lost = 0;  ///< that the camera dropped between them, by its numbers
+};
+
+/// Writes the camera's next `frames` frames, from number 0, each with colour and infrared where it has them.
 /// Other threads encode and write while the camera goes on; memory holds two frames a core, and where the
 /// disk is slower than the camera, it is the camera that waits or drops. The writer is made of the camera's
 /// info(), and may describe a folder that a failure leaves half full.
@@ -17,6 +23,6 @@ namespace rva {
 /// @throws Error       of the camera or the disk; when a recording ends before it gave so many frames
 /// @throws UsageError  when frames is 0
 /// @throws Interrupted between two frames
-void record(Camera& camera, std::size_t frames, const CaptureWriter& writer, const Progress& progress);
+Recorded record(Camera& camera, std::size_t frames, const CaptureWriter& writer, const Progress& progress);
 
 }  // namespace rva

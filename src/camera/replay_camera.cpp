@@ -22,7 +22,9 @@ std::optional<CameraFrame> ReplayCamera::wait_for_frame() {
   const std::size_t i = next_ % frames;
   CameraFrame frame;
   frame.depth = capture_->depth(i);
-  if (i < capture_->color_frames()) frame.color = capture_->color(i);
+  frame.color = capture_->color_of(i);
+  frame.infrared = capture_->infrared_of(i);
+  frame.metadata = capture_->metadata_of(i);
   frame.number = next_;
   frame.time_s = static_cast<double>(next_) / options_.rate_hz;
   if (options_.paced) {

@@ -27,7 +27,7 @@ struct ReplayOptions {
 };
 
 /// Gives the frames of a capture in their order, none left out: one that is asked for late comes at once, and
-/// later ones at the rate from there. Frame k has the capture's k-th colour image, where there is one.
+/// later ones at the rate from there. Each has what the capture has with it: colour, infrared, metadata.
 /// Numbers and times go on when the recording starts again; times are number / rate.
 class ReplayCamera : public Camera {
  public:

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -32,6 +33,7 @@ struct FrameSummary {
   double saturated = 0.0;  // share of pixels at the largest value of 16 bits
   double nearest_m = std::numeric_limits<double>::infinity();
   double farthest_m = 0.0;
+  std::size_t lost = 0;  // frames, by the camera's counter
 };
 
 FrameSummary read_all_frames(const Capture& capture) {
@@ -55,6 +57,7 @@ FrameSummary read_all_frames(const Capture& capture) {
     throw_if_interrupted();
     static_cast<void>(capture.color(i));
   }
+  summary.lost = lost_frames(capture);
   summary.fill_rate = static_cast<double>(measured) / static_cast<double>(pixels);
   summary.saturated = static_cast<double>(saturated) / static_cast<double>(pixels);
   summary.nearest_m = measured == 0 ? 0.0 : nearest * capture.info().depth_unit_m;
@@ -85,11 +88,16 @@ Json to_json(const Capture& capture, const FrameSummary& summary) {
   if (info.camera) {
     json["camera"] = {{"model", info.camera->model}, {"serial", info.camera->serial}};
     if (info.camera->baseline_m) json["camera"]["baseline_m"] = *info.camera->baseline_m;
+    if (!info.camera->firmware.empty()) json["camera"]["firmware"] = info.camera->firmware;
+    if (!info.camera->usb.empty()) json["camera"]["usb"] = info.camera->usb;
+    if (!info.camera->settings.empty()) json["camera"]["settings"] = info.camera->settings;
   }
   if (!info.captured_at.empty()) json["captured_at"] = info.captured_at;
   json["fill_rate"] = summary.fill_rate;
   json["nearest_m"] = summary.nearest_m;
   json["farthest_m"] = summary.farthest_m;
+  json["lost_frames"] = summary.lost;
+  if (!info.notes.empty()) json["notes"] = info.notes;
   return json;
 }
 
@@ -100,6 +108,13 @@ void print_camera(const char* name, std::size_t frames, const Intrinsics& camera
   print("{:<8} {} frame(s) of {}x{}, fx {:.3f} fy {:.3f} cx {:.3f} cy {:.3f}, view {:.0f} x {:.0f} deg\n",
         name, frames, camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy,
         field_deg(camera.width, camera.fx), field_deg(camera.height, camera.fy));
+}
+
+void print_settings(const std::string& imager, const std::map<std::string, double>& settings) {
+  std::string line;
+  for (const auto& [name, value] : settings)
+    line += fmt::format("{}{} {:.6g}", line.empty() ? "" : ", ", printable(name), value);
+  print("set      {}: {}\n", printable(imager), line);
 }
 
 void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
@@ -122,10 +137,15 @@ void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
   if (info.camera) {
     print("camera   {}", printable(info.camera->model));
     if (!info.camera->serial.empty()) print(", serial {}", printable(info.camera->serial));
-    if (info.camera->baseline_m) print(", baseline {} m", *info.camera->baseline_m);
+    if (info.camera->baseline_m) print(", baseline {:.6g} m", *info.camera->baseline_m);
+    if (!info.camera->firmware.empty()) print(", firmware {}", printable(info.camera->firmware));
+    if (!info.camera->usb.empty()) print(", USB {}", printable(info.camera->usb));
     print("\n");
+    for (const auto& [imager, settings] : info.camera->settings) print_settings(imager, settings);
   }
   if (!info.captured_at.empty()) print("taken    {}\n", printable(info.captured_at));
+  if (summary.lost > 0) print("lost     {} frame(s) between these, by the camera's counter\n", summary.lost);
+  for (const std::string& note : info.notes) print("note     {}\n", note);
   if (summary.saturated > 0.0) {
     print(
         "note     {:.2f} % of pixels read 65535, the largest value; some cameras mean by it that nothing was "

@@ -47,9 +47,10 @@ void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   const CaptureWriter writer(
       out.path(""), info,
       info.format == "rva-capture" && !info.source_json.empty() ? info.source_json : "{}");
-  record(*camera, arguments.frames, writer, terminal_progress());
+  const Recorded recorded = record(*camera, arguments.frames, writer, terminal_progress());
   out.commit();
   print("{}\n", arguments.out);
+  if (recorded.lost > 0) print("{} frame(s) were lost between those recorded\n", recorded.lost);
 }
 
 std::string dither_name(int number) { return fmt::format("dither-{:02}", number); }

@@ -42,6 +42,12 @@ std::string JsonObject::name_of(std::string_view key) const {
 
 bool JsonObject::has(const char* key) const { return value_->contains(key) && !(*value_)[key].is_null(); }
 
+std::vector<std::string> JsonObject::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& item : value_->items()) keys.push_back(item.key());
+  return keys;
+}
+
 const nlohmann::json& JsonObject::at(const char* key) const {
   if (!has(key)) throw Error(name_of(key), "missing", mend);
   return (*value_)[key];

@@ -22,6 +22,7 @@ class JsonObject {
   JsonObject(const nlohmann::json& value, std::string place, std::string field = {});
 
   [[nodiscard]] bool has(const char* key) const;  ///< false also for null
+  [[nodiscard]] std::vector<std::string> keys() const;
 
   // Each throws an Error when the key is missing or holds another type; integer() also for a number that is
   // fractional or does not fit.

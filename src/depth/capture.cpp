@@ -10,13 +10,31 @@ namespace fs = std::filesystem;
 
 namespace rva {
 
+std::optional<ColorImage> Capture::color_of(std::size_t depth_frame) const {
+  return depth_frame < color_frames() ? std::optional(color(depth_frame)) : std::nullopt;
+}
+
+std::optional<GrayImage> Capture::infrared_of(std::size_t /*depth_frame*/) const { return std::nullopt; }
+
+FrameMetadata Capture::metadata_of(std::size_t /*depth_frame*/) const { return {}; }
+
+std::size_t lost_frames(const Capture& capture) {
+  std::size_t lost = 0;
+  std::optional<std::uint64_t> before;
+  for (std::size_t i = 0; i < capture.depth_frames(); ++i) {
+    const std::optional<std::uint64_t> counter = capture.metadata_of(i).counter;
+    if (before && counter && *counter > *before + 1) lost += *counter - *before - 1;
+    before = counter;
+  }
+  return lost;
+}
+
 std::unique_ptr<Capture> open_capture(const fs::path& path, const CaptureOptions& options) {
   require_utf8(path);
   std::error_code ignored;
   const auto holds = [&](const char* name) { return fs::exists(path / name, ignored); };
   if (!fs::exists(path, ignored)) throw Error(printable(path), "no such capture", "check the path");
-  if (!fs::is_directory(path, ignored))
-    throw Error(printable(path), "a file, and captures are folders as yet", "give the folder of a capture");
+  if (!fs::is_directory(path, ignored)) return open_bag(path);
   if (holds("capture.json")) return open_capture_folder(path);
   if (holds("intrinsic.json")) return open_open3d_folder(path, path / "intrinsic.json");
   if (holds("camera_intrinsic.json")) return open_open3d_folder(path, path / "camera_intrinsic.json");

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "depth/image.hpp"
 #include "geometry/intrinsics.hpp"
@@ -21,24 +24,41 @@ struct Pose {
   std::optional<Transform> world_from_camera;
 };
 
-/// Which camera it was.
+/// Which camera it was, and how it was set. Texts are empty where unknown.
 struct CameraInfo {
   std::string model;
   std::string serial;
-  std::optional<double> baseline_m;  ///< distance between the two imagers of a stereo camera
+  std::optional<double> baseline_m{};  ///< distance between the two imagers of a stereo camera
+  std::string firmware{};
+  std::string usb{};  ///< the port that it was at: "3.2"
+  /// By imager, then by the maker's names and in his units: "Stereo Module", "Laser Power", 150.
+  std::map<std::string, std::map<std::string, double>> settings{};
 };
 
 /// What is known of a capture besides its images.
 struct CaptureInfo {
-  std::string format;  ///< "rva-capture", "open3d", "tum"
+  std::string format;  ///< "rva-capture", "open3d", "tum", "bag"
   Intrinsics depth;
   double depth_unit_m = 0.001;  ///< metres of one step of a depth image
   std::optional<Intrinsics> color;
   std::optional<Transform> color_from_depth;
   std::optional<Pose> pose;
   std::optional<CameraInfo> camera;
-  std::string captured_at;  ///< ISO 8601, empty where unknown
-  std::string source_json;  ///< the description as it was read, keys that we do not know included
+  std::string captured_at;           ///< ISO 8601, empty where unknown
+  std::string source_json;           ///< the description as it was read, keys that we do not know included
+  std::vector<std::string> notes{};  ///< what a person should know of the files; sentences without full stop
+};
+
+/// What a camera says of one frame; empty where it does not.
+struct FrameMetadata {
+  std::optional<std::uint64_t> counter;  ///< the camera's own, up by one a frame: a gap is lost frames
+  std::optional<double> time_s;          ///< when depth was exposed, by the camera's clock: for differences
+  std::optional<double> exposure_us;
+  std::optional<double> gain;
+  std::optional<double> laser_power_mw;
+  std::optional<double> temperature_c;  ///< of the chip that computes depth
+
+  bool operator==(const FrameMetadata&) const = default;
 };
 
 /// Frames and their description, whoever recorded them. Reading is const and may run on several threads.
@@ -61,6 +81,16 @@ class Capture {
   /// As depth(); the image has the size that info().color states, if it states one.
   [[nodiscard]] virtual ColorImage color(std::size_t i) const = 0;
 
+  /// The colour image that was taken with a depth frame; empty where there is none. Images that were taken
+  /// with no depth frame are of none.
+  /// @param depth_frame below depth_frames(), here and below
+  [[nodiscard]] virtual std::optional<ColorImage> color_of(std::size_t depth_frame) const;
+
+  /// The left imager's infrared image of a depth frame, pixel upon pixel; empty where there is none.
+  [[nodiscard]] virtual std::optional<GrayImage> infrared_of(std::size_t depth_frame) const;
+
+  [[nodiscard]] virtual FrameMetadata metadata_of(std::size_t depth_frame) const;
+
  private:
   CaptureInfo info_;
 };
@@ -71,8 +101,12 @@ struct CaptureOptions {
   std::optional<Intrinsics> intrinsics;
 };
 
-/// Opens a capture folder, an Open3D recorder folder or a TUM RGB-D folder, told apart by the files in it.
-/// Images are not read yet.
+/// Frames that the camera lost between those of the capture, by its counter; 0 where it tells none.
+/// @throws Error
+[[nodiscard]] std::size_t lost_frames(const Capture& capture);
+
+/// Opens a capture folder, an Open3D recorder folder or a TUM RGB-D folder, told apart by the files in it, or
+/// a .bag of realsense-viewer. Images are not read yet.
 /// @throws Error when it is none of these, its description is missing or malformed, or it has no depth frame
 [[nodiscard]] std::unique_ptr<Capture> open_capture(const std::filesystem::path& path,
                                                     const CaptureOptions& options = {});

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -63,6 +64,21 @@ Pose parse_pose(const JsonObject& object) {
   return pose;
 }
 
+CameraInfo parse_camera(const JsonObject& object) {
+  CameraInfo camera{
+      object.optional_string("model").value_or(""), object.optional_string("serial").value_or(""),
+      object.optional_number("baseline_m"),         object.optional_string("firmware").value_or(""),
+      object.optional_string("usb").value_or(""),   {}};
+  const auto settings = object.optional_object("settings");
+  if (!settings) return camera;
+  for (const std::string& imager : settings->keys()) {
+    const JsonObject of_imager = settings->object(imager.c_str());
+    for (const std::string& name : of_imager.keys())
+      camera.settings[imager][name] = of_imager.number(name.c_str());
+  }
+  return camera;
+}
+
 // Refused before memory is taken for a single image of that size.
 void require_possible_size(const std::string& place, const Intrinsics& camera) {
   if (camera.width <= max_image_pixels / camera.height) return;
@@ -97,39 +113,44 @@ CaptureInfo parse_capture_json(const std::string& text, const std::string& place
   if (document.has("color_from_depth")) info.color_from_depth = parse_transform(document, "color_from_depth");
   if (const auto pose = document.optional_object("pose")) info.pose = parse_pose(*pose);
   if (const auto camera = document.optional_object("camera")) {
-    info.camera =
-        CameraInfo{camera->optional_string("model").value_or(""),
-                   camera->optional_string("serial").value_or(""), camera->optional_number("baseline_m")};
+    info.camera = parse_camera(*camera);
   }
   info.captured_at = document.optional_string("captured_at").value_or("");
   return info;
 }
 
-std::vector<fs::path> image_files(const fs::path& folder, const std::vector<std::string_view>& endings) {
-  std::vector<fs::path> files;
-  std::error_code failure;
-  if (!fs::exists(folder, failure) && !failure) return files;
-  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure)) {
-    const fs::path& path = entry->path();
-    std::string ending = path.extension().native();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
-    const bool hidden = path.filename().native().starts_with('.');  // other systems leave such beside images
-    if (!hidden && std::ranges::find(endings, ending) != endings.end()) files.push_back(path);
+std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text, const std::string& place) {
+  std::map<std::size_t, FrameMetadata> frames;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line) && !lines.eof(); ++number) {
+    const std::string where = fmt::format("{}:{}", place, number);
+    const nlohmann::json json = parse_json(line, where);
+    const JsonObject object(json, where);
+    const int frame = object.integer("frame");
+    if (frame < 0) throw Error(object.name_of("frame"), "less than 0", "correct the file");
+    FrameMetadata& metadata = frames[static_cast<std::size_t>(frame)];
+    if (const auto counter = object.optional_number("counter"); counter && *counter >= 0 && *counter < 1e18)
+      metadata.counter = static_cast<std::uint64_t>(*counter);
+    metadata.time_s = object.optional_number("time_s");
+    metadata.exposure_us = object.optional_number("exposure_us");
+    metadata.gain = object.optional_number("gain");
+    metadata.laser_power_mw = object.optional_number("laser_power_mw");
+    metadata.temperature_c = object.optional_number("temperature_c");
   }
-  if (failure) {
-    throw Error(printable(folder), fmt::format("cannot be read ({})", failure.message()),
-                "check its permissions");
-  }
-  std::ranges::sort(files);
-  return files;
+  return frames;
 }
 
 std::unique_ptr<Capture> open_capture_folder(const fs::path& folder) {
   const fs::path description = folder / "capture.json";
+  const fs::path lines = folder / "frames.jsonl";
+  std::error_code ignored;
+  FrameFiles files{image_files(folder / "depth", {".png"}),
+                   image_files(folder / "color", {".png", ".jpg", ".jpeg"}),
+                   image_files(folder / "infrared", {".png"})};
+  if (fs::exists(lines, ignored)) files.metadata = parse_frame_lines(read_text_file(lines), printable(lines));
   return std::make_unique<FolderCapture>(
-      folder, parse_capture_json(read_text_file(description), printable(description)),
-      image_files(folder / "depth", {".png"}), image_files(folder / "color", {".png", ".jpg", ".jpeg"}));
+      folder, parse_capture_json(read_text_file(description), printable(description)), std::move(files));
 }
 
 void require_possible(const CaptureInfo& info, const std::string& place) {
@@ -144,37 +165,6 @@ void require_possible(const CaptureInfo& info, const std::string& place) {
     throw Error(place, fmt::format("a camera baseline of {} m makes no sense", *baseline_m),
                 "correct camera.baseline_m or leave it out");
   }
-}
-
-FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, std::vector<fs::path> depth_files,
-                             std::vector<fs::path> color_files)
-    : Capture(std::move(info)), depth_files_(std::move(depth_files)), color_files_(std::move(color_files)) {
-  require_possible(this->info(), printable(place));
-  if (depth_files_.empty()) throw Error(printable(place), "holds no depth frame", "record the capture again");
-}
-
-DepthImage FolderCapture::depth(std::size_t i) const {
-  DepthImage image = read_depth(depth_files_.at(i));
-  const Intrinsics& expected = info().depth;
-  if (image.width() != expected.width || image.height() != expected.height) {
-    throw Error(printable(depth_files_[i]),
-                fmt::format("{}x{} pixels where the capture states {}x{}", image.width(), image.height(),
-                            expected.width, expected.height),
-                "record the capture again");
-  }
-  return image;
-}
-
-ColorImage FolderCapture::color(std::size_t i) const {
-  ColorImage image = read_color(color_files_.at(i));
-  const auto& expected = info().color;
-  if (expected && (image.width() != expected->width || image.height() != expected->height)) {
-    throw Error(printable(color_files_[i]),
-                fmt::format("{}x{} pixels where the capture states {}x{}", image.width(), image.height(),
-                            expected->width, expected->height),
-                "record the capture again");
-  }
-  return image;
 }
 
 }  // namespace rva

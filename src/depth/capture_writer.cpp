@@ -45,7 +45,10 @@ Json to_json_value(const Pose& pose) {
 Json to_json_value(const CameraInfo& camera) {
   return {{"model", or_null(camera.model)},
           {"serial", or_null(camera.serial)},
-          {"baseline_m", or_null(camera.baseline_m)}};
+          {"baseline_m", or_null(camera.baseline_m)},
+          {"firmware", or_null(camera.firmware)},
+          {"usb", or_null(camera.usb)},
+          {"settings", camera.settings.empty() ? Json() : Json(camera.settings)}};
 }
 
 template <typename Pixel>
@@ -66,7 +69,7 @@ template <typename Pixel>
 void write_image(const fs::path& file, const Image<Pixel>& image) {
   std::error_code ignored;  // where the folder is missing in the end, write_file() says why
   fs::create_directory(file.parent_path(), ignored);
-  write_file(file, encode_png(image));
+  replace_file(file, encode_png(image));
 }
 
 }  // namespace
@@ -89,9 +92,21 @@ std::string capture_json(const CaptureInfo& info, const std::string& extra_json_
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string frame_line(std::size_t number, const FrameMetadata& metadata) {
+  const Json known{{"counter", or_null(metadata.counter)},
+                   {"time_s", or_null(metadata.time_s)},
+                   {"exposure_us", or_null(metadata.exposure_us)},
+                   {"gain", or_null(metadata.gain)},
+                   {"laser_power_mw", or_null(metadata.laser_power_mw)},
+                   {"temperature_c", or_null(metadata.temperature_c)}};
+  Json line{{"frame", number}};
+  line.merge_patch(known);
+  return line.dump() + "\n";
+}
+
 std::vector<std::string> capture_files() {
   const std::string frame = "[0-9][0-9][0-9][0-9][0-9][0-9].png";
-  return {"capture.json", "depth/" + frame, "color/" + frame};
+  return {"capture.json", "depth/" + frame, "color/" + frame, "infrared/" + frame, "frames.jsonl"};
 }
 
 CaptureWriter::CaptureWriter(fs::path folder, const CaptureInfo& info, const std::string& extra_json_object)
@@ -112,6 +127,16 @@ void CaptureWriter::write_color(std::size_t number, const ColorImage& image) con
   const fs::path file = frame_file(folder_, "color", number);
   if (info_.color) require_size(file, image, *info_.color);
   write_image(file, image);
+}
+
+void CaptureWriter::write_infrared(std::size_t number, const GrayImage& image) const {
+  const fs::path file = frame_file(folder_, "infrared", number);
+  require_size(file, image, info_.depth);
+  write_image(file, image);
+}
+
+void CaptureWriter::write_metadata(std::size_t number, const FrameMetadata& metadata) const {
+  append_to_file(folder_ / "frames.jsonl", frame_line(number, metadata));
 }
 
 }  // namespace rva

@@ -24,8 +24,9 @@ namespace rva {
 /// What a capture folder may hold, for an OutputFolder.
 [[nodiscard]] std::vector<std::string> capture_files();
 
-/// Writes capture.json at once, then frames as they come. The folder is the caller's, as a rule the place
-/// where an OutputFolder is written; half a capture is left there when something throws.
+/// Writes capture.json at once, then frames as they come, each file whole or not at all: whatever stops the
+/// program, the folder can be read with the frames that were written. The folder is the caller's, as a rule
+/// the place where an OutputFolder is written.
 ///
 /// Frames of different numbers may be written on several threads at the same time.
 class CaptureWriter {
@@ -43,6 +44,12 @@ class CaptureWriter {
 
   /// As write_depth(); any size where the description states none.
   void write_color(std::size_t number, const ColorImage& image) const;
+
+  /// As write_depth().
+  void write_infrared(std::size_t number, const GrayImage& image) const;
+
+  /// Adds a line to frames.jsonl, for one thread at a time. A line without its frame does no harm.
+  void write_metadata(std::size_t number, const FrameMetadata& metadata) const;
 
  private:
   std::filesystem::path folder_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,23 +12,34 @@
 
 namespace rva {
 
-/// A capture whose frames are image files.
+/// The files of a FolderCapture, by name.
+struct FrameFiles {
+  std::vector<std::filesystem::path> depth;
+  std::vector<std::filesystem::path> color;
+  std::vector<std::filesystem::path> infrared{};
+  std::map<std::size_t, FrameMetadata> metadata{};  ///< by the number that a depth file is called by
+};
+
+/// A capture whose frames are image files. Files of one name go together; where no two have the same, those
+/// of one place in their lists do.
 class FolderCapture : public Capture {
  public:
   /// @param place where the capture is, for errors
   /// @throws Error when there is no depth file, or the description is unsound (sizes, intrinsics, unit)
-  FolderCapture(const std::filesystem::path& place, CaptureInfo info,
-                std::vector<std::filesystem::path> depth_files,
-                std::vector<std::filesystem::path> color_files);
+  FolderCapture(const std::filesystem::path& place, CaptureInfo info, FrameFiles files);
 
-  [[nodiscard]] std::size_t depth_frames() const override { return depth_files_.size(); }
-  [[nodiscard]] std::size_t color_frames() const override { return color_files_.size(); }
+  [[nodiscard]] std::size_t depth_frames() const override { return files_.depth.size(); }
+  [[nodiscard]] std::size_t color_frames() const override { return files_.color.size(); }
   [[nodiscard]] DepthImage depth(std::size_t i) const override;
   [[nodiscard]] ColorImage color(std::size_t i) const override;
+  [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override;
+  [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override;
+  [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override;
 
  private:
-  std::vector<std::filesystem::path> depth_files_;
-  std::vector<std::filesystem::path> color_files_;
+  FrameFiles files_;
+  std::vector<std::optional<std::size_t>> color_of_;     // by depth frame
+  std::vector<std::optional<std::size_t>> infrared_of_;  // the same
 };
 
 /// capture.json, depth/*.png, color/*.png|jpg: our own format (docs/captures.md).
@@ -42,6 +54,11 @@ class FolderCapture : public Capture {
 [[nodiscard]] std::unique_ptr<Capture> open_tum_folder(const std::filesystem::path& folder,
                                                        const CaptureOptions& options);
 
+/// A ROS bag of version 2.0 as realsense-viewer and librealsense's recorder write it, with chunks packed by
+/// LZ4 or not at all. A file of any size: frames are read when they are asked for. A file whose recorder was
+/// stopped gives the frames that are whole, and says so in info().notes.
+[[nodiscard]] std::unique_ptr<Capture> open_bag(const std::filesystem::path& file);
+
 /// The description of a capture folder from its text; apart from open_capture_folder() so that it can be
 /// tried with any text.
 /// @throws Error naming the line or the field, `place` in front
@@ -54,6 +71,15 @@ void require_possible(const CaptureInfo& info, const std::string& place);
 
 /// As parse_capture_json(), of an Open3D intrinsic file.
 [[nodiscard]] CaptureInfo parse_open3d_json(const std::string& text, const std::string& place);
+
+/// One line of frames.jsonl. What is not known is left out.
+[[nodiscard]] std::string frame_line(std::size_t number, const FrameMetadata& metadata);
+
+/// By the frame's number, from the text of frames.jsonl. A last line without an end is left out: it was being
+/// written when the recorder was stopped.
+/// @throws Error naming the line that is malformed
+[[nodiscard]] std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text,
+                                                                     const std::string& place);
 
 /// One line of a TUM list: seconds and a file.
 struct TumEntry {

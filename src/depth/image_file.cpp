@@ -154,6 +154,18 @@ ColorImage read_color(const std::filesystem::path& path) {
   return decode_color(read_file(path), printable(path));
 }
 
+GrayImage read_gray(const std::filesystem::path& path) {
+  const std::string place = printable(path);
+  const std::vector<std::byte> png = read_file(path);
+  spng_ihdr header{};
+  const Spng decoder = open_png(png, place, header);
+  if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 8)
+    throw Error(place, "not one channel of 8 bits", "record infrared as 8-bit grey PNG");
+  GrayImage image(static_cast<int>(header.width), static_cast<int>(header.height));
+  decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size(), place);
+  return image;
+}
+
 std::vector<std::byte> encode_png(const DepthImage& image) {
   return encode(image.width(), image.height(), SPNG_COLOR_TYPE_GRAYSCALE, 16, image.data(),
                 image.size() * sizeof(std::uint16_t));

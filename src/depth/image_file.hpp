@@ -27,6 +27,9 @@ inline constexpr long max_image_pixels = 32L << 20;
 [[nodiscard]] DepthImage read_depth(const std::filesystem::path& path);
 [[nodiscard]] ColorImage read_color(const std::filesystem::path& path);
 
+/// A PNG of one channel of 8 bits.
+[[nodiscard]] GrayImage read_gray(const std::filesystem::path& path);
+
 [[nodiscard]] std::vector<std::byte> encode_png(const DepthImage& image);
 [[nodiscard]] std::vector<std::byte> encode_png(const Mask& image);
 [[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);

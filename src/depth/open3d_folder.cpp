@@ -47,7 +47,8 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
 std::unique_ptr<Capture> open_open3d_folder(const fs::path& folder, const fs::path& intrinsic_file) {
   return std::make_unique<FolderCapture>(
       folder, parse_open3d_json(read_text_file(intrinsic_file), printable(intrinsic_file)),
-      image_files(folder / "depth", {".png"}), image_files(folder / "color", {".png", ".jpg", ".jpeg"}));
+      FrameFiles{image_files(folder / "depth", {".png"}),
+                 image_files(folder / "color", {".png", ".jpg", ".jpeg"})});
 }
 
 }  // namespace rva

@@ -87,8 +87,9 @@ std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOp
   // The benchmark publishes depth already registered to colour.
   info.color = info.depth;
   info.color_from_depth = Transform::Identity();
-  return std::make_unique<FolderCapture>(folder, std::move(info), std::move(depth_files),
-                                         nearest_color(folder, entries.front().time_s));
+  return std::make_unique<FolderCapture>(
+      folder, std::move(info),
+      FrameFiles{std::move(depth_files), nearest_color(folder, entries.front().time_s)});
 }
 
 }  // namespace rva

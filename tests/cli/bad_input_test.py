@@ -97,7 +97,7 @@ class BadDescription(BadInputTest):
         self.check_refused(self.bad, 'capture.json')
         self.bad.rmdir()
         self.bad.write_text('a file')
-        self.check_refused(self.bad, 'captures are folders')
+        self.check_refused(self.bad, 'no ROS bag')
 
     def test_capture_json_gone(self):
         self.spoil('capture.json', None)

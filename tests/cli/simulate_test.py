@@ -3,6 +3,7 @@
 usage: simulate_test.py RVA
 """
 import math
+import pathlib
 import signal
 
 import numpy as np
@@ -188,6 +189,8 @@ class Changes(SimulationTest):
         one = contents(self.make('one', WALL, '--frames', 1, *CHEAP))
         self.succeed('simulate', WALL, '--out', self.out, '--frames', 3, *CHEAP, '--all-colors')
         three = contents(self.out)
+        lines = pathlib.Path('frames.jsonl')
+        self.assertTrue(three[lines].startswith(one.pop(lines)))
         self.assertEqual(one, {path: three[path] for path in one})
         self.assertEqual(len(frame_files(self.out, 'color')), 3)
 

@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir -p build/fuzz/failures
 
 # 32 megapixels of colour take 96 MB, twice that inside the JPEG decoder, and the sanitizer frees memory late.
-limits=(-max_len=4096 -timeout=10 -malloc_limit_mb=256 -rss_limit_mb=1024)
+limits=(-timeout=10 -malloc_limit_mb=256 -rss_limit_mb=1024)
 
 passed=0
 failed=0
@@ -17,8 +17,10 @@ for target in build/fuzz/tests/fuzz/fuzz_*; do
   [[ -f $target && -x $target ]] || continue
   name=${target##*/}
   log=$scratch/$name.log
+  max_len=4096
+  [[ $name == fuzz_bag ]] && max_len=16384
   cp -r "tests/fuzz/corpus/$name" "$scratch"
-  if "$target" -seed=1 -max_total_time="$seconds" "${limits[@]}" -print_final_stats=1 \
+  if "$target" -seed=1 -max_total_time="$seconds" -max_len="$max_len" "${limits[@]}" -print_final_stats=1 \
     -artifact_prefix="build/fuzz/failures/$name-" "$scratch/$name" >"$log" 2>&1; then
     passed=$((passed + 1))
     echo "$name: passed, $(awk '/average_exec_per_sec/ { print $2 }' "$log") runs a second"

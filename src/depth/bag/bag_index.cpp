@@ -1,0 +1,175 @@
+#include "depth/bag/bag_index.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::string_view version_line = "#ROSBAG V2.0\n";
+constexpr std::uint32_t max_header_bytes = 1U << 20U;
+
+Error damaged(const std::string& place) {
+  return {place, "the recording is damaged", "copy it again, or record anew"};
+}
+
+/// Gathers connections and messages in whatever order they come.
+class Gathering {
+ public:
+  void connect(std::uint32_t connection, std::string_view topic, std::string_view type) {
+    topics_.try_emplace(connection, topic, type);
+  }
+
+  void add(std::uint32_t connection, const BagMessage& message) { messages_[connection].push_back(message); }
+
+  [[nodiscard]] std::map<std::string, BagTopic, std::less<>> by_topic() && {
+    std::map<std::string, BagTopic, std::less<>> topics;
+    for (const auto& [connection, topic] : topics_) {
+      BagTopic& stream = topics[topic.first];
+      stream.type = topic.second;
+      const std::vector<BagMessage>& more = messages_[connection];
+      stream.messages.insert(stream.messages.end(), more.begin(), more.end());
+    }
+    for (auto& [name, topic] : topics) std::ranges::stable_sort(topic.messages, {}, &BagMessage::time_ns);
+    return topics;
+  }
+
+ private:
+  std::map<std::uint32_t, std::pair<std::string, std::string>> topics_;
+  std::map<std::uint32_t, std::vector<BagMessage>> messages_;
+};
+
+// The data of a connection's record are fields, too, of which only the type says something to us.
+void add_connection(const BagRecordHeader& header, std::span<const std::byte> data, const std::string& place,
+                    Gathering& found) {
+  constexpr std::string_view type = "type=";
+  RosBytes fields(data, place);
+  while (fields.left() > 0) {
+    const std::string_view field = fields.text();
+    if (field.starts_with(type)) found.connect(header.connection, header.topic, field.substr(type.size()));
+  }
+}
+
+void add_connection(const OpenFile& file, const BagRecordPlace& record, const std::string& place,
+                    Gathering& found) {
+  if (record.data_bytes > max_header_bytes) throw damaged(place);
+  add_connection(record.header, file.read(record.data_at, record.data_bytes), place, found);
+}
+
+// Behind a chunk stand its index records, one for each connection.
+void add_indexed_chunk(const OpenFile& file, std::uint64_t chunk_at, const std::string& place,
+                       Gathering& found) {
+  BagRecordPlace record = find_record(file, chunk_at, place);
+  if (record.header.op != BagOp::chunk) throw damaged(place);
+  while (record.end() < file.size_bytes()) {
+    record = find_record(file, record.end(), place);
+    if (record.header.op != BagOp::index) return;
+    const std::vector<std::byte> data = file.read(record.data_at, record.data_bytes);
+    RosBytes entries(data, place);
+    for (std::uint32_t i = 0; i < record.header.count; ++i) {
+      const std::uint64_t time_ns = entries.time_ns();
+      found.add(record.header.connection, {time_ns, chunk_at, entries.number<std::uint32_t>()});
+    }
+  }
+}
+
+BagIndex read_index(const OpenFile& file, const BagRecordHeader& bag, const std::string& place) {
+  Gathering found;
+  std::set<std::uint64_t> chunks;
+  std::uint64_t at = bag.index_at;
+  for (std::uint64_t i = 0; i < std::uint64_t{bag.connection_count} + bag.chunk_count; ++i) {
+    throw_if_interrupted();
+    const BagRecordPlace record = find_record(file, at, place);
+    if (record.header.op == BagOp::connection)
+      add_connection(file, record, place, found);
+    else if (record.header.op != BagOp::chunk_info)
+      throw damaged(place);
+    else if (chunks.insert(record.header.chunk_at).second)
+      add_indexed_chunk(file, record.header.chunk_at, place, found);
+    at = record.end();
+  }
+  return {.topics = std::move(found).by_topic()};
+}
+
+void add_scanned_chunk(const OpenFile& file, std::uint64_t at, const std::string& place, Gathering& found) {
+  const std::vector<std::byte> records = read_chunk(file, at, place);
+  RosBytes rest(records, place);
+  while (rest.left() > 0) {
+    const auto offset = static_cast<std::uint32_t>(records.size() - rest.left());
+    const BagRecord record = take_record(rest, place);
+    if (record.header.op == BagOp::connection) add_connection(record.header, record.data, place, found);
+    if (record.header.op == BagOp::message)
+      found.add(record.header.connection, {record.header.time_ns, at, offset});
+  }
+}
+
+BagIndex scan(const OpenFile& file, std::uint64_t at, const std::string& place) {
+  BagIndex index{.topics = {}, .finished = false};
+  Gathering found;
+  try {
+    while (at < file.size_bytes()) {
+      throw_if_interrupted();
+      const BagRecordPlace record = find_record(file, at, place);
+      if (record.end() > file.size_bytes()) break;
+      if (record.header.op == BagOp::chunk) {
+        try {
+          add_scanned_chunk(file, at, place, found);
+        } catch (const Error&) {
+          ++index.damaged_chunks;
+        }
+      }
+      at = record.end();
+    }
+  } catch (const Error&) {
+    // What follows is no record: the recorder was stopped here.
+  }
+  index.topics = std::move(found).by_topic();
+  return index;
+}
+
+}  // namespace
+
+BagRecordPlace find_record(const OpenFile& file, std::uint64_t at, const std::string& place) {
+  constexpr std::size_t length_bytes = sizeof(std::uint32_t);
+  const std::vector<std::byte> length = file.read(at, length_bytes);
+  const auto header_bytes = RosBytes(length, place).number<std::uint32_t>();
+  if (header_bytes > max_header_bytes) throw damaged(place);
+  BagRecordPlace record;
+  record.fields = file.read(at + length_bytes, header_bytes + length_bytes);
+  RosBytes bytes(record.fields, place);
+  record.header = parse_record_header(bytes.take(header_bytes), place);
+  record.data_bytes = bytes.number<std::uint32_t>();
+  record.data_at = at + 2 * length_bytes + header_bytes;
+  return record;
+}
+
+std::vector<std::byte> read_chunk(const OpenFile& file, std::uint64_t at, const std::string& place) {
+  const BagRecordPlace record = find_record(file, at, place);
+  if (record.header.op != BagOp::chunk || record.data_bytes > max_chunk_bytes) throw damaged(place);
+  const std::vector<std::byte> data = file.read(record.data_at, record.data_bytes);
+  return unpack_chunk({record.header, data}, place);
+}
+
+BagIndex read_bag_index(const OpenFile& file, const std::string& place) {
+  const std::vector<std::byte> line = file.read(0, version_line.size());
+  if (!std::ranges::equal(line, std::as_bytes(std::span(version_line)))) {
+    throw Error(place, "no ROS bag of version 2.0",
+                "give a recording of realsense-viewer, or the folder of a capture");
+  }
+  const BagRecordPlace bag = find_record(file, version_line.size(), place);
+  if (bag.header.op != BagOp::file_header) throw damaged(place);
+  if (bag.header.index_at > 0) {
+    try {
+      return read_index(file, bag.header, place);
+    } catch (const Error&) {
+      // Cut short or damaged: what the chunks themselves say is read instead.
+    }
+  }
+  return scan(file, bag.end(), place);
+}
+
+}  // namespace rva

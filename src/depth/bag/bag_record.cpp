@@ -1,0 +1,89 @@
+#include "depth/bag/bag_record.hpp"
+
+#include <fmt/format.h>
+#include <lz4frame.h>
+
+#include <memory>
+#include <string>
+
+#include "core/path_text.hpp"
+
+namespace rva {
+namespace {
+
+Error damaged(std::string_view place, const std::string& problem) {
+  return {std::string(place), problem, "copy the recording again, or record anew"};
+}
+
+struct Lz4Deleter {
+  void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
+};
+
+std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t size,
+                                  std::string_view place) {
+  // LZ4 packs 255 bytes into one at best; whoever states more asks for memory that nothing will fill.
+  if (size / 255 > packed.size()) throw damaged(place, "a chunk is damaged");
+  LZ4F_dctx* raw = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&raw, LZ4F_VERSION)) != 0) throw std::bad_alloc();
+  const std::unique_ptr<LZ4F_dctx, Lz4Deleter> context(raw);
+  std::vector<std::byte> unpacked(size);
+  std::size_t done = 0;
+  std::size_t hint = 1;  // 0 at the end of the frame
+  while (hint != 0 && !packed.empty()) {
+    std::size_t made = unpacked.size() - done;
+    std::size_t used = packed.size();
+    hint = LZ4F_decompress(context.get(), unpacked.data() + done, &made, packed.data(), &used, nullptr);
+    if (LZ4F_isError(hint) != 0 || (made == 0 && used == 0)) throw damaged(place, "a chunk is damaged");
+    done += made;
+    packed = packed.subspan(used);
+  }
+  if (hint != 0 || done != size) throw damaged(place, "a chunk is damaged");
+  return unpacked;
+}
+
+}  // namespace
+
+BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view place) {
+  BagRecordHeader header;
+  RosBytes bytes(fields, place);
+  while (bytes.left() > 0) {
+    const std::string_view field = bytes.text();
+    const std::size_t equals = field.find('=');
+    if (equals == std::string_view::npos) throw damaged(place, "a record's header is damaged");
+    const std::string_view name = field.substr(0, equals);
+    const std::string_view text = field.substr(equals + 1);
+    RosBytes value(std::as_bytes(std::span(text)), place);
+    if (name == "op") header.op = static_cast<BagOp>(value.number<std::uint8_t>());
+    if (name == "conn") header.connection = value.number<std::uint32_t>();
+    if (name == "count") header.count = value.number<std::uint32_t>();
+    if (name == "conn_count") header.connection_count = value.number<std::uint32_t>();
+    if (name == "chunk_count") header.chunk_count = value.number<std::uint32_t>();
+    if (name == "size") header.size_bytes = value.number<std::uint32_t>();
+    if (name == "index_pos") header.index_at = value.number<std::uint64_t>();
+    if (name == "chunk_pos") header.chunk_at = value.number<std::uint64_t>();
+    if (name == "time") header.time_ns = value.time_ns();
+    if (name == "topic") header.topic = text;
+    if (name == "compression") header.compression = text;
+  }
+  return header;
+}
+
+BagRecord take_record(RosBytes& bytes, std::string_view place) {
+  const auto fields = bytes.list_of_bytes();
+  return {parse_record_header(fields, place), bytes.list_of_bytes()};
+}
+
+std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view place) {
+  const std::uint32_t size = chunk.header.size_bytes;
+  if (size > max_chunk_bytes) throw damaged(place, fmt::format("a chunk states {} MB", size >> 20U));
+  if (chunk.header.compression == "lz4") return unpack_lz4(chunk.data, size, place);
+  if (chunk.header.compression != "none") {
+    throw Error(std::string(place),
+                fmt::format("its chunks are packed with '{}'", printable(chunk.header.compression)),
+                "unpack it with `rosbag decompress`");
+  }
+  if (chunk.data.size() != size) throw damaged(place, "a chunk is damaged");
+  return {chunk.data.begin(), chunk.data.end()};
+}
+
+}  // namespace rva
