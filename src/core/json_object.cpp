@@ -66,6 +66,12 @@ int JsonObject::integer(const char* key) const {
   return whole;
 }
 
+bool JsonObject::boolean(const char* key) const {
+  const auto& value = at(key);
+  if (!value.is_boolean()) throw not_a(name_of(key), "true or false");
+  return value.get<bool>();
+}
+
 std::string JsonObject::string(const char* key) const {
   const auto& value = at(key);
   if (!value.is_string()) throw not_a(name_of(key), "a text");

@@ -28,6 +28,7 @@ class JsonObject {
   // fractional or does not fit.
   [[nodiscard]] double number(const char* key) const;
   [[nodiscard]] int integer(const char* key) const;
+  [[nodiscard]] bool boolean(const char* key) const;
   [[nodiscard]] std::string string(const char* key) const;
   [[nodiscard]] JsonObject object(const char* key) const;
   [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count) const;

@@ -210,14 +210,12 @@ CaptureInfo describe(const BagFile& bag, const BagStreams& streams) {
 }
 
 FrameMetadata metadata_of(const BagFile& bag, const BagStream& stream, const BagMessage& image) {
+  const std::vector<std::byte> message = bag.read(image);
+  const ImageMessage header = parse_image_message(message, bag.place());
   const KeyValues values = image_metadata(bag, stream, image);
   FrameMetadata metadata;
-  if (const auto counter = number_of(values, "Frame Counter"); counter && *counter >= 0.0)
-    metadata.counter = static_cast<std::uint64_t>(*counter);
-  if (const auto time_us = number_of(values, "Frame Timestamp"))
-    metadata.time_s = 1e-6 * *time_us;
-  else
-    metadata.time_s = 1e-9 * static_cast<double>(image.time_ns);
+  metadata.counter = header.sequence;
+  metadata.time_s = header.time_s;
   metadata.exposure_us = number_of(values, "Actual Exposure");
   metadata.gain = number_of(values, "Gain Level");
   metadata.laser_power_mw = number_of(values, "Frame Laser Power");
