@@ -17,8 +17,10 @@ inline constexpr int status_detected = 3;
 
 void add_account_command(CLI::App& program, Outcome& outcome);
 void add_calibrate_command(CLI::App& program, Outcome& outcome);
+void add_cameras_command(CLI::App& program, Outcome& outcome);
 void add_detect_command(CLI::App& program, Outcome& outcome);
 void add_evaluate_command(CLI::App& program, Outcome& outcome);
+void add_export_command(CLI::App& program, Outcome& outcome);
 void add_info_command(CLI::App& program, Outcome& outcome);
 void add_map_command(CLI::App& program, Outcome& outcome);
 void add_noise_command(CLI::App& program, Outcome& outcome);

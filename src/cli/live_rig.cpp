@@ -5,6 +5,7 @@
 
 #include "camera/memory_capture.hpp"
 #include "camera/replay_camera.hpp"
+#include "cli/camera_uri.hpp"
 #include "cli/robot_uri.hpp"
 #include "cli/simulated_view.hpp"
 #include "cli/terminal_progress.hpp"
@@ -33,13 +34,21 @@ bool has_debris(const Scene& scene) {
 
 }  // namespace
 
-LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::uint64_t seed) {
+LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,
+                      const RealSenseOptions& realsense) {
   constexpr std::string_view replay = "replay:";
   LiveRig rig;
   if (camera.starts_with(replay) && camera.size() > replay.size()) {
     if (robot != "none")
       throw UsageError("--robot", "cannot turn a recording", "leave it out, or give another --camera");
     rig.camera = open_replay(camera.substr(replay.size()));
+    return rig;
+  }
+  if (is_device(camera)) {
+    if (robot == "sim")
+      throw UsageError("--robot", "a simulated one cannot turn a real camera", "give serial:DEVICE or none");
+    rig.camera = open_camera(camera, seed, {}, realsense);
+    if (robot != "none") rig.robot = open_serial_robot(robot);
     return rig;
   }
   const SimulatedView view = parse_simulated_view(camera);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "camera/camera.hpp"
+#include "camera/realsense/realsense.hpp"
 #include "robot/robot.hpp"
 
 namespace rva::cli {
@@ -20,11 +21,13 @@ struct LiveRig {
 };
 
 /// @param camera sim:SCENE, which follows a simulated robot; sim:SCENE,joints=FILE, which follows a file that
-///               another program writes (`<pan_deg> <tilt_deg>`); replay:PATH, which begins again at its end
+///               another program writes (`<pan_deg> <tilt_deg>`); replay:PATH, which begins again at its end;
+///               realsense[:SERIAL]
 /// @param robot  sim, serial:DEVICE, none
 /// @param seed   of a simulated camera's noise and a simulated robot's errors
 /// @throws UsageError for a URI of another form, or a recording on a robot; Error when what it names cannot
 ///         be opened
-[[nodiscard]] LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::uint64_t seed);
+[[nodiscard]] LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,
+                                    const RealSenseOptions& realsense);
 
 }  // namespace rva::cli

@@ -33,7 +33,9 @@ int run(int argc, char** argv) {
   add_evaluate_command(program, outcome);
   rva::cli::add_noise_command(program, outcome);
   rva::cli::add_info_command(program, outcome);
+  rva::cli::add_export_command(program, outcome);
   rva::cli::add_record_command(program, outcome);
+  rva::cli::add_cameras_command(program, outcome);
   rva::cli::add_simulate_command(program, outcome);
   rva::cli::add_map_command(program, outcome);
   rva::cli::add_calibrate_command(program, outcome);

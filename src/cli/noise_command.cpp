@@ -5,10 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/camera_check.hpp"
+#include "cli/camera_uri.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "depth/colorize.hpp"
@@ -22,6 +25,10 @@ using Json = nlohmann::ordered_json;
 
 struct NoiseArguments {
   std::string capture;
+  std::string camera;
+  std::uint64_t seed = 1;
+  CameraCheckArguments check;
+  RealSenseOptions realsense;
   std::string out;
   CaptureFlags captures;
   NoiseOptions noise;
@@ -104,20 +111,52 @@ void measure(const NoiseArguments& arguments) {
   }
 }
 
+void check(NoiseArguments arguments, Outcome& outcome) {
+  if (!arguments.capture.empty() || !arguments.out.empty())
+    throw UsageError("--camera", "is checked now, and writes no pictures", "leave CAPTURE and --out out");
+  arguments.check.json = arguments.json;
+  if (arguments.noise.frames != 0) arguments.check.frames = static_cast<std::size_t>(arguments.noise.frames);
+  constexpr std::size_t least_frames = 4;
+  if (arguments.check.frames < least_frames)
+    throw UsageError("--frames", "too few to see noise in", "give 4 or more");
+  const std::unique_ptr<Camera> camera =
+      open_camera(arguments.camera, arguments.seed, arguments.captures.options(), arguments.realsense);
+  if (!check_before_work(*camera, arguments.check)) outcome.status = status_detected;
+}
+
 }  // namespace
 
-void add_noise_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_noise_command(CLI::App& program, Outcome& outcome) {
   CLI::App& command = *program.add_subcommand("noise", "measures how much the depth of a still scene varies");
   const auto arguments = std::make_shared<NoiseArguments>();
-  command.add_option("CAPTURE", arguments->capture, "capture of a scene in which nothing moved")->required();
+  command.add_option("CAPTURE", arguments->capture, "capture of a scene in which nothing moved");
   command.add_option("--out", arguments->out, "folder for std.png, drift.png and noise.json")
-      ->required()
       ->type_name("DIR");
+  command
+      .add_option("--camera", arguments->camera,
+                  "instead of CAPTURE: check this camera before a scene that stays, against its own history")
+      ->type_name("URI");
+  command.add_option("--history", arguments->check.history, "folder of the histories of cameras")
+      ->type_name("DIR");
+  command.add_option("--seed", arguments->seed, "of a simulated camera's noise")
+      ->check(any_seed())
+      ->capture_default_str();
   add_flags(command, arguments->noise);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print noise.json instead of a table");
-  command.callback([arguments] { measure(*arguments); });
+  add_flags(command, arguments->check.options);
+  add_flags(command, arguments->realsense);
+  command.callback([arguments, &outcome] {
+    if (!arguments->camera.empty()) {
+      check(*arguments, outcome);
+      return;
+    }
+    if (arguments->capture.empty())
+      throw UsageError("CAPTURE", "is missing", "give a capture, or a camera with --camera");
+    if (arguments->out.empty()) throw UsageError("--out", "is missing", "give a folder");
+    measure(*arguments);
+  });
 }
 
 }  // namespace rva::cli

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "camera/realsense/realsense.hpp"
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
 #include "cloud/octree_detection.hpp"
+#include "depth/check_standard.hpp"
 #include "depth/noise.hpp"
 #include "detect/static_detection.hpp"
 #include "evaluate/study.hpp"
@@ -36,12 +38,13 @@ void print_table(const char* command) {
 void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
   print_table<StaticDetectionOptions, OctreeOptions>("rva detect");
-  print_table<NoiseOptions>("rva noise");
+  print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");
   print_table<MapCloudOptions, RefinementOptions>("rva map");
   print_table<CalibrationOptions>("rva calibrate");
-  print_table<ServerOptions, InspectorOptions, DriveOptions>("rva serve");
+  print_table<RealSenseOptions>("rva record");
+  print_table<ServerOptions, InspectorOptions, DriveOptions, RealSenseOptions>("rva serve");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "depth/capture_writer.hpp"
@@ -31,8 +32,32 @@ struct RecordArguments {
   std::uint64_t seed = 1;
   int dither = 1;
   CaptureFlags recording;
+  RealSenseOptions realsense;
   bool overwrite = false;
 };
+
+// What a device saw until something failed cannot be seen again: it is kept.
+Recorded record_once(Camera& camera, std::size_t frames, const CaptureWriter& writer, OutputFolder& out) {
+  std::size_t done = 0;
+  const Progress shown = terminal_progress();
+  const Progress counted = [&](std::string_view step, std::size_t now, std::size_t total) {
+    done = now;
+    if (shown) shown(step, now, total);
+  };
+  try {
+    return record(camera, frames, writer, counted);
+  } catch (const Interrupted&) {
+    if (done > 0)
+      fmt::print(stderr, "rva: {} frame(s) are kept in {}\n", done, printable(out.keep_partial()));
+    throw;
+  } catch (const Error& error) {
+    if (done == 0) throw;
+    throw Error(error.place(),
+                fmt::format("{} ({} frame(s) until then are kept in {})", error.problem(), done,
+                            printable(out.keep_partial())),
+                error.remedy());
+  }
+}
 
 void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   if (command.count("--seed") > 0 && !arguments.camera.starts_with("sim:"))
@@ -41,13 +66,16 @@ void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   const CaptureOptions recording = arguments.recording.options();
   OutputFolder out(arguments.out, capture_files(),
                    arguments.overwrite ? Existing::replace : Existing::refuse);
-  const std::unique_ptr<Camera> camera = open_camera(arguments.camera, arguments.seed, recording);
+  const std::unique_ptr<Camera> camera =
+      open_camera(arguments.camera, arguments.seed, recording, arguments.realsense);
   const CaptureInfo info = camera->info();
   // What a replayed capture says beyond the format stays with it.
   const CaptureWriter writer(
       out.path(""), info,
       info.format == "rva-capture" && !info.source_json.empty() ? info.source_json : "{}");
-  const Recorded recorded = record(*camera, arguments.frames, writer, terminal_progress());
+  const Recorded recorded = is_device(arguments.camera)
+                                ? record_once(*camera, arguments.frames, writer, out)
+                                : record(*camera, arguments.frames, writer, terminal_progress());
   out.commit();
   print("{}\n", arguments.out);
   if (recorded.lost > 0) print("{} frame(s) were lost between those recorded\n", recorded.lost);
@@ -93,7 +121,9 @@ void record_dithered(const RecordArguments& arguments) {
 void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& command = *program.add_subcommand("record", "records a capture from a camera");
   const auto arguments = std::make_shared<RecordArguments>();
-  command.add_option("--camera", arguments->camera, "sim:SCENE or replay:PATH")->required()->type_name("URI");
+  command.add_option("--camera", arguments->camera, "sim:SCENE, replay:PATH or realsense[:SERIAL]")
+      ->required()
+      ->type_name("URI");
   command.add_option("--out", arguments->out, "capture folder to write")->required()->type_name("DIR");
   command.add_option("--frames", arguments->frames, "depth frames")
       ->check(frame_count())
@@ -107,6 +137,7 @@ void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
       ->check(number_within(1, most_dithers))
       ->capture_default_str();
   arguments->recording.add_to(command);
+  add_flags(command, arguments->realsense);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier capture in DIR");
   command.callback([arguments, &command] {
     if (command.count("--dither") > 0)

@@ -29,6 +29,7 @@ struct ServeArguments {
   InspectorOptions inspector;
   DriveOptions drive;
   ServerOptions server;
+  RealSenseOptions realsense;
 };
 
 // On the command line or in the file.
@@ -42,7 +43,7 @@ void serve(ServeArguments arguments) {
   const PanTiltChain chain =
       arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
   if (arguments.server.console.empty()) arguments.server.console = console_folder();
-  LiveRig rig = open_live_rig(arguments.camera, arguments.robot, arguments.seed);
+  LiveRig rig = open_live_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   std::error_code failure;
   std::filesystem::create_directories(arguments.data, failure);
   SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
@@ -64,7 +65,8 @@ void serve(ServeArguments arguments) {
 void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& command = *program.add_subcommand("serve", "the operator console, in a browser");
   const auto arguments = std::make_shared<ServeArguments>();
-  command.add_option("--camera", arguments->camera, "sim:SCENE or replay:PATH")->type_name("URI");
+  command.add_option("--camera", arguments->camera, "sim:SCENE, replay:PATH or realsense[:SERIAL]")
+      ->type_name("URI");
   command.add_option("--robot", arguments->robot, "sim, serial:DEVICE, or none")
       ->type_name("URI")
       ->capture_default_str();
@@ -87,11 +89,12 @@ void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str();
   add_flags(command, arguments->inspector);
   add_flags(command, arguments->drive);
+  add_flags(command, arguments->realsense);
   command.add_option("--config", arguments->config, "file with any of these options, as option = value")
       ->type_name("FILE");
   command.callback([arguments, &command] {
     if (!arguments->config.empty()) apply_config_file(command, arguments->config);
-    require(arguments->camera, "--camera", "sim:SCENE or replay:PATH");
+    require(arguments->camera, "--camera", "sim:SCENE, replay:PATH or realsense[:SERIAL]");
     require(arguments->data, "--data", "a folder");
     serve(*arguments);
   });

@@ -120,7 +120,7 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> file
 }
 
 OutputFolder::~OutputFolder() {
-  if (committed_) return;
+  if (stays_) return;
   std::error_code ignored;
   fs::remove_all(staging_, ignored);
   remove_made_parents();
@@ -133,6 +133,11 @@ void OutputFolder::remove_made_parents() const {
   for (fs::path parent = target_.parent_path();; parent = parent.parent_path()) {
     if (!fs::remove(parent, failure) || parent == highest_made_) return;
   }
+}
+
+fs::path OutputFolder::keep_partial() {
+  stays_ = true;
+  return staging_;
 }
 
 void OutputFolder::commit() {
@@ -159,7 +164,7 @@ void OutputFolder::commit() {
     throw Error(printable(target_), fmt::format("cannot be put in place ({})", failure.message()),
                 "check the permissions there or choose another place");
   }
-  committed_ = true;
+  stays_ = true;
 }
 
 }  // namespace rva

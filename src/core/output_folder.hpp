@@ -33,6 +33,10 @@ class OutputFolder {
     return staging_ / name;
   }
 
+  /// Leaves what was written where it is now, beside the target, for a person to see to.
+  /// @return its path
+  std::filesystem::path keep_partial();
+
   /// Puts the folder in its place, and looks again whether it may. @throws Error and leaves the target as it
   /// was.
   void commit();
@@ -45,7 +49,7 @@ class OutputFolder {
   Existing existing_;
   std::filesystem::path staging_;
   std::filesystem::path highest_made_;  // of the target's parents, the first that was not there; may be empty
-  bool committed_ = false;
+  bool stays_ = false;
 };
 
 }  // namespace rva

@@ -1,0 +1,19 @@
+// RealSense cameras by what Linux says of its USB ports: also of those that cannot be opened.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rva {
+
+struct PluggedIn {
+  std::string product;  ///< "Intel(R) RealSense(TM) Depth Camera 435"
+  double speed_mbps = 0.0;
+};
+
+/// @param devices where Linux lists them
+[[nodiscard]] std::vector<PluggedIn> plugged_in_realsense(
+    const std::filesystem::path& devices = "/sys/bus/usb/devices");
+
+}  // namespace rva

@@ -1,0 +1,278 @@
+#include "camera/realsense/realsense_camera.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "camera/realsense/plugged_in.hpp"
+#include "camera/realsense/realsense_frames.hpp"
+#include "camera/realsense/realsense_settings.hpp"
+#include "core/clock.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "core/path_text.hpp"
+
+namespace rva {
+namespace {
+
+constexpr int width = 848;
+constexpr int height = 480;
+// A second of frames: a reader who is later loses the oldest.
+constexpr unsigned most_waiting = 30;
+
+std::string text_of(const rs2::device& device, rs2_camera_info what) {
+  return device.supports(what) ? device.get_info(what) : "";
+}
+
+// librealsense says what the system said, in words.
+Error not_opened(const std::string& place, const rs2::error& failure) {
+  const std::string says = failure.what();
+  const auto mentions = [&](const char* word) { return says.find(word) != std::string::npos; };
+  if (mentions("busy") || mentions("Busy"))
+    return {place, "is in use by another program", "close it (realsense-viewer?) and try again"};
+  if (mentions("ermission") || mentions("ccess"))
+    return {place, "may not be opened by this user",
+            "install librealsense's udev rules (see docs/cameras.md) and plug the camera in again"};
+  return {place, fmt::format("does not start ({})", printable(says)), "plug it in again, at a USB 3 port"};
+}
+
+rs2::config streams(const std::string& serial, int rate_hz, bool color, bool infrared) {
+  rs2::config config;
+  config.enable_device(serial);
+  config.enable_stream(RS2_STREAM_DEPTH, width, height, RS2_FORMAT_Z16, rate_hz);
+  if (color) config.enable_stream(RS2_STREAM_COLOR, width, height, RS2_FORMAT_RGB8, rate_hz);
+  if (infrared) config.enable_stream(RS2_STREAM_INFRARED, 1, width, height, RS2_FORMAT_Y8, rate_hz);
+  return config;
+}
+
+CaptureInfo describe(const rs2::pipeline_profile& profile, const rs2::sensor& depth_sensor) {
+  const rs2::device device = profile.get_device();
+  const auto depth = profile.get_stream(RS2_STREAM_DEPTH).as<rs2::video_stream_profile>();
+  CaptureInfo info;
+  info.depth = to_intrinsics(depth.get_intrinsics());
+  // The camera holds it as a float.
+  info.depth_unit_m =
+      std::round(1e7 * static_cast<double>(depth_sensor.get_option(RS2_OPTION_DEPTH_UNITS))) / 1e7;
+  CameraInfo camera{text_of(device, RS2_CAMERA_INFO_NAME),
+                    text_of(device, RS2_CAMERA_INFO_SERIAL_NUMBER),
+                    {},
+                    text_of(device, RS2_CAMERA_INFO_FIRMWARE_VERSION),
+                    text_of(device, RS2_CAMERA_INFO_USB_TYPE_DESCRIPTOR),
+                    {}};
+  if (depth_sensor.supports(RS2_OPTION_STEREO_BASELINE))
+    camera.baseline_m = 0.001 * static_cast<double>(depth_sensor.get_option(RS2_OPTION_STEREO_BASELINE));
+  for (const rs2::sensor& sensor : device.query_sensors())
+    camera
+        .settings[sensor.supports(RS2_CAMERA_INFO_NAME) ? sensor.get_info(RS2_CAMERA_INFO_NAME) : "sensor"] =
+        read_settings(sensor);
+  info.camera = std::move(camera);
+  for (const rs2::stream_profile& stream : profile.get_streams()) {
+    if (stream.stream_type() != RS2_STREAM_COLOR) continue;
+    info.color = to_intrinsics(stream.as<rs2::video_stream_profile>().get_intrinsics());
+    info.color_from_depth = to_transform(depth.get_extrinsics_to(stream));
+  }
+  return info;
+}
+
+void note_slow_port(CaptureInfo& info, int rate_hz, const RealSenseOptions& options) {
+  if (rate_hz != static_cast<int>(options.rate_hz))
+    info.notes.push_back(fmt::format("the camera gives {} frames a second here, not {:.0f} as asked", rate_hz,
+                                     options.rate_hz));
+  if (info.camera->usb.starts_with("2")) {
+    info.notes.push_back(fmt::format(
+        "the camera is at a USB {} port, which is too slow for all frames: use a USB 3 port and cable",
+        info.camera->usb));
+  }
+}
+
+}  // namespace
+
+std::vector<FoundCamera> cameras_of(const rs2::context& context) {
+  std::vector<FoundCamera> found;
+  for (const rs2::device& device : context.query_devices()) {
+    found.push_back({text_of(device, RS2_CAMERA_INFO_NAME), text_of(device, RS2_CAMERA_INFO_SERIAL_NUMBER),
+                     text_of(device, RS2_CAMERA_INFO_FIRMWARE_VERSION),
+                     text_of(device, RS2_CAMERA_INFO_USB_TYPE_DESCRIPTOR)});
+  }
+  if (const auto there = plugged_in_realsense(); found.empty() && !there.empty()) {
+    throw Error(printable(there.front().product), "is plugged in, but may not be opened by this user",
+                "install librealsense's udev rules (see docs/cameras.md) and plug the camera in again");
+  }
+  return found;
+}
+
+RealSenseCamera::RealSenseCamera(rs2::context context, std::string serial, const RealSenseOptions& options,
+                                 double silence_s)
+    : context_(std::move(context)),
+      serial_(std::move(serial)),
+      options_(options),
+      silence_s_(silence_s),
+      queue_(most_waiting, true) {
+  check_options(options_);
+  if (serial_.empty()) {
+    const std::vector<FoundCamera> found = cameras_of(context_);
+    if (found.size() > 1) {
+      std::string serials;
+      for (const FoundCamera& camera : found)
+        serials += (serials.empty() ? "realsense:" : ", realsense:") + printable(camera.serial);
+      throw Error("realsense", "there are several cameras", "name one: " + serials);
+    }
+    if (found.empty()) throw Error("realsense", "no camera is there", "plug one in, at a USB 3 port");
+    serial_ = found.front().serial;
+  }
+  open();
+}
+
+RealSenseCamera::~RealSenseCamera() { close(); }
+
+bool RealSenseCamera::is_there() const {
+  return std::ranges::any_of(cameras_of(context_),
+                             [&](const FoundCamera& camera) { return camera.serial == serial_; });
+}
+
+void RealSenseCamera::open() {
+  const std::string place = "realsense:" + printable(serial_);
+  // Starting waits for 15 seconds where there is none.
+  if (!is_there()) throw Error(place, "no such camera is there", "plug it in, or see `rva cameras`");
+  try {
+    rs2::device device;
+    for (const rs2::device& candidate : context_.query_devices()) {
+      if (text_of(candidate, RS2_CAMERA_INFO_SERIAL_NUMBER) == serial_) device = candidate;
+    }
+    const rs2::sensor depth_sensor = device.first<rs2::depth_sensor>();
+    std::vector<std::string> notes = apply_settings(depth_sensor, options_);
+    rs2::pipeline pipeline(context_);
+    const auto asked_hz = static_cast<int>(options_.rate_hz);
+    // Some have no colour; a slow port has no rate that high.
+    for (const int rate_hz : {asked_hz, 15, 10, 6}) {
+      for (const bool color : {true, false}) {
+        const rs2::config config = streams(serial_, rate_hz, color, options_.infrared);
+        if (!config.can_resolve(pipeline)) continue;
+        const rs2::pipeline_profile profile = pipeline.start(config, queue_);
+        CaptureInfo info = describe(profile, depth_sensor);
+        info.notes = std::move(notes);
+        note_slow_port(info, rate_hz, options_);
+        const std::lock_guard lock(mutex_);
+        info_ = std::move(info);
+        depth_sensor_ = depth_sensor;
+        pipeline_ = std::move(pipeline);
+        return;
+      }
+    }
+  } catch (const rs2::error& failure) {
+    throw not_opened(place, failure);
+  }
+  throw Error(place, fmt::format("gives no depth of {}x{} pixels", width, height),
+              "use a D415, D435 or D455 at a USB 3 port");
+}
+
+void RealSenseCamera::close() {
+  if (!pipeline_) return;
+  try {
+    pipeline_->stop();
+  } catch (const rs2::error&) {
+    // It is gone already.
+  }
+  pipeline_.reset();
+  device_number_.reset();
+}
+
+CaptureInfo RealSenseCamera::info() const {
+  const std::lock_guard lock(mutex_);
+  return info_;
+}
+
+rs2::frameset RealSenseCamera::next_frameset() {
+  constexpr unsigned slice_ms = 100;
+  const Clock clock = steady_clock();
+  const double until_s = clock.now_s() + silence_s_;
+  while (clock.now_s() < until_s) {
+    throw_if_interrupted();
+    rs2::frame frame;
+    if (!queue_.try_wait_for_frame(&frame, slice_ms)) continue;
+    rs2::frameset set(frame);
+    // The pipeline gives the last depth again when colour comes alone.
+    const rs2::depth_frame depth = set.get_depth_frame();
+    if (depth && depth.get_frame_number() != device_number_) return set;
+  }
+  const bool there = is_there();
+  close();
+  throw Error("realsense:" + printable(serial_),
+              there ? "has given no frame for some seconds" : "has been unplugged", "check its cable");
+}
+
+// A camera that was away counts from the beginning; what was missed is known by the time that passed.
+void RealSenseCamera::count(std::uint64_t device_number) {
+  const double now_s = steady_clock().now_s();
+  if (device_number_ && device_number > *device_number_)
+    number_ += device_number - *device_number_;
+  else if (last_frame_s_ > 0.0)
+    number_ += std::max<std::uint64_t>(1, std::llround((now_s - last_frame_s_) * options_.rate_hz));
+  device_number_ = device_number;
+  last_frame_s_ = now_s;
+}
+
+FrameMetadata RealSenseCamera::metadata_of(const rs2::depth_frame& depth) {
+  constexpr std::uint64_t frames_between = 30;
+  FrameMetadata metadata = to_metadata(depth);
+  if (!temperature_c_ || number_ % frames_between == 0) {
+    try {
+      if (depth_sensor_.supports(RS2_OPTION_ASIC_TEMPERATURE))
+        temperature_c_ = static_cast<double>(depth_sensor_.get_option(RS2_OPTION_ASIC_TEMPERATURE));
+    } catch (const rs2::error&) {
+      temperature_c_.reset();  // it does not answer just now
+    }
+  }
+  metadata.counter = number_;
+  metadata.temperature_c = temperature_c_;
+  return metadata;
+}
+
+std::optional<CameraFrame> RealSenseCamera::wait_for_frame() {
+  if (!pipeline_) open();
+  try {
+    const rs2::frameset set = next_frameset();
+    const rs2::depth_frame depth = set.get_depth_frame();
+    count(depth.get_frame_number());
+    CameraFrame frame;
+    frame.depth = to_depth_image(depth);
+    if (const rs2::video_frame color = set.get_color_frame()) frame.color = to_color_image(color);
+    if (const rs2::video_frame infrared = set.get_infrared_frame(1)) frame.infrared = to_gray_image(infrared);
+    frame.number = number_;
+    frame.time_s = 1e-3 * depth.get_timestamp();
+    frame.metadata = metadata_of(depth);
+    return frame;
+  } catch (const rs2::error& failure) {
+    close();
+    throw Error("realsense:" + printable(serial_), printable(failure.what()), "plug it in again");
+  }
+}
+
+void RealSenseCamera::drop_waiting() {
+  rs2::frame frame;
+  while (queue_.poll_for_frame(&frame)) {
+  }
+}
+
+namespace {
+
+// One for the process: each takes seconds to be destroyed.
+const rs2::context& shared_context() {
+  static const rs2::context context;
+  return context;
+}
+
+}  // namespace
+
+bool has_realsense() { return true; }
+
+std::vector<FoundCamera> realsense_cameras() { return cameras_of(shared_context()); }
+
+std::unique_ptr<Camera> open_realsense(const std::string& serial, const RealSenseOptions& options) {
+  return std::make_unique<RealSenseCamera>(shared_context(), serial, options);
+}
+
+}  // namespace rva

@@ -1,0 +1,57 @@
+// A RealSense camera of a given librealsense context; apart from realsense.hpp so that tests can bring their
+// own.
+#pragma once
+
+#include <cstdint>
+#include <librealsense2/rs.hpp>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "camera/camera.hpp"
+#include "camera/realsense/realsense.hpp"
+
+namespace rva {
+
+class RealSenseCamera : public Camera {
+ public:
+  /// @param silence_s without a frame for so long, the camera is taken to be gone
+  /// @throws as open_realsense()
+  RealSenseCamera(rs2::context context, std::string serial, const RealSenseOptions& options,
+                  double silence_s = 5.0);
+  ~RealSenseCamera() override;
+  RealSenseCamera(const RealSenseCamera&) = delete;
+  RealSenseCamera& operator=(const RealSenseCamera&) = delete;
+
+  [[nodiscard]] CaptureInfo info() const override;
+  [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
+  void drop_waiting() override;
+
+ private:
+  void open();
+  void close();
+  [[nodiscard]] bool is_there() const;
+  [[nodiscard]] rs2::frameset next_frameset();
+  [[nodiscard]] FrameMetadata metadata_of(const rs2::depth_frame& depth);
+  void count(std::uint64_t device_number);
+
+  rs2::context context_;
+  std::string serial_;
+  RealSenseOptions options_;
+  double silence_s_;
+  rs2::frame_queue queue_;
+  std::optional<rs2::pipeline> pipeline_;  // empty while the camera is away
+  rs2::sensor depth_sensor_;
+  mutable std::mutex mutex_;  // guards the next
+  CaptureInfo info_;
+  std::uint64_t number_ = 0;                      // of the frame given last
+  std::optional<std::uint64_t> device_number_{};  // the same, as the camera counts since it was opened
+  double last_frame_s_ = 0.0;
+  std::optional<double> temperature_c_{};
+};
+
+/// @throws Error where one is plugged in that cannot be opened
+[[nodiscard]] std::vector<FoundCamera> cameras_of(const rs2::context& context);
+
+}  // namespace rva

@@ -1,0 +1,23 @@
+// What librealsense gives, as ours.
+#pragma once
+
+#include <librealsense2/rs.hpp>
+#include <optional>
+
+#include "depth/capture.hpp"
+
+namespace rva {
+
+[[nodiscard]] DepthImage to_depth_image(const rs2::depth_frame& frame);
+/// @param frame of RGB8
+[[nodiscard]] ColorImage to_color_image(const rs2::video_frame& frame);
+/// @param frame of Y8
+[[nodiscard]] GrayImage to_gray_image(const rs2::video_frame& frame);
+
+[[nodiscard]] Intrinsics to_intrinsics(const rs2_intrinsics& intrinsics);
+[[nodiscard]] Transform to_transform(const rs2_extrinsics& a_from_b);
+
+/// What comes with the frame itself; not the temperature.
+[[nodiscard]] FrameMetadata to_metadata(const rs2::depth_frame& frame);
+
+}  // namespace rva

@@ -1,0 +1,143 @@
+#include "cli/camera_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "camera/camera_check.hpp"
+#include "cli/printing.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/path_text.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How a person reads a quantity, and what to do when it is not as usual.
+struct Wording {
+  const char* unit;
+  double units;  // of one
+  const char* advice;
+};
+
+const Wording& wording_of(std::string_view quantity) {
+  static const std::map<std::string_view, Wording> wordings{
+      {"noise", {"mm", 1.0, "clean its windows; see that light and exposure are the usual ones"}},
+      {"measured", {"%", 100.0, "clean its windows; see that the scene is the usual one"}},
+      {"drift", {"%", 100.0, "let it warm up and check again"}},
+      {"distance", {"m", 1.0, "put it before the usual scene, where it always stands"}}};
+  return wordings.at(quantity);
+}
+
+fs::path own_folder() {
+  const auto variable = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  if (const fs::path state = variable("XDG_STATE_HOME"); state.is_absolute())
+    return state / "rva" / "cameras";
+  const fs::path home = variable("HOME");
+  if (!home.is_absolute()) throw Error("--history", "there is no home folder to keep it in", "name a folder");
+  return home / ".local" / "state" / "rva" / "cameras";
+}
+
+// A history is a camera's, not a port's: by its serial number.
+std::string file_name(const CaptureInfo& info) {
+  const CameraInfo camera = info.camera.value_or(CameraInfo{});
+  std::string name = camera.serial.empty() ? camera.model : camera.serial;
+  std::ranges::replace_if(
+      name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '-');
+  return (name.empty() ? "camera" : name) + ".jsonl";
+}
+
+std::vector<CameraCheck> earlier_checks(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return {};
+  return parse_checks(read_text_file(file), printable(file));
+}
+
+void add_to_history(const fs::path& file, const CameraCheck& check) {
+  std::error_code ignored;  // where the folder is missing in the end, the file says why
+  fs::create_directories(file.parent_path(), ignored);
+  append_to_file(file, check_line(check) + "\n");
+}
+
+std::string limits_of(const CheckedQuantity& quantity) {
+  const double units = wording_of(quantity.name).units;
+  if (quantity.low && quantity.high)
+    return fmt::format("{:.3g} to {:.3g}", units * *quantity.low, units * *quantity.high);
+  if (quantity.low) return fmt::format("{:.3g} or more", units * *quantity.low);
+  if (quantity.high) return fmt::format("{:.3g} or less", units * *quantity.high);
+  return "-";
+}
+
+Json to_json(const CameraCheck& check, const CameraJudgement& judgement, const fs::path& file) {
+  Json json{{"format", "rva-camera-check"}, {"version", 1},
+            {"taken_at", check.taken_at},   {"frames", check.frames},
+            {"known", judgement.known},     {"fit", judgement.fit},
+            {"earlier", judgement.earlier}};
+  if (check.temperature_c) json["temperature_c"] = *check.temperature_c;
+  json["quantities"] = Json::array();
+  for (const CheckedQuantity& quantity : judgement.quantities) {
+    Json entry{{"name", quantity.name}, {"value", quantity.value}, {"fit", quantity.fit}};
+    if (quantity.low) entry["low"] = *quantity.low;
+    if (quantity.high) entry["high"] = *quantity.high;
+    json["quantities"].push_back(entry);
+  }
+  json["history"] = file.string();
+  return json;
+}
+
+void print_for_a_person(const CameraCheck& check, const CameraJudgement& judgement,
+                        const CheckStandardOptions& options) {
+  print("{:<10}  {:>10}      {}\n", "", "now", "usual");
+  for (const CheckedQuantity& quantity : judgement.quantities) {
+    const Wording& wording = wording_of(quantity.name);
+    print("{:<10}  {:>10.4g} {:<2}  {:<18} {}\n", quantity.name, wording.units * quantity.value, wording.unit,
+          limits_of(quantity), quantity.fit ? "" : "not as usual");
+  }
+  if (check.temperature_c) print("{:<10}  {:>10.1f} C\n", "chip", *check.temperature_c);
+  if (!judgement.known) {
+    print("not known: {} of {} earlier checks that it takes to judge; this one is kept\n", judgement.earlier,
+          options.least_checks);
+    return;
+  }
+  if (judgement.fit) {
+    print("fit: as in its {} earlier checks\n", judgement.earlier);
+    return;
+  }
+  for (const CheckedQuantity& quantity : judgement.quantities)
+    if (!quantity.fit) print("not fit: {}; {}\n", quantity.name, wording_of(quantity.name).advice);
+}
+
+}  // namespace
+
+bool check_before_work(Camera& camera, const CameraCheckArguments& arguments) {
+  check_options(arguments.options);
+  const fs::path folder = arguments.history.empty() ? own_folder() : fs::path(arguments.history);
+  const fs::path file = folder / file_name(camera.info());
+  const std::vector<CameraCheck> earlier = earlier_checks(file);
+  CameraCheck check = check_camera(camera, arguments.frames, terminal_progress());
+  const CameraJudgement judgement = judge(check, earlier, arguments.options);
+  check.fit = judgement.fit;
+  add_to_history(file, check);
+  if (arguments.json) {
+    print("{}\n", to_json(check, judgement, file).dump(1, ' ', false, Json::error_handler_t::replace));
+  } else {
+    print_for_a_person(check, judgement, arguments.options);
+  }
+  return judgement.fit;
+}
+
+}  // namespace rva::cli

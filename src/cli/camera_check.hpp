@@ -1,0 +1,23 @@
+// `rva noise --camera`: a camera against its own history.
+#pragma once
+
+#include <string>
+
+#include "camera/camera.hpp"
+#include "depth/check_standard.hpp"
+
+namespace rva::cli {
+
+struct CameraCheckArguments {
+  std::size_t frames = 60;
+  std::string history;  ///< folder; empty: the user's own
+  CheckStandardOptions options;
+  bool json = false;
+};
+
+/// Measures, judges, prints, and adds the check to the history.
+/// @return whether the camera is fit; true also where nothing is known of it
+/// @throws Error
+[[nodiscard]] bool check_before_work(Camera& camera, const CameraCheckArguments& arguments);
+
+}  // namespace rva::cli

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "cli/commands.hpp"
+#include "cli/option_flags.hpp"
+#include "cli/printing.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "core/path_text.hpp"
+#include "depth/open3d_writer.hpp"
+#include "map/capture_points.hpp"
+#include "map/point_files.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva::cli {
+namespace {
+
+struct ExportArguments {
+  std::string capture;
+  std::string to;
+  std::string out;
+  CaptureFlags captures;
+  bool overwrite = false;
+};
+
+void write_points(const fs::path& file, const std::string& to, std::span<const MapPoint> points) {
+  to == "ply" ? write_ply(file, points) : write_pcd(file, points);
+}
+
+void export_points(const ExportArguments& arguments, const Capture& capture) {
+  const fs::path file = arguments.out;
+  std::error_code failure;
+  if (fs::exists(file, failure) && (!arguments.overwrite || !fs::is_regular_file(file, failure)))
+    throw Error(printable(file), "is there already",
+                "choose another name, or give --overwrite to replace a file");
+  const fs::path partial = file.native() + fmt::format(".partial-{}", ::getpid());
+  try {
+    write_points(partial, arguments.to, points_of(capture, terminal_progress()));
+    fs::rename(partial, file, failure);
+    if (failure)
+      throw Error(printable(file), fmt::format("cannot be put in place ({})", failure.message()),
+                  "check the permissions there or choose another place");
+  } catch (...) {
+    fs::remove(partial, failure);
+    throw;
+  }
+}
+
+void export_capture(const ExportArguments& arguments) {
+  const std::unique_ptr<Capture> capture = open_capture(arguments.capture, arguments.captures.options());
+  if (arguments.to == "open3d") {
+    OutputFolder out(arguments.out, open3d_files(),
+                     arguments.overwrite ? Existing::replace : Existing::refuse);
+    write_open3d_folder(*capture, out.path(""), terminal_progress());
+    out.commit();
+  } else {
+    export_points(arguments, *capture);
+  }
+  print("{}\n", arguments.out);
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& program, Outcome& /*outcome*/) {
+  CLI::App& command = *program.add_subcommand("export", "writes a capture as other programs read it");
+  const auto arguments = std::make_shared<ExportArguments>();
+  command.add_option("CAPTURE", arguments->capture, "a capture")->required();
+  command.add_option("--to", arguments->to, "ply or pcd: one cloud of points; open3d: a folder of frames")
+      ->required()
+      ->check(CLI::IsMember({"ply", "pcd", "open3d"}))
+      ->type_name("FORMAT");
+  command.add_option("--out", arguments->out, "file, or folder for open3d")->required()->type_name("PATH");
+  arguments->captures.add_to(command);
+  command.add_flag("--overwrite", arguments->overwrite, "replace what is there");
+  command.callback([arguments] { export_capture(*arguments); });
+}
+
+}  // namespace rva::cli
