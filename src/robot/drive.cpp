@@ -65,10 +65,14 @@ DriveState Drive::state() const {
 }
 
 Drive::Loan::Loan(Drive& drive) : drive_(drive) {
-  const std::lock_guard lock(drive_.mutex_);
+  constexpr std::chrono::seconds longest_wait{2};  // for a robot that does not answer
+  std::unique_lock lock(drive_.mutex_);
   ++drive_.loans_;
   drive_.state_.lent = true;
   drive_.state_.armed = false;
+  drive_.news_ = true;
+  drive_.changed_.notify_all();
+  drive_.changed_.wait_for(lock, longest_wait, [&] { return !drive_.news_ && !drive_.state_.driving; });
 }
 
 Drive::Loan::~Loan() {
@@ -96,7 +100,6 @@ Drive::Orders Drive::take_orders() {
     deflection_ = {};
   }
   Orders orders{state_.armed ? deflection_ : Deflection{}, halt_};
-  halt_ = false;
   news_ = false;
   return orders;
 }
@@ -104,8 +107,10 @@ Drive::Orders Drive::take_orders() {
 void Drive::follow(const Orders& orders) {
   try {
     if (orders.halt) {
-      target_.reset();
       robot_.stop();
+      target_.reset();
+      const std::lock_guard lock(mutex_);
+      halt_ = false;  // not before the robot has taken it: a stop that failed is said again
     } else if (orders.deflection != Deflection{}) {
       advance(orders.deflection);
     } else {
@@ -119,6 +124,7 @@ void Drive::follow(const Orders& orders) {
     halt();
   }
   const std::lock_guard lock(mutex_);
+  changed_.notify_all();
   state_.driving = target_.has_value();
   state_.at_limit = target_ && (pushes_against(orders.deflection.pan, target_->pan_deg, limits_.pan) ||
                                 pushes_against(orders.deflection.tilt, target_->tilt_deg, limits_.tilt));
@@ -143,8 +149,8 @@ void Drive::advance(const Deflection& deflection) {
 
 void Drive::stop_moving() {
   if (!target_) return;
-  target_.reset();
   robot_.stop();
+  target_.reset();
 }
 
 void Drive::ask_joints() {

@@ -64,7 +64,8 @@ class Drive {
   [[nodiscard]] DriveState state() const;
   [[nodiscard]] RobotLimits limits() const { return limits_; }
 
-  /// While it lives, the robot is moved by somebody else, and sticks have no say; halt() does.
+  /// While it lives, the robot is moved by somebody else, and sticks have no say; halt() does. It begins when
+  /// the robot has been told to stop, if it was driven.
   class Loan {
    public:
     explicit Loan(Drive& drive);

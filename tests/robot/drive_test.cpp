@@ -35,6 +35,7 @@ class ObedientRobot : public Robot {
   [[nodiscard]] bool moving() override { return false; }
   void stop() override {
     const std::lock_guard lock(mutex_);
+    if (deaf_) throw Error("robot", "does not hear", "check its cable");
     ++stops_;
   }
 
@@ -43,6 +44,10 @@ class ObedientRobot : public Robot {
   void set_broken(bool broken) {
     const std::lock_guard lock(mutex_);
     broken_ = broken;
+  }
+  void set_deaf(bool deaf) {
+    const std::lock_guard lock(mutex_);
+    deaf_ = deaf;
   }
 
  private:
@@ -55,6 +60,7 @@ class ObedientRobot : public Robot {
   int moves_ = 0;
   int stops_ = 0;
   bool broken_ = false;
+  bool deaf_ = false;
 };
 
 class Driving : public testing::Test {
@@ -144,6 +150,25 @@ TEST_F(Driving, ARobotThatRefusesIsSaidAndDisarms) {
   EXPECT_TRUE(hold_until({1.0, 0.0}, [&] { return !drive_.state().problem.empty(); }));
   EXPECT_THAT(drive_.state().problem, HasSubstr("jammed"));
   EXPECT_TRUE(eventually([&] { return !drive_.state().armed; }));
+}
+
+TEST_F(Driving, ALoanBeginsWhenTheRobotWasToldToStop) {
+  ASSERT_TRUE(hold_until({1.0, 0.0}, [&] { return drive_.state().driving; }));
+  const Drive::Loan loan(drive_);
+  EXPECT_FALSE(drive_.state().driving);
+  const int stops = robot_.stops();
+  EXPECT_GE(stops, 1);
+  std::this_thread::sleep_for(milliseconds(200));
+  EXPECT_EQ(robot_.stops(), stops) << "what the capture moves is not stopped by a stick that was held before";
+}
+
+TEST_F(Driving, AStopThatTheRobotDidNotTakeIsSaidAgain) {
+  robot_.set_deaf(true);
+  drive_.halt();
+  ASSERT_TRUE(eventually([&] { return drive_.state().problem.find("does not hear") != std::string::npos; }));
+  EXPECT_EQ(robot_.stops(), 0);
+  robot_.set_deaf(false);
+  EXPECT_TRUE(eventually([&] { return robot_.stops() == 1; }));
 }
 
 TEST(Drive, StopsWhatItDroveWhenItEnds) {
