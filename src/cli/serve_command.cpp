@@ -11,6 +11,7 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
+#include "core/folder_lock.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "inspect/inspector.hpp"
 #include "server/web_server.hpp"
@@ -46,6 +47,7 @@ void serve(ServeArguments arguments) {
   LiveRig rig = open_live_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   std::error_code failure;
   std::filesystem::create_directories(arguments.data, failure);
+  const FolderLock lock(arguments.data);
   SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
   LiveCamera camera(std::move(rig.camera));
   const std::unique_ptr<Drive> drive =

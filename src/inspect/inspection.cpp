@@ -44,9 +44,15 @@ std::optional<Verdict> verdict_from_name(std::string_view name) { return value_i
 
 std::string_view name_of(Stage stage) { return name_in(stages, stage); }
 
+std::optional<double> least_judged(const Inspection& inspection) {
+  if (inspection.compared.empty() || inspection.compared.size() != inspection.views.size())
+    return std::nullopt;
+  return std::ranges::min(inspection.compared, {}, &ComparedView::judged).judged;
+}
+
 Stage stage_of(const Inspection& inspection) {
   if (!inspection.initial) return Stage::baseline;
-  if (inspection.compared_at.empty()) return Stage::work;
+  if (inspection.compared_at.empty() || !least_judged(inspection)) return Stage::work;
   const bool settled = std::ranges::all_of(inspection.findings, is_settled);
   return settled ? Stage::done : Stage::review;
 }

@@ -85,7 +85,11 @@ struct Inspection {
 /// Somebody has decided, and not for a second look.
 [[nodiscard]] bool is_settled(const ReviewedFinding& finding);
 
-/// What is to be done next.
+/// The share of all views where a change could have been found, at worst.
+/// @return empty where a view was not compared
+[[nodiscard]] std::optional<double> least_judged(const Inspection& inspection);
+
+/// What is to be done next. Nothing is done that was not compared in all its views.
 enum class Stage { baseline, work, review, done };
 [[nodiscard]] std::string_view name_of(Stage stage);
 [[nodiscard]] Stage stage_of(const Inspection& inspection);

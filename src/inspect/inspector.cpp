@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/path_text.hpp"
+#include "depth/capture.hpp"
 #include "inspect/view_comparison.hpp"
 #include "map/waypoints.hpp"
 #include "robot/dither.hpp"
@@ -23,7 +25,14 @@ constexpr double most_dither_deg = 2.3;
 std::string title(std::int64_t id) { return fmt::format("inspection {}", id); }
 
 void require_person(const std::string& person) {
-  if (person.find_first_not_of(" \t") == std::string::npos)
+  // Blanks and marks of Unicode begin with these bytes; letters of all scripts but Latin's with other ones.
+  constexpr unsigned char general_punctuation = 0xE2;
+  const bool hidden =
+      std::ranges::any_of(person, [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; });
+  const bool legible = std::ranges::any_of(person, [](unsigned char byte) {
+    return std::isalnum(byte) != 0 || (byte >= 0xC3 && byte != general_punctuation);
+  });
+  if (hidden || !legible || person.find("\u202e") != std::string::npos)
     throw Error("person", "nobody is named", "say who you are");
 }
 
@@ -51,10 +60,11 @@ Inspector::~Inspector() {
 
 std::int64_t Inspector::begin(const InspectionOrder& order) {
   require_person(order.person);
+  const std::optional<PanTilt> joints = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints;
+  if (!joints) throw Error("robot", "does not say where it stands", "see that it answers, then begin");
   const std::int64_t id =
       records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither);
-  const PanTilt here = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints.value_or(PanTilt{});
-  records_.set_views(id, {here});
+  records_.set_views(id, {*joints});
   return id;
 }
 
@@ -83,6 +93,35 @@ std::vector<PanTilt> Inspector::waypoints_of(const Inspection& inspection) const
 bool Inspector::is_begun(std::int64_t id) const {
   std::error_code ignored;
   return std::filesystem::exists(folder(id).side(Side::initial), ignored);
+}
+
+// What was begun on a robot cannot go on without, nor the other way round.
+void Inspector::require_same_rig(const Inspection& inspection) const {
+  if (inspection.views.empty()) throw Error(title(inspection.id), "has no view", "add one");
+  const std::filesystem::path first = folder(inspection.id).capture(Side::initial, inspection, 0, 0);
+  std::error_code ignored;
+  const bool with_robot = rig_.drive != nullptr;
+  bool began_with_robot = inspection.dither > 1 || inspection.views.size() > 1;
+  if (std::filesystem::exists(first / "capture.json", ignored)) {
+    const std::optional<Pose> pose = open_capture(first)->info().pose;
+    began_with_robot = pose && pose->pan_deg;
+  } else if (!began_with_robot) {
+    return;  // nothing is there that could differ
+  }
+  if (began_with_robot == with_robot) return;
+  throw Error(
+      title(inspection.id),
+      began_with_robot ? "was begun with a robot" : "was begun with a camera that stands still",
+      began_with_robot ? "start the program with --robot as then" : "start the program without --robot");
+}
+
+// The work is not done on a baseline that has gone.
+void Inspector::require_baseline(const Inspection& inspection) const {
+  const auto dithers = static_cast<int>(waypoints_of(inspection).size() / inspection.views.size());
+  for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
+    for (int dither = 0; dither < dithers; ++dither)
+      static_cast<void>(open_capture(folder(inspection.id).capture(Side::initial, inspection, view, dither)));
+  }
 }
 
 void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
@@ -185,9 +224,11 @@ void Inspector::capture(std::int64_t id, Side side, const std::string& person, b
   const Inspection before = inspection(id);
   if (side == Side::final && !before.initial)
     throw Error(title(id), "has no baseline to compare with", "take it before the work");
-  if (side == Side::initial && before.final)
-    throw Error(title(id), "was captured after the work already", "begin another inspection");
-  const bool again = side == Side::initial ? before.initial.has_value() : before.final.has_value();
+  if (side == Side::initial && before.initial)
+    throw Error(title(id), "has its baseline", "begin another inspection for another one");
+  require_same_rig(before);
+  if (side == Side::final) require_baseline(before);
+  const bool again = side == Side::final && before.final.has_value();
   const int captures = std::max(1, before.dither);
   SideCapture wanted{waypoints_of(before), folder(id).side(side), base_of(id, replaced),
                      static_cast<std::size_t>((options_.frames + captures - 1) / captures), again};
@@ -202,6 +243,8 @@ void Inspector::compare(std::int64_t id) {
   const Inspection before = inspection(id);
   if (!before.initial || !before.final)
     throw Error(title(id), "is not captured before and after the work", "take both captures");
+  require_same_rig(before);
+  require_baseline(before);
   start({.kind = TaskKind::comparison, .inspection = id}, [this, before] { compare_now(before); });
 }
 
@@ -214,6 +257,11 @@ void Inspector::compare_now(const Inspection& inspection) {
 
 void Inspector::cancel() { cancelled_ = true; }
 
+void Inspector::stop_capture() {
+  const std::lock_guard lock(mutex_);
+  if (task_.end == TaskEnd::running && task_.kind == TaskKind::capture) cancelled_ = true;
+}
+
 TaskState Inspector::task() const {
   const std::lock_guard lock(mutex_);
   return task_;
@@ -224,9 +272,13 @@ std::optional<Readiness> Inspector::readiness() const {
   return readiness_;
 }
 
-void Inspector::decide(std::int64_t id, int finding, const Decision& decision) {
+void Inspector::decide(std::int64_t id, const std::string& compared_at, int finding,
+                       const Decision& decision) {
   require_person(decision.person);
-  records_.decide(id, finding, decision);
+  const TaskState now = task();
+  if (now.end == TaskEnd::running && now.kind != TaskKind::readiness && now.inspection == id)
+    throw Error(title(id), "is captured or compared just now", "wait, and decide on what is found then");
+  records_.decide(id, compared_at, finding, decision);
 }
 
 }  // namespace rva

@@ -52,6 +52,7 @@ class Inspector {
   [[nodiscard]] std::int64_t begin(const InspectionOrder& order);
   /// Newest first.
   [[nodiscard]] std::vector<std::int64_t> inspections() const { return records_.inspections(); }
+  [[nodiscard]] bool has(std::int64_t id) const { return records_.find(id).has_value(); }
   /// @throws Error when there is none of this id
   [[nodiscard]] Inspection inspection(std::int64_t id) const;
   [[nodiscard]] InspectionFolder folder(std::int64_t id) const { return {data_, id}; }
@@ -64,7 +65,8 @@ class Inspector {
   // ended, or when the inspection is not so far.
 
   void check_readiness();
-  /// Of every view; the final side is compared at once. An earlier, complete side is taken anew.
+  /// Of every view; the final side is compared at once, and taken anew where it is there already. A complete
+  /// baseline is not: the work has been done on it.
   /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
   void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
   /// The final side again with the initial one, as after a failure in between.
@@ -72,13 +74,17 @@ class Inspector {
 
   /// Ends the task under way, if any: soon after.
   void cancel();
+  /// The same where it is a capture, which would move the robot on.
+  void stop_capture();
 
   [[nodiscard]] TaskState task() const;
   /// Of the last check; empty before.
   [[nodiscard]] std::optional<Readiness> readiness() const;
 
-  /// @throws Error when there is no such finding, or nobody's name is given
-  void decide(std::int64_t id, int finding, const Decision& decision);
+  /// @param compared_at of the comparison whose findings the person saw
+  /// @throws Error when there is no such finding, it was captured or compared anew since, or is just now, or
+  ///         nobody's name is given
+  void decide(std::int64_t id, const std::string& compared_at, int finding, const Decision& decision);
 
  private:
   using Work = std::function<void()>;
@@ -91,6 +97,8 @@ class Inspector {
   [[nodiscard]] CaptureEvents capture_events();
   void compare_now(const Inspection& inspection);
   [[nodiscard]] bool is_begun(std::int64_t id) const;
+  void require_same_rig(const Inspection& inspection) const;
+  void require_baseline(const Inspection& inspection) const;
   [[nodiscard]] std::vector<PanTilt> waypoints_of(const Inspection& inspection) const;
 
   InspectionRig rig_;

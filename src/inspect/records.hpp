@@ -47,13 +47,17 @@ class Records {
   // Of an inspection that is there; an Error otherwise.
 
   virtual void set_views(std::int64_t id, const std::vector<PanTilt>& views) = 0;
+  /// What was compared with an earlier capture holds no more.
   virtual void set_side(std::int64_t id, Side side, const TakenSide& taken) = 0;
   /// Takes the place of an earlier comparison and of its findings.
   virtual void set_comparison(std::int64_t id, const std::string& compared_at,
                               const std::vector<ComparedView>& views,
                               const std::vector<ReviewedFinding>& findings) = 0;
-  /// Earlier decisions are kept; the last one holds. @throws Error when there is no such finding
-  virtual void decide(std::int64_t id, int finding, const Decision& decision) = 0;
+  /// Earlier decisions are kept; the last one holds.
+  /// @param compared_at of the comparison that found it
+  /// @throws Error when there is no such finding, or it was compared anew since
+  virtual void decide(std::int64_t id, const std::string& compared_at, int finding,
+                      const Decision& decision) = 0;
 
   /// Adds an account or takes the place of the one of that name.
   virtual void set_account(const Account& account) = 0;

@@ -119,13 +119,15 @@ void Api::require_robot_free(const Call& call) const {
                    "ask them to let go, or take over");
 }
 
-std::int64_t Api::inspection_id(const Call& call) {
+std::int64_t Api::inspection_id(const Call& call) const {
   const std::string& text = call.places.at(0);
   std::int64_t id = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), id);
   if (failure != std::errc{} || end != text.data() + text.size() || id < 1)
     throw ApiError(404, "not-found", "inspection", printable(text) + " is no number",
                    "see the list of inspections");
+  if (!parts_.inspector.has(id))
+    throw ApiError(404, "not-found", "inspection " + text, "there is none", "see the list of inspections");
   return id;
 }
 

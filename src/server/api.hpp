@@ -77,7 +77,7 @@ class Api {
   [[nodiscard]] ApiResponse dispatch(const ApiRequest& request) const;
   void require_role(const Route& route, const std::optional<Person>& person) const;
   void require_robot_free(const Call& call) const;
-  [[nodiscard]] static std::int64_t inspection_id(const Call& call);
+  [[nodiscard]] std::int64_t inspection_id(const Call& call) const;
   [[nodiscard]] static std::string person_of(const Call& call);
 
   // server/session_routes.cpp

@@ -36,6 +36,20 @@ class Registered {
   std::list<OpenConnection>::iterator entry_;
 };
 
+// Asks the database, which may be slow: the live view does not wait for it.
+asio::awaitable<std::optional<Person>> person_now(const std::string& token, Place& place) {
+  co_return co_await asio::co_spawn(
+      place.pool,
+      [&]() -> asio::awaitable<std::optional<Person>> {
+        try {
+          co_return place.api.person(token);
+        } catch (const Error&) {
+          co_return std::nullopt;  // whoever they are, nothing vouches for them
+        }
+      },
+      asio::use_awaitable);
+}
+
 // Says at its end that the socket is no longer needed.
 template <typename Socket>
 asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member> member) {
@@ -76,6 +90,26 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
   }
 }
 
+// Who signs out, or whose account goes or changes, does not keep what they might do before.
+template <typename Socket>
+asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Member> member, std::string token,
+                                   Place& place) {
+  asio::steady_timer pause(co_await asio::this_coro::executor);
+  for (int tenths = 0; !member->ended; tenths = (tenths + 1) % 10) {
+    ErrorCode ignored;
+    pause.expires_after(std::chrono::milliseconds(100));
+    co_await pause.async_wait(noting(ignored));
+    if (tenths != 0 || member->ended) continue;
+    const std::optional<Person> person = co_await person_now(token, place);
+    if (!person) {
+      beast::get_lowest_layer(socket).close();
+      break;
+    }
+    member->conversation.set_role(person->role);
+  }
+  member->watched = false;
+}
+
 template <typename Stream>
 asio::awaitable<void> talk(Stream& stream, const Request& request, Person person, Place& place) {
   using Socket = websocket::stream<Stream&>;
@@ -91,7 +125,10 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   co_await socket.async_accept(request, noting(failure));
   if (failure) co_return;
   const std::shared_ptr<LiveHub::Member> member = place.hub.join(std::move(person));
-  asio::co_spawn(co_await asio::this_coro::executor, write_all(socket, member), asio::detached);
+  member->watched = true;
+  const auto executor = co_await asio::this_coro::executor;
+  asio::co_spawn(executor, write_all(socket, member), asio::detached);
+  asio::co_spawn(executor, watch_rights(socket, member, session_token(request), place), asio::detached);
   const std::string complaint = co_await read_all(socket, *member);
   member->ended = true;
   place.hub.leave(member);
@@ -103,7 +140,7 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   }
   beast::get_lowest_layer(socket).close();
   asio::steady_timer pause(co_await asio::this_coro::executor);
-  while (!member->written) {
+  while (!member->written || member->watched) {
     member->wake();
     pause.expires_after(std::chrono::milliseconds(5));
     co_await pause.async_wait(noting(failure));
@@ -133,7 +170,16 @@ template <typename Stream>
 asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, Place& place) {
   const HttpCaller caller{place.api, place.files, place.tls, place.loopback};
   if (!websocket::is_upgrade(request)) co_return co_await answer_on_pool(request, caller, place);
-  const std::variant<Person, ApiResponse> visitor = who_talks(request, caller);
+  const std::variant<Person, ApiResponse> visitor = co_await asio::co_spawn(
+      place.pool,
+      [&]() -> asio::awaitable<std::variant<Person, ApiResponse>> {
+        try {
+          co_return who_talks(request, caller);
+        } catch (const Error& error) {
+          co_return refusal(503, "unavailable", error.what());
+        }
+      },
+      asio::use_awaitable);
   if (const auto* person = std::get_if<Person>(&visitor)) {
     co_await talk(stream, request, *person, place);
     co_return std::nullopt;

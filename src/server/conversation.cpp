@@ -51,11 +51,27 @@ Conversation::Conversation(const ServerParts& parts, LivePictures& pictures, Per
 
 Conversation::~Conversation() {
   if (watched_) pictures_.watch(*watched_, -1);
+  if (client_.empty()) return;
   const double now_s = steady_clock().now_s();
   const auto holder = parts_.lease.holder(now_s);
-  if (parts_.drive == nullptr || !holder || holder->client != client_) return;
+  const bool gone = parts_.lease.leave(client_, now_s);
+  if (parts_.drive == nullptr || !gone || !holder || holder->client != client_) return;
   if (!parts_.drive->state().lent) parts_.drive->halt();
-  parts_.lease.set_gone(client_, true, now_s);
+}
+
+// Whoever may no longer drive does not.
+void Conversation::set_role(PersonRole role) {
+  person_.role = role;
+  const auto holder = parts_.lease.holder(steady_clock().now_s());
+  if (role >= PersonRole::operator_ || !holder || holder->client != client_) return;
+  if (parts_.drive != nullptr && !parts_.drive->state().lent) parts_.drive->halt();
+  parts_.lease.release(client_);
+}
+
+// Everybody's: the robot, and the capture that would move it on.
+void Conversation::stop() {
+  parts_.inspector.stop_capture();
+  if (parts_.drive != nullptr) parts_.drive->halt();
 }
 
 void Conversation::hear(std::string_view text, double now_s) {
@@ -70,10 +86,7 @@ void Conversation::hear(std::string_view text, double now_s) {
     if (type == "shown") return shown(message);
     if (type == "drive") return drive(message, now_s);
     if (type == "lease") return lease(message, now_s);
-    if (type == "stop") {
-      if (parts_.drive != nullptr) parts_.drive->halt();
-      return;
-    }
+    if (type == "stop") return stop();
   } catch (const ApiError& error) {
     return refuse(error.code(), error.what());
   }
@@ -92,11 +105,13 @@ void Conversation::greet(const Json& message) {
   const auto version = message.find("protocol");
   if (version == message.end() || !version->is_number_integer() || version->get<int>() != protocol)
     throw ProtocolError("this console is of another version; load the page again");
-  client_ = text_field(message, "client");
+  if (!client_.empty()) throw ProtocolError("a second hello");
+  const std::string client = text_field(message, "client");
   name_ = person_.name.empty() ? text_field(message, "name") : person_.name;
   constexpr std::size_t least_client_bytes = 16;
-  if (client_.size() < least_client_bytes) throw ProtocolError("the console gives no number of its own");
-  parts_.lease.set_gone(client_, false, steady_clock().now_s());
+  if (client.size() < least_client_bytes) throw ProtocolError("the console gives no number of its own");
+  client_ = client;
+  parts_.lease.arrive(client_);
 }
 
 void Conversation::watch(const Json& message) {
@@ -134,7 +149,7 @@ void Conversation::drive(const Json& message, double now_s) {
     return;
   }
   if (held && !parts_.lease.use(client_, now_s)) return;
-  if (fresh) parts_.drive->steer(deflection);
+  if (fresh || !held) parts_.drive->steer(deflection);  // to let go is never too late
 }
 
 void Conversation::lease(const Json& message, double now_s) {
@@ -143,7 +158,8 @@ void Conversation::lease(const Json& message, double now_s) {
   const std::string action = text_field(message, "action");
   if (action == "release") {
     const auto holder = parts_.lease.holder(now_s);
-    if (parts_.drive != nullptr && holder && holder->client == client_) parts_.drive->steer({});
+    if (parts_.drive != nullptr && holder && holder->client == client_ && !parts_.drive->state().lent)
+      parts_.drive->halt();
     return parts_.lease.release(client_);
   }
   if (action != "take" && action != "take-over") throw ProtocolError("unknown action");

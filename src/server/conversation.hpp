@@ -48,6 +48,9 @@ class Conversation {
   /// @throws ProtocolError when the connection is to end
   void hear(std::string_view text, double now_s);
 
+  /// What the person may do has changed.
+  void set_role(PersonRole role);
+
   void offer(const std::shared_ptr<const LivePicture>& picture);
   void offer(const std::shared_ptr<const std::string>& status) { status_ = status; }
 
@@ -60,6 +63,7 @@ class Conversation {
   void shown(const Json& message);
   void drive(const Json& message, double now_s);
   void lease(const Json& message, double now_s);
+  void stop();
   void limit_rate(double now_s);
   [[nodiscard]] bool is_fresh(double stamp_s, double now_s);
   void refuse(const std::string& code, const std::string& message);

@@ -15,20 +15,6 @@ std::string_view field(const Request& request, std::string_view name) {
   return view_of(request[beast::string_view(name.data(), name.size())]);
 }
 
-std::string session_token(const Request& request) {
-  constexpr std::string_view name = "rva_session=";
-  std::string_view cookies = field(request, "Cookie");
-  while (!cookies.empty()) {
-    const std::size_t end = cookies.find(';');
-    std::string_view cookie = cookies.substr(0, end);
-    cookie.remove_prefix(std::min(cookie.find_first_not_of(' '), cookie.size()));
-    if (cookie.starts_with(name)) return std::string(cookie.substr(name.size()));
-    if (end == std::string_view::npos) break;
-    cookies.remove_prefix(end + 1);
-  }
-  return {};
-}
-
 // A name that leads here by a trick of the name service is not ours.
 bool is_known_host(std::string_view host, bool loopback) {
   if (!loopback) return true;
@@ -87,6 +73,20 @@ ApiResponse answer_of(const Request& request, const HttpCaller& caller) {
 }
 
 }  // namespace
+
+std::string session_token(const http::request<http::string_body>& request) {
+  constexpr std::string_view name = "rva_session=";
+  std::string_view cookies = field(request, "Cookie");
+  while (!cookies.empty()) {
+    const std::size_t end = cookies.find(';');
+    std::string_view cookie = cookies.substr(0, end);
+    cookie.remove_prefix(std::min(cookie.find_first_not_of(' '), cookie.size()));
+    if (cookie.starts_with(name)) return std::string(cookie.substr(name.size()));
+    if (end == std::string_view::npos) break;
+    cookies.remove_prefix(end + 1);
+  }
+  return {};
+}
 
 Response http_response(const ApiResponse& answer, bool keep_alive, bool tls) {
   Response response;

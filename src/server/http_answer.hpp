@@ -24,6 +24,9 @@ struct HttpCaller {
 [[nodiscard]] http::response<http::string_body> http_response(const ApiResponse& answer, bool keep_alive,
                                                               bool tls);
 
+/// What says who somebody is, in their cookie; empty where they have none.
+[[nodiscard]] std::string session_token(const http::request<http::string_body>& request);
+
 /// Whoever wants a WebSocket, or why not. Its page must come from here: browsers let any page ask.
 [[nodiscard]] std::variant<Person, ApiResponse> who_talks(const http::request<http::string_body>& request,
                                                           const HttpCaller& caller);

@@ -1,6 +1,7 @@
 #include <charconv>
 
 #include "core/date_time.hpp"
+#include "core/path_text.hpp"
 #include "server/api.hpp"
 #include "server/request_body.hpp"
 
@@ -76,13 +77,16 @@ ApiResponse Api::decide(const Call& call) const {
   const std::int64_t id = inspection_id(call);
   const std::string& text = call.places.at(1);
   int number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc{} || end != text.data() + text.size())
+    throw ApiError(404, "not-found", "finding", printable(text) + " is no number",
+                   "see the list of findings");
   const std::optional<Verdict> verdict = verdict_from_name(text_field(call.body, "verdict"));
   if (!verdict)
     throw ApiError(400, "bad-request", "verdict", "is none that there is",
                    "give debris-removed, installed-work, false-alarm or second-look");
   parts_.inspector.decide(
-      id, number,
+      id, text_field(call.body, "compared_at"), number,
       {*verdict, text_field(call.body, "note", most_note_bytes), person_of(call), iso_8601_now()});
   return json_answer(json_of(parts_.inspector.inspection(id)));
 }

@@ -27,10 +27,19 @@ bool Lease::use(const std::string& client, double now_s) {
   return true;
 }
 
-void Lease::set_gone(const std::string& client, bool gone, double now_s) {
+void Lease::arrive(const std::string& client) {
   const std::lock_guard lock(mutex_);
-  if (!holder_ || holder_->client != client) return;
-  gone_s_ = gone ? std::optional(now_s) : std::nullopt;
+  ++connections_[client];
+  if (holder_ && holder_->client == client) gone_s_.reset();
+}
+
+bool Lease::leave(const std::string& client, double now_s) {
+  const std::lock_guard lock(mutex_);
+  const auto known = connections_.find(client);
+  if (known != connections_.end() && --known->second > 0) return false;
+  connections_.erase(client);
+  if (holder_ && holder_->client == client) gone_s_ = now_s;
+  return true;
 }
 
 std::optional<Lease::Holder> Lease::holder(double now_s) const {

@@ -1,6 +1,7 @@
 // Who drives.
 #pragma once
 
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -29,7 +30,11 @@ class Lease {
   /// The holder did something.
   /// @return whether it is theirs
   bool use(const std::string& client, double now_s);
-  void set_gone(const std::string& client, bool gone, double now_s);
+
+  // A client may have several connections, as when it opens a new one before the old one is known to be dead.
+  void arrive(const std::string& client);
+  /// @return whether this was its last connection
+  bool leave(const std::string& client, double now_s);
 
   [[nodiscard]] std::optional<Holder> holder(double now_s) const;
 
@@ -40,6 +45,7 @@ class Lease {
   std::optional<Holder> holder_;
   double used_s_ = 0.0;
   std::optional<double> gone_s_;
+  std::map<std::string, int> connections_;  // of clients
 };
 
 }  // namespace rva

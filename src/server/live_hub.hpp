@@ -24,6 +24,7 @@ class LiveHub {
     asio::steady_timer alarm;
     bool ended = false;    ///< nothing more is to be written
     bool written = false;  ///< and nothing is
+    bool watched = false;  ///< nobody looks at their rights any more
 
     void wake() { alarm.cancel(); }
   };

@@ -1,6 +1,7 @@
 // Who is signed in.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -40,8 +41,12 @@ class Sessions {
   /// Empty where the token is unknown or old, or the account is gone.
   [[nodiscard]] std::optional<Person> person(const std::string& token, double now_s) const;
 
-  /// Where there is no account nobody can sign in, and nobody needs to.
-  [[nodiscard]] bool needed() const { return !records_.accounts().empty(); }
+  /// Where there is no account nobody can sign in, and nobody needs to. Where there was one once, it stays
+  /// so: who removes the last account opens the door to nobody, not to everybody.
+  [[nodiscard]] bool needed() const {
+    if (!needed_ && !records_.accounts().empty()) needed_ = true;
+    return needed_;
+  }
 
  private:
   struct Failures {
@@ -57,6 +62,7 @@ class Sessions {
   [[nodiscard]] std::optional<Account> account(const std::string& name) const;
 
   const Records& records_;
+  mutable std::atomic<bool> needed_ = false;
   mutable std::mutex mutex_;                  // guards all below
   std::map<std::string, Session> sessions_;   // by token
   std::map<std::string, Failures> failures_;  // by name

@@ -152,8 +152,7 @@ class WebServer::Implementation {
         co_await pause.async_wait(asio::use_awaitable);
         continue;
       }
-      make_room();
-      if (place_.open.size() >= static_cast<std::size_t>(options_.connections)) {
+      if (!make_room()) {
         complaints_.add("too many connections: some are refused", steady_clock().now_s());
         continue;  // closes it
       }
@@ -163,16 +162,17 @@ class WebServer::Implementation {
     }
   }
 
-  // Who was let in and does nothing goes first.
-  void make_room() {
-    if (place_.open.size() < static_cast<std::size_t>(options_.connections)) return;
+  // Who was let in and does nothing goes first. @return whether there is room, or soon will be
+  bool make_room() {
+    if (place_.open.size() < static_cast<std::size_t>(options_.connections)) return true;
     complaints_.add("too many connections: idle ones are closed", steady_clock().now_s());
     for (OpenConnection& connection : place_.open) {
       if (!connection.idle) continue;
       connection.idle = false;
       connection.close();
-      return;
+      return true;
     }
+    return false;
   }
 
   void start(beast::tcp_stream stream) {

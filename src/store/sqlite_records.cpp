@@ -209,6 +209,12 @@ void SqliteRecords::set_side(std::int64_t id, Side side, const TakenSide& taken)
     insert.bind(4, taken.person);
     insert.bind(5, taken.base);
     insert.exec();
+    SQLite::Statement forget(database, "update inspection set compared_at = '' where id = ?");
+    forget.bind(1, id);
+    forget.exec();
+    SQLite::Statement remove(database, "delete from compared_view where inspection = ?");
+    remove.bind(1, id);
+    remove.exec();
     return true;
   });
 }
@@ -242,22 +248,25 @@ void SqliteRecords::set_comparison(std::int64_t id, const std::string& compared_
   });
 }
 
-void SqliteRecords::decide(std::int64_t id, int finding, const Decision& decision) {
+void SqliteRecords::decide(std::int64_t id, const std::string& compared_at, int finding,
+                           const Decision& decision) {
   change([&](SQLite::Database& database) {
     SQLite::Statement insert(
         database,
         "insert into decision (inspection, compared_at, finding, verdict, note, person, decided_at) "
         "select f.inspection, f.compared_at, f.number, ?, ?, ?, ? from finding f join inspection i "
-        "on i.id = f.inspection and i.compared_at = f.compared_at where f.inspection = ? and f.number = ?");
+        "on i.id = f.inspection and i.compared_at = f.compared_at where f.inspection = ? and f.number = ? "
+        "and f.compared_at = ?");
     insert.bind(1, std::string(name_of(decision.verdict)));
     insert.bind(2, decision.note);
     insert.bind(3, decision.person);
     insert.bind(4, decision.decided_at);
     insert.bind(5, id);
     insert.bind(6, finding);
+    insert.bind(7, compared_at);
     if (insert.exec() == 0)
-      throw Error(fmt::format("finding {} of inspection {}", finding, id), "there is none",
-                  "see the list of findings");
+      throw Error(fmt::format("finding {} of inspection {}", finding, id),
+                  "is none of those that were found last", "load the list of findings again");
     return true;
   });
 }

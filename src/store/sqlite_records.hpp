@@ -25,7 +25,8 @@ class SqliteRecords : public Records {
   void set_side(std::int64_t id, Side side, const TakenSide& taken) override;
   void set_comparison(std::int64_t id, const std::string& compared_at, const std::vector<ComparedView>& views,
                       const std::vector<ReviewedFinding>& findings) override;
-  void decide(std::int64_t id, int finding, const Decision& decision) override;
+  void decide(std::int64_t id, const std::string& compared_at, int finding,
+              const Decision& decision) override;
   void set_account(const Account& account) override;
   [[nodiscard]] std::vector<Account> accounts() const override;
   bool remove_account(const std::string& name) override;

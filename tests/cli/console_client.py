@@ -61,7 +61,8 @@ class Console:
         while self.file.readline() != b'\r\n':
             pass
         self.lock = threading.Lock()
-        threading.Thread(target=self._listen, daemon=True).start()
+        self.thread = threading.Thread(target=self._listen, daemon=True)
+        self.thread.start()
         self.say(type='hello', protocol=1, client=self.client, name=name)
         if stream:
             self.say(type='watch', stream=stream)

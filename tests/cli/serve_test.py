@@ -179,6 +179,16 @@ class Starting(program.ProgramTest):
             signed_in.wait_for(lambda status: status['camera']['streams'])
             with self.assertRaises(OSError):
                 ask(address.replace('https', 'http'), 'GET', '/api/session')
+            # One program at a time has the data.
+            second = self.rva('serve', *options)
+            self.assertEqual(second.returncode, 1)
+            self.assertIn('used by another', second.stderr)
+            # The last account goes: the door is closed to all, also to who is inside.
+            subprocess.run(self.command('account', 'remove', 'ann', '--data', data), check=True, capture_output=True)
+            self.assertEqual(ask(address, 'GET', '/api/inspections', cookie=cookie)[0], 401)
+            self.assertEqual(ask(address, 'GET', '/api/inspections')[0], 401)
+            signed_in.thread.join(10)
+            self.assertFalse(signed_in.thread.is_alive(), 'the live view is closed, too')
         finally:
             server.terminate()
             server.wait(30)

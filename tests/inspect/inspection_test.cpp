@@ -19,6 +19,13 @@ TEST(InspectionStage, FollowsFromWhatIsThere) {
   inspection.final = TakenSide{};
   EXPECT_EQ(stage_of(inspection), Stage::work) << "captured, but not compared";
   inspection.compared_at = "t";
+  EXPECT_EQ(stage_of(inspection), Stage::work) << "none of its views was compared";
+  inspection.views = {{0, 0}, {10, 0}};
+  inspection.compared = {{.view = 0, .method = "spatial", .coverage = {}, .judged = 0.7, .warnings = {}}};
+  EXPECT_EQ(stage_of(inspection), Stage::work) << "one of its views was not compared";
+  inspection.compared.push_back(
+      {.view = 1, .method = "spatial", .coverage = {}, .judged = 0.4, .warnings = {}});
+  EXPECT_EQ(least_judged(inspection), 0.4);
   EXPECT_EQ(stage_of(inspection), Stage::done) << "nothing to decide";
   inspection.findings = {decided(Verdict::false_alarm), ReviewedFinding{}};
   EXPECT_EQ(stage_of(inspection), Stage::review);

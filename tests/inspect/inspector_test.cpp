@@ -61,7 +61,9 @@ TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
        {"initial_depth.png", "final_depth.png", "changed.png", "not_inspected.png"})
     EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(0) / picture)) << picture;
   EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map()));
-  inspector_->decide(id, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
+  EXPECT_THROW(inspector_->decide(id, "another comparison", 1, {Verdict::false_alarm, "", "Ann", "t"}), Error)
+      << "of findings that are shown no more";
+  inspector_->decide(id, inspection.compared_at, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
   EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
 }
 
@@ -70,6 +72,42 @@ TEST_F(Standing, WhereNothingChangedNothingIsFound) {
   take(id, Side::initial);
   EXPECT_EQ(take(id, Side::final).end, TaskEnd::done);
   EXPECT_TRUE(inspector_->inspection(id).findings.empty());
+}
+
+TEST_F(Standing, AFinalCaptureThatWasNotComparedIsNotDone) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  take(id, Side::final);
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
+  // Somebody does more work, and ends the second look before it is compared.
+  plug_->bump_mm = 12;
+  inspector_->capture(id, Side::final, "Ann", false);
+  while (inspector_->task().kind == TaskKind::capture) std::this_thread::yield();
+  inspector_->cancel();
+  if (wait().end == TaskEnd::cancelled) {
+    EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::work);
+    inspector_->compare(id);
+    EXPECT_EQ(wait().end, TaskEnd::done);
+  }
+  EXPECT_EQ(inspector_->inspection(id).findings.size(), 1U);
+}
+
+TEST_F(Standing, TheBaselineIsTakenOnceAndNeedsToBeThere) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  EXPECT_THROW(inspector_->capture(id, Side::initial, "Ann", false), Error);
+  std::filesystem::remove_all(inspector_->folder(id).path());
+  EXPECT_THROW(inspector_->capture(id, Side::final, "Ann", false), Error) << "not after the work";
+}
+
+TEST_F(Standing, StopEndsACaptureAndNothingElse) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  inspector_->capture(id, Side::initial, "Ann", false);
+  inspector_->stop_capture();
+  EXPECT_EQ(wait().end, TaskEnd::cancelled);
+  inspector_->check_readiness();
+  inspector_->stop_capture();
+  EXPECT_EQ(wait().end, TaskEnd::done);
 }
 
 TEST_F(Standing, OneTaskAtATimeWhichCanBeCancelledAndGoneOnWith) {
@@ -86,7 +124,7 @@ TEST_F(Standing, StepsOutOfOrderAreRefused) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   EXPECT_THROW(inspector_->capture(id, Side::final, "Ann", false), Error) << "no baseline";
   EXPECT_THROW(inspector_->compare(id), Error);
-  EXPECT_THROW(inspector_->decide(id, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error);
+  EXPECT_THROW(inspector_->decide(id, "", 1, {Verdict::false_alarm, "", "Ann", "t"}), Error);
   EXPECT_THROW(inspector_->set_views(id, {{0, 0}, {5, 5}}), Error) << "it stands still";
   EXPECT_THROW(inspector_->capture(id + 1, Side::initial, "Ann", false), Error) << "no such inspection";
   EXPECT_THROW(static_cast<void>(inspector_->begin({"", "", "", "  "})), Error) << "nobody";

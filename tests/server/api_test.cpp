@@ -52,7 +52,7 @@ TEST_F(Asked, AnInspectionIsBegunListedAndGivenItsViews) {
 TEST_F(Asked, WhatIsMissingOrMalformedIsSaidWithACode) {
   EXPECT_EQ(code("GET", "/api/nothing"), "not-found");
   EXPECT_EQ(code("DELETE", "/api/inspections"), "method-not-allowed");
-  EXPECT_EQ(code("GET", "/api/inspections/7"), "refused");
+  EXPECT_EQ(code("GET", "/api/inspections/7"), "not-found");
   for (const char* const id : {"x", "-1", "0", "1x", "99999999999999999999", "%31", ""})
     EXPECT_EQ(ask("GET", std::string("/api/inspections/") + id).status, 404) << id;
   EXPECT_EQ(code("POST", "/api/inspections", "{"), "bad-request");
@@ -65,6 +65,12 @@ TEST_F(Asked, WhatIsMissingOrMalformedIsSaidWithACode) {
   EXPECT_EQ(code("POST", "/api/inspections/1/capture", R"({"side":"middle","person":"Ann"})"), "bad-request");
   EXPECT_EQ(code("POST", "/api/inspections/1/capture", R"({"side":"final","person":"Ann"})"), "refused");
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"maybe"})"), "bad-request");
+  EXPECT_EQ(code("POST", "/api/inspections/1/findings/1zzz/decision", R"({"verdict":"false-alarm"})"),
+            "not-found");
+  EXPECT_EQ(code("GET", "/api/inspections/999"), "not-found");
+  for (const char* const person : {R"("\n")", R"("\u200b")", R"("\u00a0")", R"("Ann\u202e")", R"(" ")"})
+    EXPECT_EQ(code("POST", "/api/inspections", std::string(R"({"person":)") + person + "}"), "refused")
+        << person;
   EXPECT_EQ(code("POST", "/api/simulation", R"({"done":true})"), "refused") << "the bay is real";
 }
 
@@ -95,6 +101,13 @@ TEST_F(Asked, WhoeverIsNotSignedInSeesNothing) {
   EXPECT_FALSE(session.contains("name"));
 }
 
+TEST_F(Asked, WhoRemovesTheLastAccountOpensTheDoorToNobody) {
+  sign_in(PersonRole::inspector);
+  EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
+  served_.records.remove_account("ann");
+  EXPECT_EQ(code("GET", "/api/inspections"), "sign-in-required");
+}
+
 TEST_F(Asked, RolesMayDoWhatIsTheirs) {
   sign_in(PersonRole::viewer);
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
@@ -107,7 +120,8 @@ TEST_F(Asked, RolesMayDoWhatIsTheirs) {
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
             "not-allowed");
   served_.records.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
-  EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
+  EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision",
+                 R"({"verdict":"false-alarm","compared_at":"t"})"),
             "refused");
 }
 

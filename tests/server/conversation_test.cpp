@@ -138,6 +138,50 @@ TEST_F(Talk, AStopIsEverybodys) {
   EXPECT_TRUE(eventually([&] { return !served_.drive.state().driving && !served_.drive.state().armed; }));
 }
 
+TEST_F(Talk, AStopEndsACaptureThatWouldMoveTheRobotOn) {
+  ASSERT_TRUE(eventually([&] { return served_.drive.state().joints.has_value(); }));
+  const std::int64_t id = served_.inspector.begin({"", "", "", "Ann"});
+  served_.inspector.set_views(id, {{0, 0}, {20, 0}});
+  served_.inspector.capture(id, Side::initial, "Ann", false);
+  const auto viewer = talk(PersonRole::viewer);
+  viewer->hear(R"({"type":"hello","protocol":1,"client":"fedcba9876543210","name":"Bob"})", now_s());
+  viewer->hear(R"({"type":"stop"})", now_s());
+  EXPECT_TRUE(eventually([&] { return served_.inspector.task().end == TaskEnd::cancelled; }));
+  EXPECT_FALSE(served_.inspector.inspection(id).initial);
+}
+
+TEST_F(Talk, HandingBackTheControlsArmsNothing) {
+  const auto conversation = talk();
+  conversation->hear(hello, now_s());
+  conversation->hear(R"({"type":"lease","action":"take"})", now_s());
+  ASSERT_TRUE(eventually([&] {
+    conversation->hear(drive(1.0, 1000.0 * now_s()), now_s());
+    return served_.drive.state().driving;
+  }));
+  conversation->hear(R"({"type":"stop"})", now_s());
+  conversation->hear(R"({"type":"lease","action":"release"})", now_s());
+  conversation->hear(R"({"type":"lease","action":"take"})", now_s());
+  ASSERT_TRUE(eventually([&] { return !served_.drive.state().driving; }));
+  for (int i = 0; i < 20; ++i) {
+    conversation->hear(drive(1.0, 1000.0 * now_s()), now_s());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_FALSE(served_.drive.state().driving) << "the stick was not let go";
+  }
+}
+
+TEST_F(Talk, WhoMayNoLongerDriveDoesNot) {
+  const auto conversation = talk();
+  conversation->hear(hello, now_s());
+  conversation->hear(R"({"type":"lease","action":"take"})", now_s());
+  ASSERT_TRUE(eventually([&] {
+    conversation->hear(drive(1.0, 1000.0 * now_s()), now_s());
+    return served_.drive.state().driving;
+  }));
+  conversation->set_role(PersonRole::viewer);
+  EXPECT_FALSE(served_.lease.holder(now_s()));
+  EXPECT_TRUE(eventually([&] { return !served_.drive.state().driving; }));
+}
+
 TEST_F(Talk, TheLeaseIsTakenOverWhenAskedAndNotByAViewer) {
   const auto ann = talk();
   ann->hear(hello, now_s());

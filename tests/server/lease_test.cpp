@@ -41,13 +41,26 @@ TEST(Lease, EndsAfterAMinuteWithoutUse) {
 TEST(Lease, WaitsTenSecondsForAPageThatIsLoadedAgain) {
   Lease lease;
   ASSERT_TRUE(lease.take(ann, false, 0));
-  lease.set_gone(ann.client, true, 5);
+  lease.arrive(ann.client);
+  EXPECT_TRUE(lease.leave(ann.client, 5));
   EXPECT_TRUE(lease.holder(14));
-  lease.set_gone(ann.client, false, 14);
+  lease.arrive(ann.client);
   EXPECT_TRUE(lease.holder(30));
-  lease.set_gone(ann.client, true, 30);
+  EXPECT_TRUE(lease.leave(ann.client, 30));
   EXPECT_FALSE(lease.holder(40));
-  lease.set_gone(bob.client, true, 0);
+  EXPECT_TRUE(lease.leave(bob.client, 0));
+}
+
+TEST(Lease, AClientIsGoneWithItsLastConnection) {
+  Lease lease;
+  lease.take(ann, false, 0);
+  lease.arrive(ann.client);
+  lease.arrive(ann.client);
+  EXPECT_FALSE(lease.leave(ann.client, 1)) << "it has come back before the old line was known to be dead";
+  lease.use(ann.client, 12);
+  EXPECT_TRUE(lease.holder(12));
+  EXPECT_TRUE(lease.leave(ann.client, 13));
+  EXPECT_FALSE(lease.holder(24));
 }
 
 }  // namespace

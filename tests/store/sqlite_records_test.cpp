@@ -100,8 +100,8 @@ TEST_F(Kept, NewestInspectionsComeFirst) {
 TEST_F(Kept, TheLastDecisionHoldsAndANewComparisonBeginsAnew) {
   const std::int64_t id = add();
   records_->set_comparison(id, "first", {}, {finding(1)});
-  records_->decide(id, 1, {Verdict::second_look, "?", "Ann", "t1"});
-  records_->decide(id, 1, {Verdict::debris_removed, "a collar", "Bob", "t2"});
+  records_->decide(id, "first", 1, {Verdict::second_look, "?", "Ann", "t1"});
+  records_->decide(id, "first", 1, {Verdict::debris_removed, "a collar", "Bob", "t2"});
   EXPECT_EQ(records_->find(id)->findings[0].decision->verdict, Verdict::debris_removed);
   EXPECT_EQ(records_->find(id)->findings[0].decision->person, "Bob");
   records_->set_comparison(id, "second", {}, {finding(1)});
@@ -111,12 +111,22 @@ TEST_F(Kept, TheLastDecisionHoldsAndANewComparisonBeginsAnew) {
       << "nothing that was decided is lost";
 }
 
+TEST_F(Kept, WhatIsCapturedAnewIsNotCompared) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, "first", {}, {finding(1)});
+  records_->set_side(id, Side::final, {"t", "Ann", "base"});
+  const Inspection inspection = *records_->find(id);
+  EXPECT_EQ(inspection.compared_at, "");
+  EXPECT_TRUE(inspection.findings.empty());
+  EXPECT_THROW(records_->decide(id, "first", 1, {}), Error);
+}
+
 TEST_F(Kept, WhatIsNotThereCannotBeChanged) {
   EXPECT_THROW(records_->set_views(7, {{0, 0}}), Error);
   EXPECT_THROW(records_->set_side(7, Side::initial, {}), Error);
   EXPECT_THROW(records_->set_comparison(7, "t", {}, {}), Error);
   const std::int64_t id = add();
-  EXPECT_THROW(records_->decide(id, 1, {}), Error);
+  EXPECT_THROW(records_->decide(id, "", 1, {}), Error);
 }
 
 TEST_F(Kept, AFailedChangeLeavesAllAsItWas) {

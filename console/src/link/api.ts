@@ -57,8 +57,9 @@ export const api = {
   capture: (id: number, side: SideName, person: string, replaced: boolean) =>
     call<object>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
   compare: (id: number) => call<object>('POST', `/api/inspections/${id}/compare`, {}),
-  decide: (id: number, finding: number, verdict: Verdict, note: string, person: string) =>
-    call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { verdict, note, person }),
+  /** Of the findings that were seen: who decides on others that came meanwhile is refused. */
+  decide: ({ id, compared_at }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
+    call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { compared_at, verdict, note, person }),
   checkReadiness: () => call<object>('POST', '/api/readiness', {}),
   cancel: () => call<object>('POST', '/api/cancel', {}),
   measure: (stream: Stream, points: { u: number; v: number }[]) =>

@@ -25,7 +25,7 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
     void attempt(async () => {
       const who = session.name || person.name || inspection.person;
       let after = inspection;
-      for (const finding of group.all) after = await api.decide(inspection.id, finding.number, verdict, note, who);
+      for (const finding of group.all) after = await api.decide(inspection, finding.number, verdict, note, who);
       openInspection.value = after;
       goOn(after);
     });

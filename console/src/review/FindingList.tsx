@@ -55,6 +55,22 @@ function FindingCard({ inspection, group, session, selected }: { inspection: Ins
   );
 }
 
+// Nothing found says nothing of what nobody could see.
+function Extent({ inspection, nothing }: { inspection: Inspection; nothing: boolean }) {
+  const half = 0.5;
+  const judged = Math.min(1, ...inspection.compared.map((view) => view.judged));
+  const few = judged < half;
+  if (!nothing && !few) return null;
+  return (
+    <p class={few ? 'bad' : ''} data-testid="extent">
+      {few ? '✗ ' : ''}
+      {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected was '}
+      <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'least well seen view' : 'view'}.{' '}
+      {few ? 'Most of it could not be: this says next to nothing. Look at the camera and its view, and capture again.' : 'Look at the rest (striped).'}
+    </p>
+  );
+}
+
 // What follows from the decisions. Debris that was removed is gone only when the camera has seen so.
 function Verdicts({ groups, inspection, session }: { groups: Group[]; inspection: Inspection; session: Session }) {
   const simulation = useStore(link.status)?.simulation ?? false;
@@ -111,8 +127,8 @@ export function FindingList({ inspection, session }: { inspection: Inspection; s
   return (
     <div class="panel-body">
       <div class="card" data-testid="finding-summary">
-        <h2>{groups.length === 0 ? 'Nothing changed' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
-        {groups.length === 0 && <p>Nothing was found where it could have been found. Look at what could not be inspected (striped).</p>}
+        <h2>{groups.length === 0 ? 'Nothing found' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
+        <Extent inspection={inspection} nothing={groups.length === 0} />
         {open > 0 && <p>{open} to be decided.</p>}
         {open === 0 && groups.length > 0 && <Verdicts groups={groups} inspection={inspection} session={session} />}
       </div>
