@@ -117,6 +117,23 @@ void print_settings(const std::string& imager, const std::map<std::string, doubl
   print("set      {}: {}\n", printable(imager), line);
 }
 
+void print_pose(const Pose& pose) {
+  print("pose     base {}", printable(pose.base.value_or("not stated")));
+  if (pose.pan_deg) print(", pan {} deg", *pose.pan_deg);
+  if (pose.tilt_deg) print(", tilt {} deg", *pose.tilt_deg);
+  print("\n");
+}
+
+void print_model(const CameraInfo& camera) {
+  print("camera   {}", printable(camera.model));
+  if (!camera.serial.empty()) print(", serial {}", printable(camera.serial));
+  if (camera.baseline_m) print(", baseline {:.6g} m", *camera.baseline_m);
+  if (!camera.firmware.empty()) print(", firmware {}", printable(camera.firmware));
+  if (!camera.usb.empty()) print(", USB {}", printable(camera.usb));
+  print("\n");
+  for (const auto& [imager, settings] : camera.settings) print_settings(imager, settings);
+}
+
 void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
   const CaptureInfo& info = capture.info();
   print("format   {}\n", info.format);
@@ -128,21 +145,8 @@ void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
   } else {
     print("color    {} frame(s), no intrinsics\n", capture.color_frames());
   }
-  if (info.pose) {
-    print("pose     base {}", printable(info.pose->base.value_or("not stated")));
-    if (info.pose->pan_deg) print(", pan {} deg", *info.pose->pan_deg);
-    if (info.pose->tilt_deg) print(", tilt {} deg", *info.pose->tilt_deg);
-    print("\n");
-  }
-  if (info.camera) {
-    print("camera   {}", printable(info.camera->model));
-    if (!info.camera->serial.empty()) print(", serial {}", printable(info.camera->serial));
-    if (info.camera->baseline_m) print(", baseline {:.6g} m", *info.camera->baseline_m);
-    if (!info.camera->firmware.empty()) print(", firmware {}", printable(info.camera->firmware));
-    if (!info.camera->usb.empty()) print(", USB {}", printable(info.camera->usb));
-    print("\n");
-    for (const auto& [imager, settings] : info.camera->settings) print_settings(imager, settings);
-  }
+  if (info.pose) print_pose(*info.pose);
+  if (info.camera) print_model(*info.camera);
   if (!info.captured_at.empty()) print("taken    {}\n", printable(info.captured_at));
   if (summary.lost > 0) print("lost     {} frame(s) between these, by the camera's counter\n", summary.lost);
   for (const std::string& note : info.notes) print("note     {}\n", note);

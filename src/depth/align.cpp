@@ -8,9 +8,39 @@
 namespace rva {
 namespace {
 
+// Pixels of an image, both corners among them.
+struct PixelRectangle {
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  [[nodiscard]] bool inside(const Intrinsics& image) const {
+    return left >= 0 && top >= 0 && right < image.width && bottom < image.height;
+  }
+};
+
 // Where a place in the depth image, at a depth, lies in the colour image.
 Eigen::Vector2d in_color(const CaptureInfo& info, const Eigen::Vector2d& pixel, double depth_m) {
   return info.color->project(*info.color_from_depth * info.depth.deproject(pixel, depth_m));
+}
+
+PixelRectangle seen_in_color(const CaptureInfo& info, int u, int v, double depth_m) {
+  const auto nearest_pixel = [](double at, int size) {  // beyond either edge is enough
+    return static_cast<int>(std::clamp(std::floor(at + 0.5), -1.0, static_cast<double>(size)));
+  };
+  const Eigen::Vector2d first = in_color(info, {u - 0.5, v - 0.5}, depth_m);
+  const Eigen::Vector2d last = in_color(info, {u + 0.5, v + 0.5}, depth_m);
+  return {.left = nearest_pixel(first.x(), info.color->width),
+          .top = nearest_pixel(first.y(), info.color->height),
+          .right = nearest_pixel(last.x(), info.color->width),
+          .bottom = nearest_pixel(last.y(), info.color->height)};
+}
+
+void keep_nearest(DepthImage& aligned, const PixelRectangle& pixels, std::uint16_t here) {
+  for (int y = pixels.top; y <= pixels.bottom; ++y) {
+    for (int x = pixels.left; x <= pixels.right; ++x) {
+      std::uint16_t& there = aligned(x, y);
+      if (there == no_depth || here < there) there = here;
+    }
+  }
 }
 
 }  // namespace
@@ -19,27 +49,12 @@ DepthImage align_to_color(const DepthImage& depth, const CaptureInfo& info) {
   if (!info.color || !info.color_from_depth)
     throw Error("colour", "the capture does not say where its colour camera stands", "record it with colour");
   DepthImage aligned(info.color->width, info.color->height);
-  const auto nearest_pixel = [](double at, int size) {
-    return std::clamp(std::floor(at + 0.5), -1.0, static_cast<double>(size));  // beyond either edge is enough
-  };
   for (int v = 0; v < depth.height(); ++v) {
     for (int u = 0; u < depth.width(); ++u) {
       const std::uint16_t here = depth(u, v);
       if (here == no_depth) continue;
-      const double depth_m = here * info.depth_unit_m;
-      const Eigen::Vector2d first = in_color(info, {u - 0.5, v - 0.5}, depth_m);
-      const Eigen::Vector2d last = in_color(info, {u + 0.5, v + 0.5}, depth_m);
-      const int left = static_cast<int>(nearest_pixel(first.x(), aligned.width()));
-      const int top = static_cast<int>(nearest_pixel(first.y(), aligned.height()));
-      const int right = static_cast<int>(nearest_pixel(last.x(), aligned.width()));
-      const int bottom = static_cast<int>(nearest_pixel(last.y(), aligned.height()));
-      if (left < 0 || top < 0 || right >= aligned.width() || bottom >= aligned.height()) continue;
-      for (int y = top; y <= bottom; ++y) {
-        for (int x = left; x <= right; ++x) {
-          std::uint16_t& there = aligned(x, y);
-          if (there == no_depth || here < there) there = here;
-        }
-      }
+      const PixelRectangle pixels = seen_in_color(info, u, v, here * info.depth_unit_m);
+      if (pixels.inside(*info.color)) keep_nearest(aligned, pixels, here);
     }
   }
   return aligned;

@@ -190,18 +190,57 @@ TEST_F(RealSense, IsWatchedByManyAndRecordedWhole) {
   for (int number = 3; number < 20; ++number) EXPECT_EQ(every->wait_for_frame()->depth, depth_of(number));
 }
 
-/// The corner of a depth pixel in the colour image, by librealsense's own functions.
-std::array<float, 2> in_color(const rs2_intrinsics& depth, const rs2_intrinsics& color,
-                              const rs2_extrinsics& color_from_depth, std::array<float, 2> corner,
-                              float z_m) {
-  std::array<float, 3> in_depth{};
-  std::array<float, 3> in_color{};
-  std::array<float, 2> pixel{};
-  rs2_deproject_pixel_to_point(in_depth.data(), &depth, corner.data(), z_m);
-  rs2_transform_point_to_point(in_color.data(), &color_from_depth, in_depth.data());
-  rs2_project_point_to_pixel(pixel.data(), &color, in_color.data());
-  return pixel;
-}
+/// Depth seen from the colour camera, by librealsense's own functions.
+class Projection {
+ public:
+  Projection(const rs2::video_stream_profile& depth, const rs2::video_stream_profile& color)
+      : depth_(depth.get_intrinsics()),
+        color_(color.get_intrinsics()),
+        color_from_depth_(depth.get_extrinsics_to(color)) {}
+
+  [[nodiscard]] DepthImage aligned(const DepthImage& depth) const {
+    DepthImage aligned(color_.width, color_.height);
+    for (int v = 0; v < depth.height(); ++v) {
+      for (int u = 0; u < depth.width(); ++u)
+        if (depth(u, v) != no_depth) put(aligned, u, v, depth(u, v));
+    }
+    return aligned;
+  }
+
+ private:
+  /// The corner of a depth pixel in the colour image.
+  [[nodiscard]] std::array<float, 2> in_color(std::array<float, 2> corner, float z_m) const {
+    std::array<float, 3> in_depth{};
+    std::array<float, 3> in_color{};
+    std::array<float, 2> pixel{};
+    rs2_deproject_pixel_to_point(in_depth.data(), &depth_, corner.data(), z_m);
+    rs2_transform_point_to_point(in_color.data(), &color_from_depth_, in_depth.data());
+    rs2_project_point_to_pixel(pixel.data(), &color_, in_color.data());
+    return pixel;
+  }
+
+  void put(DepthImage& aligned, int u, int v, std::uint16_t depth) const {
+    const float z_m = 0.001F * static_cast<float>(depth);
+    const auto corner = [&](float offset) {
+      return in_color({static_cast<float>(u) + offset, static_cast<float>(v) + offset}, z_m);
+    };
+    const auto [left, top] = corner(-0.5F);
+    const auto [right, bottom] = corner(0.5F);
+    if (left < -0.5F || top < -0.5F || std::lround(right) >= color_.width ||
+        std::lround(bottom) >= color_.height)
+      return;
+    for (int y = static_cast<int>(std::lround(top)); y <= static_cast<int>(std::lround(bottom)); ++y) {
+      for (int x = static_cast<int>(std::lround(left)); x <= static_cast<int>(std::lround(right)); ++x) {
+        std::uint16_t& there = aligned(x, y);
+        if (there == no_depth || depth < there) there = depth;
+      }
+    }
+  }
+
+  rs2_intrinsics depth_;
+  rs2_intrinsics color_;
+  rs2_extrinsics color_from_depth_;
+};
 
 // By the intrinsics and extrinsics of a real camera. Not against rs2::align itself, which in its SSE version
 // adds half a pixel before it rounds, and so puts depth half a pixel to the right and below.
@@ -215,39 +254,16 @@ TEST(Align, PutsDepthWhereLibrealsensesProjectionPutsIt) {
     for (const rs2::stream_profile& profile : sensor.get_stream_profiles())
       profiles[profile.stream_type()] = profile.as<rs2::video_stream_profile>();
   }
-  const rs2::video_stream_profile& depth_stream = profiles.at(RS2_STREAM_DEPTH);
-  const rs2::video_stream_profile& color_stream = profiles.at(RS2_STREAM_COLOR);
-  const rs2_intrinsics of_depth = depth_stream.get_intrinsics();
-  const rs2_intrinsics of_color = color_stream.get_intrinsics();
-  const rs2_extrinsics color_from_depth = depth_stream.get_extrinsics_to(color_stream);
   const std::unique_ptr<Capture> ours = open_capture(file);
   const DepthImage depth = ours->depth(0);
-
-  DepthImage expected(of_color.width, of_color.height);
-  for (int v = 0; v < depth.height(); ++v) {
-    for (int u = 0; u < depth.width(); ++u) {
-      if (depth(u, v) == no_depth) continue;
-      const float z_m = 0.001F * static_cast<float>(depth(u, v));
-      const auto place = [&](float offset) {
-        return in_color(of_depth, of_color, color_from_depth,
-                        {static_cast<float>(u) + offset, static_cast<float>(v) + offset}, z_m);
-      };
-      const auto [left, top] = place(-0.5F);
-      const auto [right, bottom] = place(0.5F);
-      for (int y = static_cast<int>(std::lround(top)); y <= static_cast<int>(std::lround(bottom)); ++y) {
-        for (int x = static_cast<int>(std::lround(left)); x <= static_cast<int>(std::lround(right)); ++x) {
-          if (left < -0.5F || top < -0.5F || std::lround(right) >= of_color.width ||
-              std::lround(bottom) >= of_color.height)
-            continue;
-          std::uint16_t& there = expected(x, y);
-          if (there == no_depth || depth(u, v) < there) there = depth(u, v);
-        }
-      }
-    }
-  }
+  const Projection theirs(profiles.at(RS2_STREAM_DEPTH), profiles.at(RS2_STREAM_COLOR));
+  const DepthImage expected = theirs.aligned(depth);
   const DepthImage aligned = align_to_color(depth, ours->info());
+  ASSERT_EQ(aligned.size(), expected.size());
   std::size_t different = 0;
-  for (std::size_t i = 0; i < aligned.size(); ++i) different += aligned[i] == expected[i] ? 0U : 1U;
+  for (std::size_t i = 0; i < aligned.size(); ++i) {
+    if (aligned[i] != expected[i]) ++different;
+  }
   // Theirs reckons in single precision: a corner falls into the pixel beside now and then.
   EXPECT_LT(different, aligned.size() / 1000);
   EXPECT_GT(std::ranges::count_if(aligned.pixels(), [](std::uint16_t z) { return z != no_depth; }), 250'000);

@@ -66,7 +66,7 @@ TEST(CheckStandard, CallsAsManySoundCamerasUnfitAsItPromises) {
 TEST(CheckStandard, SaysWhatIsWrong) {
   SoundCamera camera(3);
   const std::vector<CameraCheck> history = camera.checks(10);
-  const CameraCheck sound = history.front();
+  const CameraCheck& sound = history.front();
   const auto unfit = [&](const CameraCheck& check) {
     std::vector<std::string_view> names;
     for (const CheckedQuantity& quantity : judge(check, history).quantities)

@@ -210,7 +210,8 @@ void RealSenseCamera::count(std::uint64_t device_number) {
   if (device_number_ && device_number > *device_number_)
     number_ += device_number - *device_number_;
   else if (last_frame_s_ > 0.0)
-    number_ += std::max<std::uint64_t>(1, std::llround((now_s - last_frame_s_) * options_.rate_hz));
+    number_ +=
+        static_cast<std::uint64_t>(std::max(1LL, std::llround((now_s - last_frame_s_) * options_.rate_hz)));
   device_number_ = device_number;
   last_frame_s_ = now_s;
 }

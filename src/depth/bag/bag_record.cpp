@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <lz4frame.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 
@@ -41,6 +43,25 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t
   return unpacked;
 }
 
+// What each field of a header fills; fields that are not here are not needed.
+struct Field {
+  std::string_view name;
+  void (*take)(RosBytes& value, BagRecordHeader& header);
+};
+constexpr auto known_fields = std::to_array<Field>({
+    {"op", [](RosBytes& v, BagRecordHeader& h) { h.op = static_cast<BagOp>(v.number<std::uint8_t>()); }},
+    {"conn", [](RosBytes& v, BagRecordHeader& h) { h.connection = v.number<std::uint32_t>(); }},
+    {"count", [](RosBytes& v, BagRecordHeader& h) { h.count = v.number<std::uint32_t>(); }},
+    {"conn_count", [](RosBytes& v, BagRecordHeader& h) { h.connection_count = v.number<std::uint32_t>(); }},
+    {"chunk_count", [](RosBytes& v, BagRecordHeader& h) { h.chunk_count = v.number<std::uint32_t>(); }},
+    {"size", [](RosBytes& v, BagRecordHeader& h) { h.size_bytes = v.number<std::uint32_t>(); }},
+    {"index_pos", [](RosBytes& v, BagRecordHeader& h) { h.index_at = v.number<std::uint64_t>(); }},
+    {"chunk_pos", [](RosBytes& v, BagRecordHeader& h) { h.chunk_at = v.number<std::uint64_t>(); }},
+    {"time", [](RosBytes& v, BagRecordHeader& h) { h.time_ns = v.time_ns(); }},
+    {"topic", [](RosBytes& v, BagRecordHeader& h) { h.topic = v.rest(); }},
+    {"compression", [](RosBytes& v, BagRecordHeader& h) { h.compression = v.rest(); }},
+});
+
 }  // namespace
 
 BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view place) {
@@ -53,17 +74,8 @@ BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::stri
     const std::string_view name = field.substr(0, equals);
     const std::string_view text = field.substr(equals + 1);
     RosBytes value(std::as_bytes(std::span(text)), place);
-    if (name == "op") header.op = static_cast<BagOp>(value.number<std::uint8_t>());
-    if (name == "conn") header.connection = value.number<std::uint32_t>();
-    if (name == "count") header.count = value.number<std::uint32_t>();
-    if (name == "conn_count") header.connection_count = value.number<std::uint32_t>();
-    if (name == "chunk_count") header.chunk_count = value.number<std::uint32_t>();
-    if (name == "size") header.size_bytes = value.number<std::uint32_t>();
-    if (name == "index_pos") header.index_at = value.number<std::uint64_t>();
-    if (name == "chunk_pos") header.chunk_at = value.number<std::uint64_t>();
-    if (name == "time") header.time_ns = value.time_ns();
-    if (name == "topic") header.topic = text;
-    if (name == "compression") header.compression = text;
+    const auto* known = std::ranges::find(known_fields, name, &Field::name);
+    if (known != known_fields.end()) known->take(value, header);
   }
   return header;
 }

@@ -36,10 +36,10 @@ class RosBytes {
 
   [[nodiscard]] std::span<const std::byte> list_of_bytes() { return take(number<std::uint32_t>()); }
 
-  [[nodiscard]] std::string_view text() {
-    const auto bytes = list_of_bytes();
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  }
+  [[nodiscard]] std::string_view text() { return as_text(list_of_bytes()); }
+
+  /// All that is left, as a text.
+  [[nodiscard]] std::string_view rest() { return as_text(take(left())); }
 
   /// A time: seconds and nanoseconds, 32 bits each.
   [[nodiscard]] std::uint64_t time_ns() {
@@ -50,6 +50,10 @@ class RosBytes {
   [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
  private:
+  static std::string_view as_text(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
   std::span<const std::byte> rest_;
   std::string_view place_;
 };
