@@ -1,5 +1,5 @@
 // A whole inspection, as a person does it who has never seen the console.
-import { begin, expect, test } from './served';
+import { angle, begin, expect, expectAtRest, test } from './served';
 
 test('from the empty list to the last decision, with a reload and a power cut between', async ({ console: page, served }) => {
   await begin(page);
@@ -8,10 +8,12 @@ test('from the empty list to the last decision, with a reload and a power cut be
 
   // Two views.
   await page.getByTestId('take').click();
+  await expect(page.getByTestId('release')).toBeVisible();
+  const ahead = await angle(page, 'pan');
   await page.keyboard.down('ArrowLeft');
-  await page.waitForTimeout(500);
+  await expect.poll(() => angle(page, 'pan')).toBeGreaterThan(ahead + 5);
   await page.keyboard.up('ArrowLeft');
-  await page.waitForTimeout(500);
+  await expectAtRest(page);
   await page.getByTestId('add-view').click();
   await expect(page.getByTestId('views').getByRole('listitem')).toHaveCount(2);
   await expect(page.getByTestId('add-view'), 'the same view again would show nothing more').toBeDisabled();
