@@ -1,7 +1,9 @@
 // Everything that a server stands around, small and quick.
 #pragma once
 
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "server/server_parts.hpp"
 #include "sim/simulated_robot.hpp"
@@ -21,6 +23,11 @@ struct Served {
   Inspector inspector{{camera, &drive}, records, folder.path(), {.readiness = {.least_free_gb = 0.0}}};
   Sessions sessions{records};
   Lease lease;
+
+  /// The robot has said where it stands.
+  Served() {
+    while (!drive.state().joints) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 
   [[nodiscard]] ServerParts parts() { return {camera, &drive, inspector, sessions, lease, {}}; }
 };
