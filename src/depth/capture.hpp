@@ -38,7 +38,7 @@ struct CameraInfo {
 
 /// What is known of a capture besides its images.
 struct CaptureInfo {
-  std::string format;  ///< "rva-capture", "open3d", "tum", "bag"
+  std::string format;  ///< "rva-capture", "open3d", "tum", "bag", "db3"
   Intrinsics depth;
   double depth_unit_m = 0.001;  ///< metres of one step of a depth image
   std::optional<Intrinsics> color;
@@ -107,7 +107,7 @@ struct CaptureOptions {
 [[nodiscard]] std::size_t lost_frames(const Capture& capture);
 
 /// Opens a capture folder, an Open3D recorder folder or a TUM RGB-D folder, told apart by the files in it, or
-/// a .bag of realsense-viewer. Images are not read yet.
+/// a .bag or .db3 of realsense-viewer. Images are not read yet.
 /// @throws Error when it is none of these, its description is missing or malformed, or it has no depth frame
 [[nodiscard]] std::unique_ptr<Capture> open_capture(const std::filesystem::path& path,
                                                     const CaptureOptions& options = {});

@@ -54,10 +54,11 @@ class FolderCapture : public Capture {
 [[nodiscard]] std::unique_ptr<Capture> open_tum_folder(const std::filesystem::path& folder,
                                                        const CaptureOptions& options);
 
-/// A ROS bag of version 2.0 as realsense-viewer and librealsense's recorder write it, with chunks packed by
-/// LZ4 or not at all. A file of any size: frames are read when they are asked for. A file whose recorder was
-/// stopped gives the frames that are whole, and says so in info().notes.
-[[nodiscard]] std::unique_ptr<Capture> open_bag(const std::filesystem::path& file);
+/// A file as realsense-viewer and librealsense's recorder write it: a ROS bag of version 2.0, with chunks
+/// packed by LZ4 or not at all, or, from librealsense 2.58 on, a database of rosbag2 (.db3), with messages
+/// packed by Zstandard or not at all. A file of any size: frames are read when they are asked for. One whose
+/// recorder was stopped gives the frames that are whole, and says so in info().notes.
+[[nodiscard]] std::unique_ptr<Capture> open_recording(const std::filesystem::path& file);
 
 /// The description of a capture folder from its text; apart from open_capture_folder() so that it can be
 /// tried with any text.

@@ -11,9 +11,9 @@
 
 namespace {
 
-// Bags are read from files: one of this process, in memory.
+// Recordings are read from files: one of this process, in memory.
 const std::string& file() {
-  static const std::string name = "/dev/shm/rva-fuzz-" + std::to_string(::getpid()) + ".bag";
+  static const std::string name = "/dev/shm/rva-fuzz-" + std::to_string(::getpid()) + ".recording";
   static const int removed_at_exit = std::atexit([] { std::filesystem::remove(name); });
   static_cast<void>(removed_at_exit);
   return name;
@@ -25,16 +25,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   rva::write_file(file(), std::as_bytes(std::span(data, size)));
   const auto capture = rva::load_or_refuse([] { return rva::open_capture(file()); });
   if (!capture) return 0;
-  const rva::Capture& bag = **capture;
-  rva::require(bag.depth_frames() > 0, "a capture has a frame");
-  for (std::size_t i = 0; i < std::min<std::size_t>(4, bag.depth_frames()); ++i) {
-    const auto depth = rva::load_or_refuse([&] { return bag.depth(i); });
-    rva::require(
-        !depth || (depth->width() == bag.info().depth.width && depth->height() == bag.info().depth.height),
-        "a depth image is of the size that is stated");
-    static_cast<void>(rva::load_or_refuse([&] { return bag.color_of(i); }));
-    static_cast<void>(rva::load_or_refuse([&] { return bag.infrared_of(i); }));
-    static_cast<void>(rva::load_or_refuse([&] { return bag.metadata_of(i); }));
+  const rva::Capture& recording = **capture;
+  rva::require(recording.depth_frames() > 0, "a capture has a frame");
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, recording.depth_frames()); ++i) {
+    const auto depth = rva::load_or_refuse([&] { return recording.depth(i); });
+    rva::require(!depth || (depth->width() == recording.info().depth.width &&
+                            depth->height() == recording.info().depth.height),
+                 "a depth image is of the size that is stated");
+    static_cast<void>(rva::load_or_refuse([&] { return recording.color_of(i); }));
+    static_cast<void>(rva::load_or_refuse([&] { return recording.infrared_of(i); }));
+    static_cast<void>(rva::load_or_refuse([&] { return recording.metadata_of(i); }));
   }
   return 0;
 }

@@ -18,7 +18,7 @@ for target in build/fuzz/tests/fuzz/fuzz_*; do
   name=${target##*/}
   log=$scratch/$name.log
   max_len=4096
-  [[ $name == fuzz_bag ]] && max_len=16384
+  [[ $name == fuzz_recording ]] && max_len=16384
   cp -r "tests/fuzz/corpus/$name" "$scratch"
   if "$target" -seed=1 -max_total_time="$seconds" -max_len="$max_len" "${limits[@]}" -print_final_stats=1 \
     -artifact_prefix="build/fuzz/failures/$name-" "$scratch/$name" >"$log" 2>&1; then

@@ -16,12 +16,6 @@ constexpr std::size_t most_recent_chunks = 8;
 BagFile::BagFile(const std::filesystem::path& path)
     : file_(path), place_(printable(path)), index_(read_bag_index(file_, place_)) {}
 
-const std::vector<BagMessage>& BagFile::messages(std::string_view topic) const {
-  static const std::vector<BagMessage> none;
-  const auto found = index_.topics.find(topic);
-  return found == index_.topics.end() ? none : found->second.messages;
-}
-
 BagFile::Chunk BagFile::chunk(std::uint64_t at) const {
   {
     const std::lock_guard lock(mutex_);
@@ -35,8 +29,8 @@ BagFile::Chunk BagFile::chunk(std::uint64_t at) const {
   return unpacked;
 }
 
-std::vector<std::byte> BagFile::read(const BagMessage& message) const {
-  const Chunk records = chunk(message.chunk_at);
+std::vector<std::byte> BagFile::read(const RecordedMessage& message) const {
+  const Chunk records = chunk(message.at);
   RosBytes bytes(*records, place_);
   static_cast<void>(bytes.take(message.offset));
   const BagRecord record = take_record(bytes, place_);

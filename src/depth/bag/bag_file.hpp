@@ -29,11 +29,8 @@ class BagFile {
   /// What to call it in an error.
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// The messages of a topic ("/device_0/sensor_0/Depth_0/image/data"); none where there is no such topic.
-  [[nodiscard]] const std::vector<BagMessage>& messages(std::string_view topic) const;
-
   /// A message's bytes. @throws Error when the file is damaged there
-  [[nodiscard]] std::vector<std::byte> read(const BagMessage& message) const;
+  [[nodiscard]] std::vector<std::byte> read(const RecordedMessage& message) const;
 
  private:
   using Chunk = std::shared_ptr<const std::vector<std::byte>>;

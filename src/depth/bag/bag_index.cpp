@@ -24,23 +24,26 @@ class Gathering {
     topics_.try_emplace(connection, topic, type);
   }
 
-  void add(std::uint32_t connection, const BagMessage& message) { messages_[connection].push_back(message); }
+  void add(std::uint32_t connection, const RecordedMessage& message) {
+    messages_[connection].push_back(message);
+  }
 
-  [[nodiscard]] std::map<std::string, BagTopic, std::less<>> by_topic() && {
-    std::map<std::string, BagTopic, std::less<>> topics;
+  [[nodiscard]] RecordedTopics by_topic() && {
+    RecordedTopics topics;
     for (const auto& [connection, topic] : topics_) {
-      BagTopic& stream = topics[topic.first];
+      RecordedTopic& stream = topics[topic.first];
       stream.type = topic.second;
-      const std::vector<BagMessage>& more = messages_[connection];
+      const std::vector<RecordedMessage>& more = messages_[connection];
       stream.messages.insert(stream.messages.end(), more.begin(), more.end());
     }
-    for (auto& [name, topic] : topics) std::ranges::stable_sort(topic.messages, {}, &BagMessage::time_ns);
+    for (auto& [name, topic] : topics)
+      std::ranges::stable_sort(topic.messages, {}, &RecordedMessage::time_ns);
     return topics;
   }
 
  private:
   std::map<std::uint32_t, std::pair<std::string, std::string>> topics_;
-  std::map<std::uint32_t, std::vector<BagMessage>> messages_;
+  std::map<std::uint32_t, std::vector<RecordedMessage>> messages_;
 };
 
 // The data of a connection's record are fields, too, of which only the type says something to us.

@@ -10,6 +10,7 @@
 
 #include "core/file.hpp"
 #include "depth/bag/bag_record.hpp"
+#include "depth/recording/recording.hpp"
 
 namespace rva {
 
@@ -31,21 +32,8 @@ struct BagRecordPlace {
 [[nodiscard]] std::vector<std::byte> read_chunk(const OpenFile& file, std::uint64_t at,
                                                 const std::string& place);
 
-/// Where a message lies.
-struct BagMessage {
-  std::uint64_t time_ns = 0;  ///< when it was recorded; realsense-viewer counts from the beginning
-  std::uint64_t chunk_at = 0;
-  std::uint32_t offset = 0;  ///< in the chunk as it is unpacked
-};
-
-/// One stream of messages.
-struct BagTopic {
-  std::string type;                  ///< "sensor_msgs/Image"
-  std::vector<BagMessage> messages;  ///< in the order of their times
-};
-
 struct BagIndex {
-  std::map<std::string, BagTopic, std::less<>> topics;
+  RecordedTopics topics;
   bool finished = true;            ///< false: the recorder did not end the file, or it was cut
   std::size_t damaged_chunks = 0;  ///< left out; only looked for where the file is not finished
 };

@@ -1,4 +1,4 @@
-// A .bag as realsense-viewer and librealsense's recorder write it, without librealsense.
+// A recording of realsense-viewer or of librealsense's recorder, without librealsense.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,28 +8,28 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "depth/bag/bag_file.hpp"
-#include "depth/bag/bag_streams.hpp"
-#include "depth/bag/realsense_messages.hpp"
+#include "depth/bag/bag_recording.hpp"
+#include "depth/db3/db3_recording.hpp"
 #include "depth/formats.hpp"
+#include "depth/recording/streams.hpp"
 
 namespace rva {
 namespace {
 
 /// Where each depth frame's companion lies among `others`: the one nearest in time, if that depth frame is in
 /// turn the nearest to it.
-std::vector<std::optional<BagMessage>> companions(const std::vector<BagMessage>& depth,
-                                                  const std::vector<BagMessage>& others) {
-  const auto nearest = [](const std::vector<BagMessage>& among, std::uint64_t time_ns) {
-    const auto distance = [&](const BagMessage& message) {
+std::vector<std::optional<RecordedMessage>> companions(const std::vector<RecordedMessage>& depth,
+                                                       const std::vector<RecordedMessage>& others) {
+  const auto nearest = [](const std::vector<RecordedMessage>& among, std::uint64_t time_ns) {
+    const auto distance = [&](const RecordedMessage& message) {
       return message.time_ns > time_ns ? message.time_ns - time_ns : time_ns - message.time_ns;
     };
-    auto after = std::ranges::lower_bound(among, time_ns, {}, &BagMessage::time_ns);
+    auto after = std::ranges::lower_bound(among, time_ns, {}, &RecordedMessage::time_ns);
     if (after == among.end() || (after != among.begin() && distance(*(after - 1)) <= distance(*after)))
       --after;
     return after;
   };
-  std::vector<std::optional<BagMessage>> found(depth.size());
+  std::vector<std::optional<RecordedMessage>> found(depth.size());
   if (others.empty()) return found;
   for (auto frame = depth.begin(); frame != depth.end(); ++frame) {
     const auto other = nearest(others, frame->time_ns);
@@ -39,26 +39,34 @@ std::vector<std::optional<BagMessage>> companions(const std::vector<BagMessage>&
   return found;
 }
 
-class BagCapture : public Capture {
+class RecordedCapture : public Capture {
  public:
-  BagCapture(std::unique_ptr<BagFile> bag, CaptureInfo info, const BagStreams& streams)
-      : Capture(std::move(info)), bag_(std::move(bag)), stream_(streams.depth) {
-    depth_ = images(*bag_, stream_);
-    if (streams.color) color_ = images(*bag_, *streams.color);
+  RecordedCapture(std::unique_ptr<Recording> recording, CaptureInfo info, RecordedStreams streams)
+      : Capture(std::move(info)),
+        recording_(std::move(recording)),
+        streams_(std::move(streams)),
+        depth_(recording_->messages(streams_.depth.images())) {
+    if (streams_.color) color_ = recording_->messages(streams_.color->images());
     color_of_ = companions(depth_, color_);
-    if (streams.infrared) infrared_of_ = companions(depth_, images(*bag_, *streams.infrared));
+    if (streams_.infrared)
+      infrared_of_ = companions(depth_, recording_->messages(streams_.infrared->images()));
   }
 
   [[nodiscard]] std::size_t depth_frames() const override { return depth_.size(); }
   [[nodiscard]] std::size_t color_frames() const override { return color_.size(); }
 
   [[nodiscard]] DepthImage depth(std::size_t i) const override {
-    const std::vector<std::byte> message = bag_->read(depth_.at(i));
-    const ImageMessage image = parse_image_message(message, place("depth", i));
-    require_size(image, info().depth, "depth", i);
-    if (image.unit_m && shortest_decimal(*image.unit_m) != info().depth_unit_m)
-      throw Error(place("depth", i), "its unit is not that of the first frame", "record it again");
-    return rva::depth_of(image, place("depth", i));
+    const std::string where = place("depth", i);
+    const ImageMessage image = recording_->image(streams_.depth, depth_.at(i), where);
+    if (image.width != info().depth.width || image.height != info().depth.height) {
+      throw Error(where,
+                  fmt::format("{}x{} pixels where the file states {}x{}", image.width, image.height,
+                              info().depth.width, info().depth.height),
+                  "record it again");
+    }
+    if (image.unit_m && *image.unit_m != info().depth_unit_m)
+      throw Error(where, "its unit is not that of the first frame", "record it again");
+    return rva::depth_of(image, where);
   }
 
   [[nodiscard]] ColorImage color(std::size_t i) const override {
@@ -73,51 +81,40 @@ class BagCapture : public Capture {
 
   [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override {
     if (infrared_of_.empty() || !infrared_of_.at(depth_frame)) return std::nullopt;
-    const BagMessage& message = *infrared_of_[depth_frame];
     const std::string where = place("infrared of depth", depth_frame);
-    const std::vector<std::byte> bytes = bag_->read(message);
-    return gray_of(parse_image_message(bytes, where), where);
+    return gray_of(recording_->image(*streams_.infrared, *infrared_of_[depth_frame], where), where);
   }
 
   [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override {
-    return rva::metadata_of(*bag_, stream_, depth_.at(depth_frame));
+    return rva::metadata_of(*recording_, streams_.depth, depth_.at(depth_frame));
   }
 
  private:
   [[nodiscard]] std::string place(const char* kind, std::size_t i) const {
-    return fmt::format("{}, {} frame {}", bag_->place(), kind, i);
+    return fmt::format("{}, {} frame {}", recording_->place(), kind, i);
   }
 
-  void require_size(const ImageMessage& image, const Intrinsics& stated, const char* kind,
-                    std::size_t i) const {
-    if (image.width == stated.width && image.height == stated.height) return;
-    throw Error(place(kind, i),
-                fmt::format("{}x{} pixels where the file states {}x{}", image.width, image.height,
-                            stated.width, stated.height),
-                "record it again");
+  [[nodiscard]] ColorImage read_color(const RecordedMessage& message, const std::string& where) const {
+    return rva::color_of(recording_->image(*streams_.color, message, where), where);
   }
 
-  [[nodiscard]] ColorImage read_color(const BagMessage& message, const std::string& where) const {
-    const std::vector<std::byte> bytes = bag_->read(message);
-    return rva::color_of(parse_image_message(bytes, where), where);
-  }
-
-  std::unique_ptr<BagFile> bag_;
-  BagStream stream_;
-  std::vector<BagMessage> depth_;
-  std::vector<BagMessage> color_;
-  std::vector<std::optional<BagMessage>> color_of_;
-  std::vector<std::optional<BagMessage>> infrared_of_;
+  std::unique_ptr<Recording> recording_;
+  RecordedStreams streams_;
+  std::vector<RecordedMessage> depth_;
+  std::vector<RecordedMessage> color_;
+  std::vector<std::optional<RecordedMessage>> color_of_;     // by depth frame
+  std::vector<std::optional<RecordedMessage>> infrared_of_;  // the same
 };
 
 }  // namespace
 
-std::unique_ptr<Capture> open_bag(const std::filesystem::path& file) {
-  auto bag = std::make_unique<BagFile>(file);
-  const BagStreams streams = find_streams(*bag);
-  CaptureInfo info = describe(*bag, streams);
-  require_possible(info, bag->place());
-  return std::make_unique<BagCapture>(std::move(bag), std::move(info), streams);
+std::unique_ptr<Capture> open_recording(const std::filesystem::path& file) {
+  std::unique_ptr<Recording> recording =
+      is_db3_file(file) ? open_db3_recording(file) : open_bag_recording(file);
+  RecordedStreams streams = find_streams(*recording);
+  CaptureInfo info = describe(*recording, streams);
+  require_possible(info, recording->place());
+  return std::make_unique<RecordedCapture>(std::move(recording), std::move(info), std::move(streams));
 }
 
 }  // namespace rva

@@ -1,0 +1,14 @@
+// A ROS bag as librealsense up to version 2.57 records it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "depth/recording/recording.hpp"
+
+namespace rva {
+
+/// @throws Error when it is no bag of version 2.0, or cannot be read; Interrupted
+[[nodiscard]] std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& file);
+
+}  // namespace rva

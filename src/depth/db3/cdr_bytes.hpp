@@ -1,0 +1,63 @@
+// Values as ROS 2 lays them out in bytes: CDR (OMG DDS-XTypes 7.4.1, as Fast-CDR 1.0 writes it).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace rva {
+
+/// Takes values off the front of a message: little endian, numbers aligned to their size behind the four
+/// bytes that name the encoding, texts and lists behind a length of 32 bits. The bytes must outlive it and
+/// what it gives.
+class CdrBytes {
+ public:
+  /// @param place what to call the bytes in an error
+  /// @throws Error when they are encoded otherwise
+  CdrBytes(std::span<const std::byte> message, std::string_view place) : place_(place) {
+    constexpr std::size_t encapsulation_bytes = 4;
+    constexpr std::byte plain_little_endian{1};
+    if (message.size() < encapsulation_bytes || message[0] != std::byte{0} ||
+        message[1] != plain_little_endian)
+      throw Error(std::string(place), "a message is not encoded as CDR, little endian", "record it again");
+    bytes_ = message.subspan(encapsulation_bytes);
+  }
+
+  /// @throws Error when fewer bytes are left, and so do all below
+  template <typename Number>
+  [[nodiscard]] Number number() {
+    at_ = (at_ + sizeof(Number) - 1) / sizeof(Number) * sizeof(Number);
+    Number value;
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    return value;
+  }
+
+  [[nodiscard]] std::span<const std::byte> list_of_bytes() { return take(number<std::uint32_t>()); }
+
+  /// Without the zero that ends it.
+  [[nodiscard]] std::string_view text() {
+    const auto bytes = list_of_bytes();
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return text.substr(0, text.find('\0'));
+  }
+
+ private:
+  std::span<const std::byte> take(std::size_t count) {
+    if (at_ > bytes_.size() || count > bytes_.size() - at_)
+      throw Error(std::string(place_), "a message ends early", "record it again");
+    const auto taken = bytes_.subspan(at_, count);
+    at_ += count;
+    return taken;
+  }
+
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+  std::string_view place_;
+};
+
+}  // namespace rva

@@ -1,0 +1,115 @@
+#include "depth/db3/db3_messages.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "depth/db3/cdr_bytes.hpp"
+
+namespace rva {
+namespace {
+
+Error unsound(std::string_view place, const std::string& problem) {
+  return {std::string(place), problem, "record it again"};
+}
+
+// Calls `use` with what stands between separators.
+template <typename Use>
+void for_each_part(std::string_view text, char separator, const Use& use) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    use(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+// Numbers with commas between them.
+std::vector<double> numbers(const KeyValues& values, const char* key, std::string_view place) {
+  const auto found = values.find(key);
+  if (found == values.end()) throw unsound(place, fmt::format("lacks {}", key));
+  std::vector<double> numbers;
+  for_each_part(found->second, ',', [&](std::string_view part) {
+    const auto number = decimal_number(part);
+    if (!number) throw unsound(place, fmt::format("states a {} that is no number", key));
+    numbers.push_back(*number);
+  });
+  return numbers;
+}
+
+double number(const KeyValues& values, const char* key, std::string_view place) {
+  const std::vector<double> one = numbers(values, key, place);
+  if (one.size() != 1) throw unsound(place, fmt::format("states {} numbers for {}", one.size(), key));
+  return one.front();
+}
+
+int side(const KeyValues& values, const char* key, std::string_view place) {
+  const double pixels = number(values, key, place);
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  return possible_side(static_cast<std::uint32_t>(std::clamp(pixels, 0.0, most)), place);
+}
+
+}  // namespace
+
+ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view place) {
+  ImageMessage image;
+  image.message = std::move(message);
+  CdrBytes bytes(image.message, place);
+  static_cast<void>(bytes.number<std::int32_t>());   // seconds
+  static_cast<void>(bytes.number<std::uint32_t>());  // nanoseconds
+  static_cast<void>(bytes.text());                   // the frame's name
+  const auto height = bytes.number<std::uint32_t>();
+  set_size(image, bytes.number<std::uint32_t>(), height, place);
+  image.encoding = bytes.text();
+  if (bytes.number<std::uint8_t>() != 0) throw unsound(place, "an image with the high byte first");
+  image.row_bytes = std::max<std::uint32_t>(1, bytes.number<std::uint32_t>());
+  image.pixels = bytes.list_of_bytes();
+  return image;
+}
+
+std::string parse_db3_text(std::span<const std::byte> message, std::string_view place) {
+  return std::string(CdrBytes(message, place).text());
+}
+
+KeyValues parse_db3_values(std::span<const std::byte> message, std::string_view place) {
+  KeyValues values;
+  for_each_part(CdrBytes(message, place).text(), ';', [&](std::string_view pair) {
+    const std::size_t key_end = std::min(pair.find('='), pair.size());
+    values.emplace(pair.substr(0, key_end), pair.substr(std::min(key_end + 1, pair.size())));
+  });
+  return values;
+}
+
+Intrinsics intrinsics_from(const KeyValues& values, std::string_view place) {
+  Intrinsics camera;
+  camera.width = side(values, "width", place);
+  camera.height = side(values, "height", place);
+  camera.fx = number(values, "fx", place);
+  camera.fy = number(values, "fy", place);
+  camera.cx = number(values, "ppx", place);
+  camera.cy = number(values, "ppy", place);
+  const auto model = values.find("model");
+  return with_lens(camera, model == values.end() ? "" : model->second, numbers(values, "coeffs", place),
+                   place);
+}
+
+Transform transform_from(const KeyValues& values, std::string_view place) {
+  const std::vector<double> rotation = numbers(values, "rotation", place);
+  const std::vector<double> translation = numbers(values, "translation", place);
+  if (rotation.size() != 9 || translation.size() != 3)
+    throw unsound(place, "a transform between its imagers lacks numbers");
+  const Eigen::Matrix3d stated = Eigen::Map<const Eigen::Matrix3d>(rotation.data());
+  const bool turns =
+      (stated.transpose() * stated - Eigen::Matrix3d::Identity()).norm() < 1e-3 && stated.determinant() > 0.0;
+  if (!turns) throw unsound(place, "a transform between its imagers is no rotation and translation");
+  Transform transform = Transform::Identity();
+  // Six decimals are stated, so it is a rotation only nearly.
+  transform.linear() = Eigen::Quaterniond(stated).normalized().toRotationMatrix();
+  transform.translation() = Eigen::Map<const Eigen::Vector3d>(translation.data());
+  return transform;
+}
+
+}  // namespace rva

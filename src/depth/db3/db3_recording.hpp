@@ -1,0 +1,14 @@
+// A database of rosbag2 as librealsense from version 2.58 on records it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "depth/db3/db3_file.hpp"
+
+namespace rva {
+
+/// @throws Error when it is no database of rosbag2, or cannot be read; Interrupted
+[[nodiscard]] std::unique_ptr<Recording> open_db3_recording(const std::filesystem::path& file);
+
+}  // namespace rva

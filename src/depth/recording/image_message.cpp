@@ -1,0 +1,95 @@
+#include "depth/recording/image_message.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+#include "depth/image_file.hpp"
+#include "depth/mat_view.hpp"
+
+namespace rva {
+namespace {
+
+Error unsound(std::string_view place, const std::string& problem) {
+  return {std::string(place), problem, "record it again"};
+}
+
+Error unknown_encoding(const ImageMessage& image, const char* kind, std::string_view place) {
+  return unsound(place, fmt::format("a {} image is encoded as '{}', which is not known", kind,
+                                    printable(image.encoding)));
+}
+
+// Rows may be padded.
+template <typename Pixel>
+Image<Pixel> copy_rows(const ImageMessage& image, std::string_view place) {
+  const std::size_t used = static_cast<std::size_t>(image.width) * sizeof(Pixel);
+  const auto rows = static_cast<std::size_t>(image.height);
+  if (image.row_bytes < used || image.pixels.size() / image.row_bytes < rows)
+    throw unsound(place, "an image has fewer bytes than its size asks for");
+  Image<Pixel> copy(image.width, image.height);
+  for (std::size_t v = 0; v < rows; ++v) {
+    std::memcpy(copy.data() + v * static_cast<std::size_t>(image.width),
+                image.pixels.data() + v * image.row_bytes, used);
+  }
+  return copy;
+}
+
+bool is_gray(const ImageMessage& image) { return image.encoding == "mono8" || image.encoding == "8UC1"; }
+
+using FourBytes = std::array<std::uint8_t, 4>;
+using TwoBytes = std::array<std::uint8_t, 2>;
+
+template <typename Pixel>
+ColorImage converted(const ImageMessage& image, int channels, int code, std::string_view place) {
+  Image<Pixel> raw = copy_rows<Pixel>(image, place);
+  ColorImage color(image.width, image.height);
+  cv::Mat to(image.height, image.width, CV_8UC3, color.data());
+  cv::cvtColor(cv::Mat(image.height, image.width, CV_8UC(channels), raw.data()), to, code);
+  return color;
+}
+
+}  // namespace
+
+int possible_side(std::uint32_t pixels, std::string_view place) {
+  if (pixels >= 1 && pixels <= max_image_pixels) return static_cast<int>(pixels);
+  throw unsound(place, fmt::format("an image states a side of {} pixels", pixels));
+}
+
+void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, std::string_view place) {
+  image.width = possible_side(width, place);
+  image.height = possible_side(height, place);
+  if (image.width > max_image_pixels / image.height) {
+    throw unsound(place, fmt::format("an image of {}x{} pixels, larger than any camera of ours gives",
+                                     image.width, image.height));
+  }
+}
+
+DepthImage depth_of(const ImageMessage& image, std::string_view place) {
+  if (image.encoding != "mono16" && image.encoding != "16UC1") throw unknown_encoding(image, "depth", place);
+  return copy_rows<std::uint16_t>(image, place);
+}
+
+ColorImage color_of(const ImageMessage& image, std::string_view place) {
+  if (image.encoding == "rgb8") return copy_rows<Rgb>(image, place);
+  if (image.encoding == "bgr8") return converted<Rgb>(image, 3, cv::COLOR_BGR2RGB, place);
+  if (image.encoding == "rgba8") return converted<FourBytes>(image, 4, cv::COLOR_RGBA2RGB, place);
+  if (image.encoding == "bgra8") return converted<FourBytes>(image, 4, cv::COLOR_BGRA2RGB, place);
+  if (is_gray(image)) return converted<std::uint8_t>(image, 1, cv::COLOR_GRAY2RGB, place);
+  const bool pairs = image.width % 2 == 0;
+  if (image.encoding == "YUYV" && pairs) return converted<TwoBytes>(image, 2, cv::COLOR_YUV2RGB_YUYV, place);
+  if (image.encoding == "yuv422" && pairs)
+    return converted<TwoBytes>(image, 2, cv::COLOR_YUV2RGB_UYVY, place);
+  throw unknown_encoding(image, "colour", place);
+}
+
+GrayImage gray_of(const ImageMessage& image, std::string_view place) {
+  if (!is_gray(image)) throw unknown_encoding(image, "infrared", place);
+  return copy_rows<std::uint8_t>(image, place);
+}
+
+}  // namespace rva
