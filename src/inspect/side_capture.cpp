@@ -102,7 +102,8 @@ std::string what_is_away(const InspectionRig& rig) {
   if (rig.camera.wait_for_other(rig.camera.newest().get(), std::chrono::milliseconds(1500)) == nullptr)
     return "camera: gives no frames; check its cable";
   if (rig.drive == nullptr) return {};
-  const DriveState state = rig.drive->state();
+  // The state that is known may be of before what failed.
+  const DriveState state = rig.drive->state_after_asking();
   return state.joints ? "" : state.problem;
 }
 

@@ -64,6 +64,13 @@ DriveState Drive::state() const {
   return state_;
 }
 
+DriveState Drive::state_after_asking() {
+  std::unique_lock lock(mutex_);
+  const std::uint64_t next = questions_ + 1;
+  changed_.wait(lock, [&] { return answers_ >= next; });
+  return state_;
+}
+
 Drive::Loan::Loan(Drive& drive) : drive_(drive) {
   constexpr std::chrono::seconds longest_wait{2};  // for a robot that does not answer
   std::unique_lock lock(drive_.mutex_);
@@ -154,6 +161,10 @@ void Drive::stop_moving() {
 }
 
 void Drive::ask_joints() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++questions_;
+  }
   std::optional<PanTilt> joints;
   std::string problem = failure_;
   try {
@@ -164,6 +175,8 @@ void Drive::ask_joints() {
   const std::lock_guard lock(mutex_);
   state_.joints = joints;
   state_.problem = problem;
+  answers_ = questions_;
+  changed_.notify_all();
 }
 
 }  // namespace rva

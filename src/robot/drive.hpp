@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -62,6 +63,10 @@ class Drive {
   void halt();
 
   [[nodiscard]] DriveState state() const;
+
+  /// As state(), but what the robot answers to a question that is asked from now on: waits for that.
+  [[nodiscard]] DriveState state_after_asking();
+
   [[nodiscard]] RobotLimits limits() const { return limits_; }
 
   /// While it lives, the robot is moved by somebody else, and sticks have no say; halt() does. It begins when
@@ -103,6 +108,8 @@ class Drive {
   bool news_ = false;
   int loans_ = 0;
   DriveState state_;
+  std::uint64_t questions_ = 0;  // begun, and
+  std::uint64_t answers_ = 0;    // ended: how often the robot was asked for its joints
   // Of the thread alone.
   std::optional<PanTilt> target_;  // while driving
   double advanced_s_ = 0.0;

@@ -25,26 +25,36 @@ def eventually(condition, timeout_s=30):
     raise TimeoutError
 
 
-class Driving(program.ProgramTest):
+class WithARobot(program.ProgramTest):
+    OPTIONS = ()
+
     def setUp(self):
         super().setUp()
         console = self.folder / 'console'
         console.mkdir()
         (console / 'index.html').write_text('<title>RVA</title>')
         try:
-            self.served = ServedRobot(program.PROGRAM, ROBOT, TOOLS, self.folder, '--console', console)
+            self.served = ServedRobot(program.PROGRAM, ROBOT, TOOLS, self.folder, '--console', console, *self.OPTIONS)
         except NotBuilt:
             self.skipTest('the firmware was not built (gcc-avr, arduino-core-avr, libsimavr-dev)')
         self.addCleanup(self.served.end)
         self.line = self.served.line
         self.console = self.open_console('Ann')
         self.console.wait_for(lambda status: 'pan_deg' in status['robot'])
-        self.console.say(type='lease', action='take', name='Ann')
 
     def open_console(self, name):
         console = Console(self.served.address, name=name)
         self.addCleanup(console.close)
         return console
+
+    def angle(self):
+        return self.console.status['robot'].get('pan_deg', 0.0)
+
+
+class Driving(WithARobot):
+    def setUp(self):
+        super().setUp()
+        self.console.say(type='lease', action='take', name='Ann')
 
     def hold(self, pan, tilt, until):
         def held():
@@ -52,9 +62,6 @@ class Driving(program.ProgramTest):
             time.sleep(0.04)
             return until()
         return eventually(held)
-
-    def angle(self):
-        return self.console.status['robot'].get('pan_deg', 0.0)
 
     def drive_away(self):
         before = self.angle()
@@ -101,6 +108,32 @@ class Driving(program.ProgramTest):
             self.console.drive(1.0, 0.0)
             time.sleep(0.04)
         self.assertLessEqual(self.line.moves(), moves + 1, 'sticks that are still held have no say')
+
+
+class Capturing(WithARobot):
+    OPTIONS = ('--frames', '6', '--dither', '2')
+
+    def ask(self, method, path, body=None, status=200):
+        answered, answer = ask(self.served.address, method, '/api/' + path, body)
+        self.assertEqual(answered, status, answer)
+        return answer
+
+    def test_a_robot_that_is_unplugged_is_waited_for(self):
+        self.ask('POST', 'inspections', {'person': 'Ann'}, 201)
+        views = [{'pan_deg': pan, 'tilt_deg': -20.0} for pan in (0.0, 12.0, 24.0)]
+        self.ask('PUT', 'inspections/1/views', {'views': views})
+        self.ask('POST', 'inspections/1/capture', {'side': 'initial', 'person': 'Ann'}, 202)
+        self.console.wait_for(lambda status: status['task'].get('view', 0) >= 1)
+        self.line.unplug()
+        status = self.console.wait_for(lambda status: status['task'].get('waiting'), timeout_s=15)
+        self.assertIn(str(self.line.link), status['task']['waiting'])
+        self.assertEqual(status['task']['end'], 'running')
+        kept = sorted((self.folder / 'data').glob('**/depth/*.png'))
+        self.line.plug_in()
+        status = self.console.wait_for(lambda status: status['task']['end'] != 'running', timeout_s=120)
+        self.assertEqual(status['task']['end'], 'done', status)
+        self.assertEqual(self.ask('GET', 'inspections/1')['stage'], 'work')
+        self.assertTrue(all(path.exists() for path in kept if '.partial' not in str(path)), 'what was taken is kept')
 
 
 class Starting(program.ProgramTest):

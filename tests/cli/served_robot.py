@@ -1,6 +1,7 @@
 """`rva serve` with the built firmware on a simulated board at the end of its serial line, and an ear on that line."""
 import os
 import pathlib
+import select
 import subprocess
 import termios
 import threading
@@ -13,19 +14,36 @@ class Line:
 
     def __init__(self, link, robot):
         self.said = []  # (monotonic seconds, bytes)
-        host, device = os.openpty()
-        tty.setraw(device)
-        os.symlink(os.ttyname(device), link)
+        self.link = pathlib.Path(link)
         self.robot = os.open(robot, os.O_RDWR | os.O_NOCTTY)
         tty.setraw(self.robot, termios.TCSANOW)
-        self.host = host
-        self.device = device  # stays open, so that the line outlives whoever uses it
-        threading.Thread(target=self._pass, args=(host, self.robot, True), daemon=True).start()
-        threading.Thread(target=self._pass, args=(self.robot, host, False), daemon=True).start()
+        self.plug_in()
+
+    def plug_in(self):
+        # The device stays open here, so that the line outlives whoever uses it.
+        self.host, self.device = os.openpty()
+        tty.setraw(self.device)
+        os.symlink(os.ttyname(self.device), self.link)
+        self.plugged_in = True
+        self.ways = [threading.Thread(target=self._pass, args=way, daemon=True)
+                     for way in ((self.host, self.robot, True), (self.robot, self.host, False))]
+        for way in self.ways:
+            way.start()
+
+    def unplug(self):
+        self.link.unlink()
+        self.plugged_in = False
+        for way in self.ways:
+            way.join()
+        os.close(self.device)
+        os.close(self.host)
 
     def _pass(self, source, target, note):
         try:
-            while data := os.read(source, 4096):
+            while self.plugged_in:
+                if not select.select([source], [], [], 0.05)[0]:
+                    continue
+                data = os.read(source, 4096)
                 if note:
                     self.said.append((time.monotonic(), data))
                 os.write(target, data)

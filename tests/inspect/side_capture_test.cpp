@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,31 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
+/// A simulated robot at the end of a cable.
+class PluggedRobot : public Robot {
+ public:
+  [[nodiscard]] RobotLimits limits() const override { return robot_.limits(); }
+  void move_to(const PanTilt& target) override { plugged().move_to(target); }
+  [[nodiscard]] PanTilt joints() override { return plugged().joints(); }
+  [[nodiscard]] bool moving() override { return plugged().moving(); }
+  void stop() override { plugged().stop(); }
+
+  std::atomic<bool> pulled = false;
+
+ private:
+  SimulatedRobot& plugged() {
+    if (pulled) throw Error("robot", "is away", "plug it in");
+    return robot_;
+  }
+
+  SimulatedRobot robot_{{.speed_deg_s = 1000.0}};
+};
+
 class Side3Views : public testing::Test {
  protected:
   Side3Views()
       : plug_(std::make_shared<test::Plug>()),
         camera_(std::make_unique<test::WavingCamera>(plug_), 1000.0),
-        robot_({.speed_deg_s = 1000.0}),
         drive_(robot_) {}
 
   void take(const std::function<void(const CaptureProgress&)>& see = [](const CaptureProgress&) {}) {
@@ -42,7 +62,7 @@ class Side3Views : public testing::Test {
   test::TemporaryFolder folder_;
   std::shared_ptr<test::Plug> plug_;
   LiveCamera camera_;
-  SimulatedRobot robot_;
+  PluggedRobot robot_;
   Drive drive_;
   SideCapture side_{{{0, 0}, {5, -5}, {-5, -10}}, folder_ / "initial", "base", 12, false};
   double noise_ = 0.0;
@@ -83,6 +103,22 @@ TEST_F(Side3Views, ACameraThatIsUnpluggedIsWaitedForAndTheViewTakenAnew) {
   ASSERT_FALSE(waited_.empty());
   EXPECT_THAT(waited_.front(), HasSubstr("unplugged"));
   EXPECT_EQ(waited_.back(), "") << "and it is said when it is back";
+}
+
+// At every tick of the way from the first view on: what is known of the robot may be of before.
+TEST_F(Side3Views, ARobotThatIsUnpluggedIsWaitedFor) {
+  for (int at = 0; at < 4; ++at) {
+    side_.folder = folder_ / std::to_string(at);
+    waited_.clear();
+    int ticks = 0;
+    take([&](const CaptureProgress& now) {
+      if (now.view == 1 && ticks++ == at) robot_.pulled = true;
+      if (!waited_.empty()) robot_.pulled = false;
+    });
+    EXPECT_EQ(captures(), 3U);
+    ASSERT_FALSE(waited_.empty()) << at;
+    EXPECT_THAT(waited_.front(), HasSubstr("is away"));
+  }
 }
 
 TEST_F(Side3Views, AStopIsNoDeviceThatIsAway) {
