@@ -1,6 +1,6 @@
 // A server of one test's own, with a simulated bay and robot.
 import { test as base, expect, type Page } from '@playwright/test';
-import { spawn, type ChildProcess } from 'node:child_process';
+import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -27,6 +27,12 @@ export class Served {
       lines.once('line', resolve);
       this.process!.once('exit', (code) => reject(new Error(`rva serve ended with ${code}`)));
     });
+  }
+
+  /** `rva account`, as whoever runs the server calls it. */
+  account(command: 'add' | 'remove', name: string, more: string[] = [], password = ''): void {
+    const done = spawnSync(program, ['account', command, name, '--data', this.data, ...more], { input: `${password}\n` });
+    expect(done.status, String(done.stderr)).toBe(0);
   }
 
   get port(): number {
@@ -69,12 +75,12 @@ export const test = base.extend<{ served: Served; console: Page }>({
 
 export { expect };
 
-/** From the list to an inspection that has begun. */
+/** From the list to an inspection that has begun. @param name none where it is that of the account */
 export async function begin(page: Page, name = 'Ann'): Promise<void> {
   await page.getByLabel('Aircraft').fill('N123AB');
   await page.getByLabel('Zone').fill('Left wing, bay 3');
   await page.getByLabel('Work order').fill('WO-4711');
-  await page.getByLabel('Your name').fill(name);
+  if (name) await page.getByLabel('Your name').fill(name);
   await page.getByTestId('begin').click();
   await expect(page.getByTestId('capture-initial')).toBeVisible();
 }

@@ -20,6 +20,7 @@ struct ApiRequest {
   std::string body;    ///< JSON, or empty
   std::string client;  ///< of a console: the same as in its WebSocket
   std::string token;   ///< of the session cookie; empty where there is none
+  std::string from;    ///< the address that asks
 };
 
 struct ApiResponse {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/clock.hpp"
@@ -165,10 +166,21 @@ asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCalle
       asio::use_awaitable);
 }
 
+// Whoever has one address of version 6 has all of its network.
+std::string address_of(const beast::tcp_stream& stream) {
+  ErrorCode gone;
+  const asio::ip::address address = stream.socket().remote_endpoint(gone).address();
+  if (!address.is_v6() || address.to_v6().is_v4_mapped()) return address.to_string();
+  asio::ip::address_v6::bytes_type bytes = address.to_v6().to_bytes();
+  std::fill(bytes.begin() + bytes.size() / 2, bytes.end(), std::uint8_t{0});
+  return asio::ip::address_v6(bytes).to_string();
+}
+
 // @return empty when the connection has become a WebSocket, and ended
 template <typename Stream>
 asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, Place& place) {
-  const HttpCaller caller{place.api, place.files, place.tls, place.loopback};
+  const HttpCaller caller{place.api, place.files, place.tls, place.loopback,
+                          address_of(beast::get_lowest_layer(stream))};
   if (!websocket::is_upgrade(request)) co_return co_await answer_on_pool(request, caller, place);
   const std::variant<Person, ApiResponse> visitor = co_await asio::co_spawn(
       place.pool,

@@ -58,7 +58,7 @@ ApiResponse api_answer(const Request& request, const HttpCaller& caller) {
   if (!reads && request.count("Origin") > 0 && !is_same_origin(request, caller.tls)) return wrong_origin();
   return caller.api.answer({std::string(view_of(request.method_string())), std::string(path_of(request)),
                             request.body(), std::string(field(request, "X-RVA-Client")),
-                            session_token(request)});
+                            session_token(request), caller.from});
 }
 
 ApiResponse answer_of(const Request& request, const HttpCaller& caller) {

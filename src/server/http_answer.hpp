@@ -14,6 +14,7 @@ struct HttpCaller {
   const ConsoleFiles& files;
   bool tls = false;
   bool loopback = true;  ///< listens to this computer only
+  std::string from;      ///< the address that asks
 };
 
 /// From any thread. Never throws.

@@ -13,30 +13,33 @@ std::optional<Account> Sessions::account(const std::string& name) const {
   return std::nullopt;
 }
 
-bool Sessions::too_many(const std::string& name, double now_s) {
-  const auto is_old = [&](const Failures& failures) { return now_s - failures.last_s >= pause_s; };
+bool Sessions::too_many(const std::string& name, const std::string& from, double now_s) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(failures_, [&](const auto& entry) { return is_old(entry.second); });
-  if (is_old(all_failures_)) all_failures_ = {};
-  const auto found = failures_.find(name);
-  return all_failures_.count >= most_failures ||
-         (found != failures_.end() && found->second.count >= most_failures_of_name);
+  std::erase_if(failures_, [&](const auto& entry) { return now_s - entry.second.last_s >= pause_s; });
+  const auto reached = [&](const std::string& of, const std::string& at, int most) {
+    const auto found = failures_.find({of, at});
+    return found != failures_.end() && found->second.count >= most;
+  };
+  return reached(name, from, most_failures_of_name) || reached("", from, most_failures_from) ||
+         reached(name, "", most_failures_of_name_from_all);
 }
 
-Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& password, double now_s) {
-  if (too_many(name, now_s)) return {Answer::too_many, {}};
+Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& password,
+                                   const std::string& from, double now_s) {
+  if (too_many(name, from, now_s)) return {Answer::too_many, {}};
   // Of a password that nobody has, so that the time it takes does not tell whether there is such a name.
   static const std::string nobody = hash_password(random_token());
   const std::optional<Account> known = account(name);
   const bool right = is_password(password, known ? known->password_hash : nobody);
   const std::lock_guard lock(mutex_);
   if (!known || !right) {
-    Failures& failures = failures_[name];
-    failures = {failures.count + 1, now_s};
-    all_failures_ = {all_failures_.count + 1, now_s};
+    for (const auto& [of, at] : {std::pair{name, from}, {std::string(), from}, {name, std::string()}}) {
+      Failures& failures = failures_[{of, at}];
+      failures = {failures.count + 1, now_s};
+    }
     return {Answer::wrong, {}};
   }
-  failures_.erase(name);
+  failures_.erase({name, from});
   std::erase_if(sessions_, [&](const auto& entry) { return now_s - entry.second.since_s >= lifetime_s; });
   std::string token = random_token();
   sessions_[token] = {name, now_s};

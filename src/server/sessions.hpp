@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "inspect/records.hpp"
 
@@ -17,14 +18,16 @@ struct Person {
   PersonRole role = PersonRole::viewer;
 };
 
-/// Sign-ins are kept in memory: a restart ends them. They end after twelve hours, a shift; and five wrong
-/// passwords for one name, or thirty for all, close the door for a minute. Every member may be called from
-/// any thread; times are of one clock that does not go back.
+/// Sign-ins are kept in memory: a restart ends them. They end after twelve hours, a shift. From one place,
+/// five wrong passwords for a name, or thirty for all, close the door to that place for a minute; so whoever
+/// guesses locks nobody else out, until a hundred from many places close it for that name. Every member may
+/// be called from any thread; times are of one clock that does not go back.
 class Sessions {
  public:
   static constexpr double lifetime_s = 12.0 * 3600.0;
   static constexpr int most_failures_of_name = 5;
-  static constexpr int most_failures = 30;
+  static constexpr int most_failures_from = 30;
+  static constexpr int most_failures_of_name_from_all = 100;
   static constexpr double pause_s = 60.0;
 
   explicit Sessions(const Records& records) : records_(records) {}
@@ -35,7 +38,9 @@ class Sessions {
     std::string token;  ///< where signed in
   };
   /// Takes a tenth of a second, whether the name is known or not.
-  [[nodiscard]] SignIn sign_in(const std::string& name, const std::string& password, double now_s);
+  /// @param from where the request comes from: an address
+  [[nodiscard]] SignIn sign_in(const std::string& name, const std::string& password, const std::string& from,
+                               double now_s);
   void sign_out(const std::string& token);
 
   /// Empty where the token is unknown or old, or the account is gone.
@@ -53,20 +58,21 @@ class Sessions {
     int count = 0;
     double last_s = 0.0;
   };
+  /// By name and place; with one of them empty, of all names or of all places.
+  using FailuresOf = std::map<std::pair<std::string, std::string>, Failures>;
   struct Session {
     std::string name;
     double since_s = 0.0;
   };
 
-  [[nodiscard]] bool too_many(const std::string& name, double now_s);
+  [[nodiscard]] bool too_many(const std::string& name, const std::string& from, double now_s);
   [[nodiscard]] std::optional<Account> account(const std::string& name) const;
 
   const Records& records_;
   mutable std::atomic<bool> needed_ = false;
-  mutable std::mutex mutex_;                  // guards all below
-  std::map<std::string, Session> sessions_;   // by token
-  std::map<std::string, Failures> failures_;  // by name
-  Failures all_failures_;
+  mutable std::mutex mutex_;                 // guards all below
+  std::map<std::string, Session> sessions_;  // by token
+  FailuresOf failures_;
 };
 
 }  // namespace rva

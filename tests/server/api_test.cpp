@@ -18,7 +18,7 @@ using testing::HasSubstr;
 class Asked : public testing::Test {
  protected:
   ApiResponse ask(const std::string& method, const std::string& path, const std::string& body = "") const {
-    return api_.answer({method, path, body, "client-of-this-test", token_});
+    return api_.answer({method, path, body, "client-of-this-test", token_, "here"});
   }
   std::string code(const std::string& method, const std::string& path, const std::string& body = "") const {
     return Json::parse(ask(method, path, body).body)["error"]["code"];

@@ -12,8 +12,9 @@ namespace {
 
 class SignIn : public testing::Test {
  protected:
-  Sessions::Answer answer(const std::string& name, const std::string& password, double now_s = 0.0) {
-    return sessions_.sign_in(name, password, now_s).answer;
+  Sessions::Answer answer(const std::string& name, const std::string& password, double now_s = 0.0,
+                          const std::string& from = "here") {
+    return sessions_.sign_in(name, password, from, now_s).answer;
   }
   test::TemporaryFolder folder_;
   SqliteRecords records_{folder_ / "rva.db"};
@@ -30,7 +31,7 @@ TEST_F(SignIn, LetsInWhoKnowsThePassword) {
   records_.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
   EXPECT_EQ(answer("ann", "wrong horse"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("bob", "correct horse"), Sessions::Answer::wrong);
-  const Sessions::SignIn in = sessions_.sign_in("ann", "correct horse", 10.0);
+  const Sessions::SignIn in = sessions_.sign_in("ann", "correct horse", "here", 10.0);
   ASSERT_EQ(in.answer, Sessions::Answer::signed_in);
   EXPECT_EQ(in.token.size(), 64U);
   EXPECT_EQ(sessions_.person(in.token, 11.0)->role, PersonRole::inspector);
@@ -41,8 +42,8 @@ TEST_F(SignIn, LetsInWhoKnowsThePassword) {
 
 TEST_F(SignIn, EndsWithSignOutAndWithTheAccount) {
   records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
-  const std::string a = sessions_.sign_in("ann", "correct horse", 0.0).token;
-  const std::string b = sessions_.sign_in("ann", "correct horse", 0.0).token;
+  const std::string a = sessions_.sign_in("ann", "correct horse", "here", 0.0).token;
+  const std::string b = sessions_.sign_in("ann", "correct horse", "here", 0.0).token;
   EXPECT_NE(a, b);
   sessions_.sign_out(a);
   EXPECT_FALSE(sessions_.person(a, 1.0));
@@ -58,13 +59,22 @@ TEST_F(SignIn, GuessingIsSlowedDown) {
   for (int i = 0; i < Sessions::most_failures_of_name; ++i)
     EXPECT_EQ(answer("ann", "guess"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many) << "even the right one";
+  EXPECT_EQ(answer("ann", "correct horse", 0.0, "elsewhere"), Sessions::Answer::signed_in)
+      << "whoever guesses locks nobody else out";
   EXPECT_EQ(answer("ann", "correct horse", Sessions::pause_s), Sessions::Answer::signed_in);
 }
 
 TEST_F(SignIn, GuessingManyNamesIsSlowedDownToo) {
   records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
-  for (int i = 0; i < Sessions::most_failures; ++i)
+  for (int i = 0; i < Sessions::most_failures_from; ++i)
     EXPECT_EQ(answer("name-" + std::to_string(i), "guess"), Sessions::Answer::wrong);
+  EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many);
+}
+
+TEST_F(SignIn, GuessingFromManyPlacesIsSlowedDownToo) {
+  records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
+  for (int i = 0; i < Sessions::most_failures_of_name_from_all; ++i)
+    EXPECT_EQ(answer("ann", "guess", 0.0, std::to_string(i)), Sessions::Answer::wrong);
   EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many);
 }
 

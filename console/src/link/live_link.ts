@@ -1,6 +1,7 @@
 // The WebSocket: pictures and status come, what the sticks say goes.
 import { Store } from '../store';
 import type { Lease, PictureHead, Refused, Status, Stream } from '../types';
+import { api } from './api';
 import { clientId, person } from './client';
 
 export interface LivePicture {
@@ -84,8 +85,15 @@ class LiveLink {
       this.lease.value = { type: 'lease', yours: false };
       const policyViolation = 1008;
       if (event.code === policyViolation) this.ended.value = event.reason;
-      else setTimeout(() => this.connect(), retry_ms);
+      else setTimeout(() => void this.reconnect(), retry_ms);
     };
+  }
+
+  // A server that was started again knows nobody who was signed in: it answers, but not to us.
+  private async reconnect(): Promise<void> {
+    const session = await api.session().catch(() => null);
+    if (session && !session.role) this.ended.value = 'You are no longer signed in.';
+    else this.connect();
   }
 
   // Status comes every second at least: silence is a broken line, long before the browser notices.
