@@ -51,9 +51,22 @@ asio::awaitable<std::optional<Person>> person_now(const std::string& token, Plac
       asio::use_awaitable);
 }
 
-// Says at its end that the socket is no longer needed.
+/// Says at its end, however that comes, that somebody no longer needs the socket.
+class Until {
+ public:
+  Until(bool& flag, bool at_end) : flag_(flag), at_end_(at_end) {}
+  ~Until() { flag_ = at_end_; }
+  Until(const Until&) = delete;
+  Until& operator=(const Until&) = delete;
+
+ private:
+  bool& flag_;
+  bool at_end_;
+};
+
 template <typename Socket>
 asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member> member) {
+  const Until written(member->written, true);
   ErrorCode failure;
   while (!member->ended && !failure) {
     const std::optional<Message> message = member->conversation.next(now_s());
@@ -68,7 +81,6 @@ asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member>
     co_await socket.async_write(asio::buffer(message->bytes), noting(failure));
   }
   if (failure) beast::get_lowest_layer(socket).close();
-  member->written = true;
 }
 
 template <typename Socket>
@@ -85,7 +97,7 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
       const auto bytes = buffer.cdata();
       member.conversation.hear({static_cast<const char*>(bytes.data()), bytes.size()}, now_s());
       member.wake();
-    } catch (const ProtocolError& error) {
+    } catch (const std::exception& error) {  // of a protocol that is not kept, or of ours
       co_return std::string(error.what());
     }
   }
@@ -95,6 +107,7 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
 template <typename Socket>
 asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Member> member, std::string token,
                                    Place& place) {
+  const Until watched(member->watched, false);
   asio::steady_timer pause(co_await asio::this_coro::executor);
   for (int tenths = 0; !member->ended; tenths = (tenths + 1) % 10) {
     ErrorCode ignored;
@@ -108,7 +121,6 @@ asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Memb
     }
     member->conversation.set_role(person->role);
   }
-  member->watched = false;
 }
 
 template <typename Stream>
