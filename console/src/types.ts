@@ -154,6 +154,8 @@ export interface Inspection extends InspectionSummary {
   views: Joints[];
   compared: ComparedView[];
   findings: Finding[];
+  /** Of a final capture that was interrupted: what was said of the robot then. */
+  final_begun?: { replaced: boolean };
 }
 
 export interface MeasuredPoint {

@@ -226,9 +226,12 @@ void Inspector::capture(std::int64_t id, Side side, const std::string& person, b
     throw Error(title(id), "has no baseline to compare with", "take it before the work");
   if (side == Side::initial && before.initial)
     throw Error(title(id), "has its baseline", "begin another inspection for another one");
+  if (side == Side::initial && replaced)
+    throw Error(title(id), "has no baseline that the robot could be put back for", "say so after the work");
   require_same_rig(before);
   if (side == Side::final) require_baseline(before);
-  const bool again = side == Side::final && before.final.has_value();
+  const bool again =
+      side == Side::final && (before.final || replaced_before_final(before).value_or(replaced) != replaced);
   const int captures = std::max(1, before.dither);
   SideCapture wanted{waypoints_of(before), folder(id).side(side), base_of(id, replaced),
                      static_cast<std::size_t>((options_.frames + captures - 1) / captures), again};
@@ -237,6 +240,15 @@ void Inspector::capture(std::int64_t id, Side side, const std::string& person, b
     records_.set_side(id, side, {iso_8601_now(), person, wanted.base});
     if (side == Side::final) compare_now(inspection(id));
   });
+}
+
+std::optional<bool> Inspector::replaced_before_final(const Inspection& inspection) const {
+  const std::filesystem::path first = folder(inspection.id).capture(Side::final, inspection, 0, 0);
+  std::error_code ignored;
+  if (inspection.final || !std::filesystem::exists(first / "capture.json", ignored)) return std::nullopt;
+  const std::optional<Pose> pose = open_capture(first)->info().pose;
+  if (!pose || !pose->base) return std::nullopt;  // a camera that stands still
+  return *pose->base == base_of(inspection.id, true);
 }
 
 void Inspector::compare(std::int64_t id) {

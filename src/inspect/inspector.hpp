@@ -68,7 +68,11 @@ class Inspector {
   /// Of every view; the final side is compared at once, and taken anew where it is there already. A complete
   /// baseline is not: the work has been done on it.
   /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
+  ///                 A final side under way for which this was said otherwise is begun anew.
   void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
+
+  /// What was said of `replaced` for a final side that is under way; empty where there is none.
+  [[nodiscard]] std::optional<bool> replaced_before_final(const Inspection& inspection) const;
   /// The final side again with the initial one, as after a failure in between.
   void compare(std::int64_t id);
 

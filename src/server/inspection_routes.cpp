@@ -41,7 +41,11 @@ ApiResponse Api::begin_inspection(const Call& call) const {
 }
 
 ApiResponse Api::get_inspection(const Call& call) const {
-  return json_answer(json_of(parts_.inspector.inspection(inspection_id(call))));
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  Json json = json_of(inspection);
+  if (const auto replaced = parts_.inspector.replaced_before_final(inspection))
+    json["final_begun"] = {{"replaced", *replaced}};
+  return json_answer(json);
 }
 
 ApiResponse Api::set_views(const Call& call) const {

@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "core/error.hpp"
+#include "depth/capture.hpp"
+#include "sim/simulated_robot.hpp"
 #include "store/sqlite_records.hpp"
 #include "tests/inspect/waving_camera.hpp"
 #include "tests/temporary_folder.hpp"
@@ -143,6 +145,40 @@ TEST_F(Standing, ReadinessNamesWhatIsMissing) {
   wait();
   EXPECT_FALSE(inspector_->readiness()->ready());
   EXPECT_THAT(inspector_->readiness()->items.at(0).says, HasSubstr("unplugged"));
+}
+
+TEST(WithRobot, AFinalSideForWhichAnotherThingIsSaidIsBegunAnew) {
+  const test::TemporaryFolder folder;
+  LiveCamera camera(std::make_unique<test::WavingCamera>(std::make_shared<test::Plug>()), 1000.0);
+  SimulatedRobot robot({.speed_deg_s = 1000.0});
+  Drive drive(robot);
+  SqliteRecords records(folder / "rva.db");
+  Inspector inspector({camera, &drive}, records, folder.path(),
+                      {.frames = 8, .dither = 1, .readiness = {.least_free_gb = 0.0}});
+  const auto capture = [&](Side side, bool replaced, std::size_t views) {
+    inspector.capture(1, side, "Ann", replaced);
+    while (inspector.task().end == TaskEnd::running) {
+      if (inspector.task().progress.view >= views) inspector.cancel();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  };
+  while (!drive.state().joints) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_EQ(inspector.begin({"", "", "", "Ann"}), 1);
+  inspector.set_views(1, {{0, 0}, {5, 0}, {10, 0}});
+  EXPECT_THROW(inspector.capture(1, Side::initial, "Ann", true), Error) << "put back since when?";
+  capture(Side::initial, false, 3);
+  EXPECT_FALSE(inspector.replaced_before_final(inspector.inspection(1)));
+  capture(Side::final, true, 2);
+  EXPECT_EQ(inspector.task().end, TaskEnd::cancelled);
+  EXPECT_EQ(inspector.replaced_before_final(inspector.inspection(1)), std::optional(true));
+  capture(Side::final, false, 3);  // a flat wall, whose views cannot be laid over each other afterwards
+  const Inspection inspection = inspector.inspection(1);
+  ASSERT_TRUE(inspection.final);
+  EXPECT_FALSE(inspector.replaced_before_final(inspection)) << "it is under way no more";
+  for (int view = 0; view < 3; ++view) {
+    const auto taken = open_capture(inspector.folder(1).capture(Side::final, inspection, view, 0));
+    EXPECT_EQ(taken->info().pose->base, inspection.initial->base) << view;
+  }
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ function BaselineStep({ inspection, session }: Omit<StepProps, 'task'>) {
 function WorkStep({ inspection, session, task }: StepProps) {
   const simulation = useStore(link.status)?.simulation ?? false;
   const robot = useStore(link.status)?.robot !== undefined;
-  const [replaced, setReplaced] = useState(false);
+  const begun = inspection.final_begun;
+  const [replaced, setReplaced] = useState(begun?.replaced ?? false);
   const [worked, setWorked] = useState(false);
   const simulate = () =>
     void attempt(async () => {
@@ -121,6 +122,11 @@ function WorkStep({ inspection, session, task }: StepProps) {
             <input type="checkbox" checked={replaced} onChange={(event) => setReplaced(event.currentTarget.checked)} />
             The robot was taken out and put back
           </label>
+        )}
+        {begun && replaced !== begun.replaced && (
+          <p class="warn" role="status" data-testid="begins-anew">
+            What was taken after the work so far does not fit this: the capture begins anew.
+          </p>
         )}
         <Failure inspection={inspection} />
         <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label="Capture and compare" />
