@@ -167,7 +167,7 @@ class Refused(BagTest):
         self.one_topic('/camera/color/image_raw/compressed', 'sensor_msgs/CompressedImage', bytes(100))
         self.check('sensor_msgs/CompressedImage')
         Bag(self.bag).finish()
-        self.check('no image')
+        self.check('no other image')
 
     def test_colour_only(self):
         bag = Bag(self.bag)

@@ -107,9 +107,9 @@ Error without_depth(const Recording& recording) {
     if (more++ < 3)
       seen += fmt::format("{}{} ({})", seen.empty() ? "" : ", ", printable(name), printable(topic.type));
   }
-  if (seen.empty()) seen = "no image at all";
-  return {recording.place(),
-          fmt::format("no depth of realsense-viewer in it, but {}{}", seen, more > 3 ? ", ..." : ""),
+  const std::string instead =
+      seen.empty() ? ", and no other image" : fmt::format(", but {}{}", seen, more > 3 ? ", ..." : "");
+  return {recording.place(), "no depth of realsense-viewer in it" + instead,
           "record with the depth stream on"};
 }
 
