@@ -45,8 +45,7 @@ LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::
     return rig;
   }
   if (is_device(camera)) {
-    if (robot == "sim")
-      throw UsageError("--robot", "a simulated one cannot turn a real camera", "give serial:DEVICE or none");
+    require_real_robot(robot);
     rig.camera = open_camera(camera, seed, {}, realsense);
     if (robot != "none") rig.robot = open_serial_robot(robot);
     return rig;

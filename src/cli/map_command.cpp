@@ -41,6 +41,7 @@ struct MapArguments {
   ViewCaptureOptions capture;
   MapCloudOptions cloud;
   RefinementOptions refinement;
+  RealSenseOptions realsense;
   std::uint64_t seed = 1;
   bool no_refine = false;
   bool resume = false;
@@ -158,7 +159,7 @@ void map_bay(const MapArguments& arguments) {
   const std::vector<PanTilt> waypoints = waypoints_of(arguments);
   const PanTiltChain chain = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
   require_replaceable(files, arguments.overwrite);
-  const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed);
+  const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   check_waypoints(waypoints, rig.robot->limits());
   ViewFolder folder(files.views, start_of(arguments), waypoints.size());
   const std::string base = base_of(arguments, *rig.camera);
@@ -188,7 +189,9 @@ void map_bay(const MapArguments& arguments) {
 void add_map_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& command = *program.add_subcommand("map", "drives the waypoints and builds a 3D map of the bay");
   const auto arguments = std::make_shared<MapArguments>();
-  command.add_option("--camera", arguments->camera, "sim:SCENE")->required()->type_name("URI");
+  command.add_option("--camera", arguments->camera, "sim:SCENE or realsense[:SERIAL]")
+      ->required()
+      ->type_name("URI");
   command.add_option("--robot", arguments->robot, "sim or serial:DEVICE")->required()->type_name("URI");
   CLI::Option_group& where = *command.add_option_group("where to look");
   where.add_option("--waypoints", arguments->waypoints, "pan and tilt of each view")->type_name("FILE");
@@ -213,6 +216,7 @@ void add_map_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str();
   add_flags(command, arguments->cloud);
   add_flags(command, arguments->refinement);
+  add_flags(command, arguments->realsense);
   command.add_flag("--no-refine", arguments->no_refine,
                    "leave the views where the joints have them, as the thesis did");
   command.add_flag("--resume", arguments->resume,

@@ -41,7 +41,7 @@ void print_options() {
   print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");
-  print_table<MapCloudOptions, RefinementOptions>("rva map");
+  print_table<MapCloudOptions, RefinementOptions, RealSenseOptions>("rva map");
   print_table<CalibrationOptions>("rva calibrate");
   print_table<RealSenseOptions>("rva record");
   print_table<ServerOptions, InspectorOptions, DriveOptions, RealSenseOptions>("rva serve");

@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "cli/camera_uri.hpp"
 #include "cli/robot_uri.hpp"
 #include "cli/simulated_view.hpp"
 #include "core/error.hpp"
@@ -20,7 +21,13 @@ std::unique_ptr<Robot> open_robot(const std::string& uri) {
 
 }  // namespace
 
-OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed) {
+OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,
+                 const RealSenseOptions& realsense) {
+  if (is_device(camera)) {
+    require_real_robot(robot);
+    std::unique_ptr<Robot> real = open_robot(robot);
+    return {std::move(real), open_camera(camera, seed, {}, realsense), steady_clock()};
+  }
   const SimulatedView view = parse_simulated_view(camera);
   Scene scene = load_scene(view.scene);
   OpenRig rig;

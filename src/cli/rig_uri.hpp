@@ -6,6 +6,7 @@
 #include <string>
 
 #include "camera/camera.hpp"
+#include "camera/realsense/realsense.hpp"
 #include "core/clock.hpp"
 #include "robot/robot.hpp"
 
@@ -20,10 +21,11 @@ struct OpenRig {
 
 /// @param camera sim:SCENE, which follows a simulated robot as it really stands, another as it says it does;
 ///               sim:SCENE,joints=FILE, which follows a file that another program writes
-///               (`<pan_deg> <tilt_deg>`)
+///               (`<pan_deg> <tilt_deg>`); realsense[:SERIAL], on a serial robot
 /// @param robot  sim, serial:DEVICE
 /// @param seed   of a simulated camera's noise and a simulated robot's errors
 /// @throws UsageError for a URI of another form; Error when what it names cannot be opened
-[[nodiscard]] OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed);
+[[nodiscard]] OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,
+                               const RealSenseOptions& realsense);
 
 }  // namespace rva::cli

@@ -15,6 +15,11 @@ std::unique_ptr<Robot> open_serial_robot(const std::string& uri) {
   return std::make_unique<SerialRobot>(uri.substr(serial.size()));
 }
 
+void require_real_robot(const std::string& uri) {
+  if (uri == "sim")
+    throw UsageError("--robot", "a simulated one cannot turn a real camera", "give serial:DEVICE or none");
+}
+
 SimulatedRobotOptions servos_as_built() {
   SimulatedRobotOptions options;
   options.rest_error_deg = 0.16;

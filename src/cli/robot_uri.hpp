@@ -12,6 +12,9 @@ namespace rva::cli {
 /// @throws UsageError for a URI of another form; Error when the device cannot be opened or is no robot
 [[nodiscard]] std::unique_ptr<Robot> open_serial_robot(const std::string& uri);
 
+/// @throws UsageError for a simulated robot: it cannot turn a real camera
+void require_real_robot(const std::string& uri);
+
 /// Servos rest somewhere within the step that they report.
 [[nodiscard]] SimulatedRobotOptions servos_as_built();
 

@@ -28,7 +28,8 @@ PanTilt read_joints(const std::string& path) {
 
 SimulatedView parse_simulated_view(const std::string& camera) {
   if (!camera.starts_with(simulated) || camera.size() == simulated.size())
-    throw UsageError(printable(camera), "no camera that a robot can carry", "give sim:SCENE");
+    throw UsageError(printable(camera), "no camera that a robot can carry",
+                     "give sim:SCENE or realsense[:SERIAL]");
   const std::size_t joints = camera.rfind(joints_file);
   if (joints == std::string::npos) return {camera.substr(simulated.size()), ""};
   if (camera.size() == joints + joints_file.size())

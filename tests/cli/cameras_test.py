@@ -30,6 +30,16 @@ class Cameras(program.ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn('--gain', done.stderr)
 
+    def test_what_cannot_turn_it(self):
+        for robot in ('sim', 'none'):
+            for command in (('map', '--grid', '0,10,2,-20,-10,2', '--out', self.folder / 'map.ply'),
+                            ('serve', '--data', self.folder / 'data')):
+                if (command[0], robot) == ('serve', 'none'):
+                    continue
+                done = self.rva(*command, '--camera', 'realsense', '--robot', robot)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.check_line(done.stderr, ['--robot'])
+
 
 class Check(program.ProgramTest):
     """`rva noise --camera`, before a scene that stays."""
