@@ -3,6 +3,7 @@
 usage: bag_test.py RVA [SHARED]
 """
 import json
+import os
 import pathlib
 import struct
 import sys
@@ -210,6 +211,9 @@ class Refused(BagTest):
     def test_not_a_file(self):
         self.check_fails('info', '/dev/null', names=['/dev/null'])
         self.check_fails('info', self.folder / 'none.bag', names=['none.bag'])
+        pipe = self.folder / 'pipe.bag'
+        os.mkfifo(pipe)
+        self.check_fails('info', pipe, names=[pipe])
 
 
 class Real(BagTest):

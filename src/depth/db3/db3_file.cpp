@@ -100,6 +100,8 @@ std::vector<std::byte> unpack(std::span<const std::byte> packed, const std::stri
 
 bool is_db3_file(const std::filesystem::path& path) {
   constexpr std::string_view magic("SQLite format 3\0", 16);
+  std::error_code absent;
+  if (!std::filesystem::is_regular_file(path, absent)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   std::array<char, magic.size()> beginning{};
   file.read(beginning.data(), beginning.size());

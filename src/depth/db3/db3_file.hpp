@@ -13,7 +13,7 @@
 
 namespace rva {
 
-/// Whether the file begins as SQLite's databases do. @throws Error when it cannot be read
+/// Whether there is a file that begins as SQLite's databases do.
 [[nodiscard]] bool is_db3_file(const std::filesystem::path& path);
 
 /// Tables `topics` and `messages` as rosbag2_storage_default_plugins creates them. The file is neither
