@@ -28,7 +28,8 @@ ApiResponse Api::get_session(const Call& call) const {
 ApiResponse Api::sign_in(const Call& call) const {
   const std::string name = text_field(call.body, "name");
   const std::string password = text_field(call.body, "password", most_field_bytes * 2);
-  const Sessions::SignIn result = parts_.sessions.sign_in(name, password, call.request.from, steady_clock().now_s());
+  const Sessions::SignIn result =
+      parts_.sessions.sign_in(name, password, call.request.from, steady_clock().now_s());
   switch (result.answer) {
     case Sessions::Answer::wrong:
       return refusal(401, "wrong-password", "sign-in: name or password is wrong; try again");

@@ -49,7 +49,8 @@ SQLite::Database open(const std::filesystem::path& path) {
     sqlite3_limit(database.getHandle(), SQLITE_LIMIT_LENGTH, max_message_bytes);
     return database;
   } catch (const SQLite::Exception& failure) {
-    throw Error(printable(path), fmt::format("cannot be read: {}", printable(failure.what())), "look at its rights");
+    throw Error(printable(path), fmt::format("cannot be read: {}", printable(failure.what())),
+                "look at its rights");
   }
 }
 
@@ -109,8 +110,7 @@ bool is_db3_file(const std::filesystem::path& path) {
          std::string_view(beginning.data(), beginning.size()) == magic;
 }
 
-Db3File::Db3File(const std::filesystem::path& path)
-    : place_(printable(path)), database_(open(path)) {
+Db3File::Db3File(const std::filesystem::path& path) : place_(printable(path)), database_(open(path)) {
   try {
     require_tables(database_, place_);
     whole_ = !has_a_journal(path) && !ends_within_a_page(database_, path);
