@@ -24,7 +24,7 @@ from captures import (CAMERA, IDENTITY, TUM_INTRINSICS, Camera, depth_fields, de
 FRAMES = 4
 COMMANDS = ('info', 'noise', 'detect')
 MISSING = object()
-AT_ONCE_S = 10
+AT_ONCE_S = 60
 
 
 def frames(count=FRAMES, camera=CAMERA):

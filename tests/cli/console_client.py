@@ -1,7 +1,9 @@
 """A console without a screen: the server's API and its WebSocket, with the standard library alone."""
 import base64
+import contextlib
 import json
 import os
+import select
 import socket
 import ssl
 import struct
@@ -12,6 +14,7 @@ import urllib.parse
 import urllib.request
 
 TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
+SILENCE_S = 60  # the server says something every second
 
 
 def any_certificate():
@@ -28,12 +31,77 @@ def ask(address, method, path, body=None, client='', cookie='', headers=None):
                                      headers={'Content-Type': 'application/json', 'X-RVA-Client': client,
                                               'Cookie': cookie})
     try:
-        with urllib.request.urlopen(request, timeout=30, context=any_certificate()) as answer:
+        with urllib.request.urlopen(request, timeout=SILENCE_S, context=any_certificate()) as answer:
             if headers is not None:
                 headers.update(answer.headers)
             return answer.status, json.loads(answer.read())
     except urllib.error.HTTPError as error:
         return error.code, json.loads(error.read())
+
+
+class Connection:
+    """Bytes to and from the server, for several threads.
+
+    OpenSSL does not let two threads use a connection at the same time, and Python's ssl module does not keep them apart:
+    the socket does not block, each call of it is made under a lock, and nobody waits while they have the lock.
+    """
+
+    def __init__(self, address):
+        host = urllib.parse.urlsplit(address)
+        self.socket = socket.create_connection((host.hostname, host.port), timeout=SILENCE_S)
+        if host.scheme == 'https':
+            self.socket = any_certificate().wrap_socket(self.socket)
+        self.socket.setblocking(False)
+        self.calling, self.sending = threading.Lock(), threading.Lock()
+        self.came = b''
+
+    def send(self, data):
+        with self.sending:  # one message after the other
+            while data:
+                data = data[self._call(lambda: self.socket.send(data), select.POLLOUT):]
+
+    def read(self, length):
+        while len(self.came) < length:
+            self._receive()
+        data, self.came = self.came[:length], self.came[length:]
+        return data
+
+    def read_line(self):
+        while b'\n' not in self.came:
+            self._receive()
+        return self.read(self.came.index(b'\n') + 1)
+
+    def shut_down(self):
+        """Whoever waits for the server is woken, and told that the connection has ended."""
+        with contextlib.suppress(OSError):  # the server was quicker
+            # Not the SSLSocket's own, which would have what has come read as it is, enciphered.
+            socket.socket.shutdown(self.socket, socket.SHUT_RDWR)
+
+    def close(self):
+        self.socket.close()
+
+    def _receive(self):
+        data = self._call(lambda: self.socket.recv(65536), select.POLLIN)
+        if not data:
+            raise ConnectionError('the connection has ended')
+        self.came += data
+
+    def _call(self, action, awaited):
+        """What the action gives when it need not wait any more."""
+        while True:
+            with self.calling:
+                try:
+                    return action()
+                except ssl.SSLWantReadError:
+                    awaited = select.POLLIN
+                except ssl.SSLWantWriteError:
+                    awaited = select.POLLOUT
+                except BlockingIOError:
+                    pass
+            poll = select.poll()
+            poll.register(self.socket, awaited)
+            if not poll.poll(1000 * SILENCE_S):
+                raise TimeoutError(f'nothing came or went for {SILENCE_S} s')
 
 
 class Console:
@@ -45,22 +113,18 @@ class Console:
         self.pictures = 0
         self.latencies_ms = []
         self.changed = threading.Condition()
-        host = urllib.parse.urlsplit(address)
-        self.socket = socket.create_connection((host.hostname, host.port), timeout=30)
-        if host.scheme == 'https':
-            self.socket = any_certificate().wrap_socket(self.socket)
-        self.file = self.socket.makefile('rb')
+        self.ended = None  # why nothing more is heard
+        self.connection = Connection(address)
         key = base64.b64encode(os.urandom(16)).decode()
-        self.socket.sendall((f'GET /api/live HTTP/1.1\r\nHost: {host.netloc}\r\nOrigin: {address}\r\n'
-                             f'Cookie: {cookie}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: {key}\r\n'
-                             'Sec-WebSocket-Version: 13\r\n\r\n').encode())
-        answer = self.file.readline()
+        self.connection.send((f'GET /api/live HTTP/1.1\r\nHost: {urllib.parse.urlsplit(address).netloc}\r\n'
+                              f'Origin: {address}\r\nCookie: {cookie}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n'
+                              f'Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n\r\n').encode())
+        answer = self.connection.read_line()
         if b' 101 ' not in answer:
-            self.close()
+            self.connection.close()
             raise ConnectionError(answer)
-        while self.file.readline() != b'\r\n':
+        while self.connection.read_line() != b'\r\n':
             pass
-        self.lock = threading.Lock()
         self.thread = threading.Thread(target=self._listen, daemon=True)
         self.thread.start()
         self.say(type='hello', protocol=1, client=self.client, name=name)
@@ -75,36 +139,41 @@ class Console:
 
     def wait_for(self, condition, timeout_s=60):
         """Until condition(status), of which there is one."""
+        def met():
+            return self.status and condition(self.status)
         with self.changed:
-            if not self.changed.wait_for(lambda: self.status and condition(self.status), timeout_s):
-                raise TimeoutError(self.status)
-            return self.status
+            self.changed.wait_for(lambda: met() or self.ended, timeout_s)
+            if met():
+                return self.status
+            if self.ended:
+                raise ConnectionError(f'{self.ended!r} after {self.status}') from self.ended
+            raise TimeoutError(self.status)
 
     def close(self):
-        self.file.close()
-        self.socket.close()
+        self.connection.shut_down()
+        self.thread.join()
+        self.connection.close()
 
     def break_off(self):
         """As a cable that is pulled: nothing more is said or heard, and nothing is closed properly."""
-        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack('ii', 1, 0))
-        self.socket.shutdown(socket.SHUT_RDWR)
+        self.connection.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack('ii', 1, 0))
+        self.connection.shut_down()
 
     def _send(self, kind, payload):
         mask = os.urandom(4)
         head = bytes([0x80 | kind, 0x80 | len(payload)]) if len(payload) < 126 else (
             bytes([0x80 | kind, 0x80 | 126]) + struct.pack('>H', len(payload)))
         masked = bytes(byte ^ mask[i % 4] for i, byte in enumerate(payload))
-        with self.lock:
-            self.socket.sendall(head + mask + masked)
+        self.connection.send(head + mask + masked)
 
     def _receive(self):
-        first, second = self.file.read(2)
+        first, second = self.connection.read(2)
         length = second & 0x7F
         if length == 126:
-            length = struct.unpack('>H', self.file.read(2))[0]
+            length = struct.unpack('>H', self.connection.read(2))[0]
         elif length == 127:
-            length = struct.unpack('>Q', self.file.read(8))[0]
-        return first & 0x0F, self.file.read(length)
+            length = struct.unpack('>Q', self.connection.read(8))[0]
+        return first & 0x0F, self.connection.read(length)
 
     def _listen(self):
         try:
@@ -117,9 +186,11 @@ class Console:
                 elif kind == TEXT:
                     self._hear(json.loads(payload))
                 elif kind == CLOSE:
-                    return
-        except (OSError, ValueError):
-            return
+                    raise ConnectionError(f'the server closed the WebSocket: {payload[2:].decode()}')
+        except Exception as error:  # whoever waits is told
+            with self.changed:
+                self.ended = error
+                self.changed.notify_all()
 
     def _show(self, payload):
         length = struct.unpack('<I', payload[:4])[0]

@@ -16,7 +16,7 @@ from simulations import TOOLS
 ROBOT = None
 
 
-def eventually(condition, timeout_s=30):
+def eventually(condition, timeout_s=60):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if found := condition():
@@ -125,7 +125,7 @@ class Capturing(WithARobot):
         self.ask('POST', 'inspections/1/capture', {'side': 'initial', 'person': 'Ann'}, 202)
         self.console.wait_for(lambda status: status['task'].get('view', 0) >= 1)
         self.line.unplug()
-        status = self.console.wait_for(lambda status: status['task'].get('waiting'), timeout_s=15)
+        status = self.console.wait_for(lambda status: status['task'].get('waiting'))
         self.assertIn(str(self.line.link), status['task']['waiting'])
         self.assertEqual(status['task']['end'], 'running')
         kept = sorted((self.folder / 'data').glob('**/depth/*.png'))
@@ -167,7 +167,7 @@ class Starting(program.ProgramTest):
             self.assertEqual(ask(address, 'GET', '/api/inspections'), (200, {'inspections': []}))
         finally:
             server.send_signal(signal.SIGINT)
-            self.assertEqual(server.wait(30), 130)
+            self.assertEqual(server.wait(60), 130)
             server.stdout.close()
 
     def test_a_file_of_options_is_checked(self):
@@ -220,11 +220,11 @@ class Starting(program.ProgramTest):
             subprocess.run(self.command('account', 'remove', 'ann', '--data', data), check=True, capture_output=True)
             self.assertEqual(ask(address, 'GET', '/api/inspections', cookie=cookie)[0], 401)
             self.assertEqual(ask(address, 'GET', '/api/inspections')[0], 401)
-            signed_in.thread.join(10)
+            signed_in.thread.join(60)
             self.assertFalse(signed_in.thread.is_alive(), 'the live view is closed, too')
         finally:
             server.terminate()
-            server.wait(30)
+            server.wait(60)
             server.stdout.close()
 
     def test_accounts(self):

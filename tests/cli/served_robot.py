@@ -78,9 +78,9 @@ class ServedRobot:
 
     def end(self):
         self.server.terminate()
-        status = self.server.wait(30)
+        status = self.server.wait(60)
         self.server.stdout.close()
         self.board.stdin.close()
-        self.board.wait(30)
+        self.board.wait(60)
         self.board.stdout.close()
         return status

@@ -44,7 +44,7 @@ class Talk : public testing::Test {
   }
   template <typename Condition>
   static bool eventually(const Condition& holds) {
-    for (int i = 0; i < 1000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 12000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return holds();
   }
 
@@ -114,7 +114,8 @@ TEST_F(Talk, OldNewsOfSticksDoesNotDrive) {
   conversation->hear(drive(0.0, 1000.0 * now_s()), now_s());
   // What lay in a queue for a second, all at once.
   for (int i = 0; i < 20; ++i) {
-    conversation->hear(drive(1.0, 1000.0 * now_s() - 1000.0), now_s());
+    const double now = now_s();
+    conversation->hear(drive(1.0, 1000.0 * now - 1000.0), now);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   EXPECT_FALSE(served_.drive.state().driving);
