@@ -31,7 +31,8 @@ struct ExportArguments {
 };
 
 void write_points(const fs::path& file, const std::string& to, std::span<const MapPoint> points) {
-  to == "ply" ? write_ply(file, points) : write_pcd(file, points);
+  to == "ply" ? write_ply(file, points, PointFrame::depth_camera)
+              : write_pcd(file, points, PointFrame::depth_camera);
 }
 
 void export_points(const ExportArguments& arguments, const Capture& capture) {

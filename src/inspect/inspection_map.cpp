@@ -57,7 +57,7 @@ std::vector<MapPoint> changed_points(const Detection& detection, const ColorImag
 
 void write_points(const std::filesystem::path& file, std::span<const MapPoint> points) {
   const std::filesystem::path beside = file.string() + ".partial";
-  write_ply(beside, points);
+  write_ply(beside, points, PointFrame::robot_foot);
   std::error_code failure;
   std::filesystem::rename(beside, file, failure);
   if (failure) throw Error(printable(file), "cannot be written", "look at the disk and the folder's rights");

@@ -98,8 +98,8 @@ void write_map(const MapFiles& files, std::span<const MapPoint> points, std::spa
   fs::path beside = files.ply;
   beside.replace_extension(".files");
   const OutputFolder staging(beside, {}, Existing::refuse);  // never put in place itself
-  write_ply(staging.path("ply"), points);
-  write_pcd(staging.path("pcd"), points);
+  write_ply(staging.path("ply"), points, PointFrame::robot_foot);
+  write_pcd(staging.path("pcd"), points, PointFrame::robot_foot);
   write_file(staging.path("json"), poses_json(points, views, poses));
   // The poses first: they tell a map from what is none, and when the .ply is there, all is.
   for (const auto& [name, file] : {std::pair{"json", files.poses}, {"pcd", files.pcd}, {"ply", files.ply}}) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "core/file.hpp"
@@ -26,17 +27,21 @@ void append(const Eigen::Vector3f& position_m, std::string& bytes) {
   for (const float coordinate_m : position_m) append(coordinate_m, bytes);
 }
 
+std::string_view name_of(PointFrame frame) {
+  return frame == PointFrame::robot_foot ? "the robot's foot (x right, y forward, z up)"
+                                         : "the depth camera (x right, y down, z forward)";
+}
+
 }  // namespace
 
 // Both formats are a few words and numbers. PCL's writers add a camera to the one that CloudCompare complains
 // about, and do not notice a full disk; its readers hold ours to what others expect (tests/map).
-void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points) {
+void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame) {
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment metres, in the frame of the robot's foot\nelement "
-      "vertex {}\n"
+      "ply\nformat binary_little_endian 1.0\ncomment metres, in the frame of {}\nelement vertex {}\n"
       "property float x\nproperty float y\nproperty float z\n"
       "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-      points.size());
+      name_of(frame), points.size());
   for (const MapPoint& point : points) {
     append(point.position_m, bytes);
     for (const std::uint8_t shade : {point.color.r, point.color.g, point.color.b}) append(shade, bytes);
@@ -44,11 +49,11 @@ void write_ply(const std::filesystem::path& path, std::span<const MapPoint> poin
   write_file(path, bytes);
 }
 
-void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points) {
+void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame) {
   std::string bytes = fmt::format(
-      "# .PCD v0.7 - metres, in the frame of the robot's foot\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\n"
+      "# .PCD v0.7 - metres, in the frame of {1}\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\n"
       "TYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {0}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {0}\nDATA binary\n",
-      points.size());
+      points.size(), name_of(frame));
   for (const MapPoint& point : points) {
     append(point.position_m, bytes);
     append((std::uint32_t{point.color.r} << 16U) | (std::uint32_t{point.color.g} << 8U) | point.color.b,

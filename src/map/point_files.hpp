@@ -1,4 +1,4 @@
-// A map as files that others open.
+// Points as files that other programs open.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,15 @@
 
 namespace rva {
 
+/// The frame that points are in, which both formats state in a comment.
+enum class PointFrame {
+  robot_foot,    ///< x right, y forward, z up, origin in the robot's foot
+  depth_camera,  ///< x right, y down, z forward, origin in the depth imager
+};
+
 // Binary, metres, with colour: what CloudCompare, MeshLab, Open3D (both) and PCL (both) open.
 // @throws Error when it cannot be written; it may then be incomplete
-void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points);
-void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points);
+void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame);
+void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame);
 
 }  // namespace rva
