@@ -14,8 +14,12 @@ constexpr std::chrono::milliseconds period{40};
 
 double now_s() { return steady_clock().now_s(); }
 
+// A worn stick rests beside its middle. What is so close to it would make the camera creep, and would never
+// count as let go, so that a stop could not be left again.
 double within_one(double deflection) {
-  return std::isnan(deflection) ? 0.0 : std::clamp(deflection, -1.0, 1.0);
+  constexpr double at_rest = 0.02;
+  if (std::isnan(deflection) || std::abs(deflection) < at_rest) return 0.0;
+  return std::clamp(deflection, -1.0, 1.0);
 }
 
 // No farther ahead of the joint than it turns in this time, and not beyond its end.

@@ -56,7 +56,7 @@ class Drive {
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
-  /// @param deflection beyond 1 counts as 1, not a number as 0
+  /// @param deflection beyond 1 counts as 1, less than 0.02 either way and not a number as 0: let go
   void steer(const Deflection& deflection);
 
   /// Stops the robot, whoever moves it.

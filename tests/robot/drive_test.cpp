@@ -93,6 +93,22 @@ TEST_F(Driving, HeldSticksTurnTheJointsTheirWay) {
   EXPECT_NEAR(joints.pan_deg, -0.5 * joints.tilt_deg, 1e-9) << "half the deflection, half the way";
 }
 
+// Of a stick that rests beside its middle.
+TEST_F(Driving, ATinyDeflectionIsLettingGo) {
+  ASSERT_TRUE(hold_until({1.0, 0.0}, [&] { return robot_.moves() > 2; }));
+  drive_.halt();
+  ASSERT_TRUE(eventually([&] { return robot_.stops() >= 1 && !drive_.state().armed; }));
+  const PanTilt rest = robot_.joints();
+  EXPECT_TRUE(hold_until({-0.0035, 0.0}, [&] { return drive_.state().armed; }))
+      << "the stop can be left again";
+  for (int i = 0; i < 20; ++i) {
+    drive_.steer({-0.0035, 0.01});
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_EQ(robot_.joints().pan_deg, rest.pan_deg) << "nothing creeps";
+  EXPECT_TRUE(hold_until({0.5, 0.0}, [&] { return robot_.joints().pan_deg > rest.pan_deg + 1.0; }));
+}
+
 TEST_F(Driving, LettingGoStops) {
   ASSERT_TRUE(hold_until({1.0, 0.0}, [&] { return robot_.moves() > 2; }));
   drive_.steer({});
