@@ -4,6 +4,8 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { RobotStatus } from '../types';
 import { AngleGauge } from './AngleGauge';
+import { ControllerSettings } from './ControllerSettings';
+import { noticeOf } from './pad_words';
 import { StickPad } from './StickPad';
 import { sticks } from './sticks';
 
@@ -17,23 +19,24 @@ export function StopButton() {
 }
 
 // What keeps the robot from moving just now, or what to do.
-function hint(robot: RobotStatus, yours: boolean, controller: string): string {
+function hint(robot: RobotStatus, yours: boolean, hasController: boolean): string {
   if (robot.problem) return robot.problem;
   if (robot.lent) return 'A capture is turning the camera.';
   if (!yours) return 'Take the controls to turn the camera.';
   if (!robot.armed) return 'Stopped. Let go of the stick, then pull again.';
   if (robot.at_limit) return 'End of the way: the camera turns no farther.';
   if (robot.driving) return 'Turning. Let go to stop.';
-  return controller ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
+  return hasController ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
 }
 
 /** @param small a page of pictures needs the room: the stop button and who drives */
 export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: boolean }) {
   const status = useStore(link.status);
   const lease = useStore(link.lease);
-  const controller = useStore(sticks.controller);
+  const pads = useStore(sticks.pads);
   const denied = useStore(sticks.denied) && !lease.yours;
   const [asking, setAsking] = useState(false);
+  const [settingUp, setSettingUp] = useState(false);
   const robot = status?.robot;
   if (!robot) {
     return (
@@ -42,6 +45,8 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
       </section>
     );
   }
+  const hasController = pads.some(({ state }) => state === 'ready');
+  const notice = noticeOf(pads);
   const others = lease.holder !== undefined && !lease.yours;
   const takeOver = () => {
     setAsking(false);
@@ -58,8 +63,13 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
           </div>
         )}
         <p class={`hint ${robot.problem ? 'bad' : denied ? 'warn' : ''}`} role="status" data-testid="drive-hint">
-          {small && !robot.problem ? 'The camera is driven on the page “Live”.' : hint(robot, lease.yours, controller)}
+          {small && !robot.problem ? 'The camera is driven on the page “Live”.' : hint(robot, lease.yours, hasController)}
         </p>
+        {!small && notice && (
+          <p class="warn" role="status" data-testid="controller-notice">
+            {notice}
+          </p>
+        )}
         <div class="drive-lease">
           {lease.yours && (
             <button type="button" data-testid="release" onClick={() => link.releaseControls()}>
@@ -87,7 +97,13 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
               </button>
             </span>
           )}
+          {!small && (
+            <button type="button" aria-expanded={settingUp} data-testid="controller-open" onClick={() => setSettingUp(!settingUp)}>
+              Controller
+            </button>
+          )}
         </div>
+        {!small && settingUp && <ControllerSettings onClose={() => setSettingUp(false)} />}
       </div>
       <StopButton />
     </section>

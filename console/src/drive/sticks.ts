@@ -2,22 +2,13 @@
 // of sight reads as neutral.
 import { link } from '../link/live_link';
 import { Store } from '../store';
+import { Controllers, type PadReport } from './controllers';
+import { type Deflection, isNeutral, neutral, sumOf } from './deflection';
+import { connectedPads } from './gamepads';
+import { padMemory } from './pad_memory';
+import { slow } from './pad_mapping';
 
-export interface Deflection {
-  pan: number;
-  tilt: number;
-}
-
-const neutral: Deflection = { pan: 0, tilt: 0 };
-const dead_zone = 0.15;
-const slow = 0.3;
 const period_ms = 50;
-
-// Fine near the middle, full at the end.
-function shaped(raw: number): number {
-  const beyond = Math.max(0, Math.abs(raw) - dead_zone) / (1 - dead_zone);
-  return Math.sign(raw) * Math.min(1, beyond * beyond);
-}
 
 const keys: Record<string, Deflection> = {
   ArrowLeft: { pan: 1, tilt: 0 },
@@ -34,18 +25,29 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.closest('input, textarea, select, [role="slider"]') !== null;
 }
 
+/** After a stop the robot waits for everything to be let go. */
+function isDisarmed(): boolean {
+  return link.status.value?.robot?.armed === false;
+}
+
 class Sticks {
   /** What is held now. */
   readonly held = new Store<Deflection>(neutral);
-  /** The name of a game controller that is connected, or nothing. */
+  /** The id of the game controller that was moved last, or of one that is connected, or nothing. */
   readonly controller = new Store<string>('');
+
+  /** All controllers that are connected. */
+  readonly pads = new Store<PadReport[]>([]);
+
+  /** The slot of the controller that is being taught its mapping, which turns nothing meanwhile. */
+  readonly teaching = new Store<number | null>(null);
 
   /** Somebody tried to drive who does not have the controls. */
   readonly denied = new Store(false);
 
   private readonly pressed = new Set<string>();
   private touch: Deflection = neutral;
-  private stopWasPressed = false;
+  private readonly controllers = new Controllers();
   private sentNeutral = true;
 
   start(): void {
@@ -93,19 +95,15 @@ class Sticks {
     const now = this.read();
     this.held.value = now.pan === this.held.value.pan && now.tilt === this.held.value.tilt ? this.held.value : now;
     if (!link.lease.value.yours || link.state.value !== 'open') return;
-    const isNeutral = now.pan === 0 && now.tilt === 0;
-    const disarmed = link.status.value?.robot?.armed === false;
-    if (isNeutral && this.sentNeutral && !disarmed) return;
+    if (isNeutral(now) && this.sentNeutral && !isDisarmed()) return;
     link.drive(now.pan, now.tilt);
-    this.sentNeutral = isNeutral;
+    this.sentNeutral = isNeutral(now);
   }
 
   private read(): Deflection {
-    const all = [this.fromController(), this.fromKeys(), this.touch];
+    const all = [this.fromControllers(), this.fromKeys(), this.touch];
     if (document.visibilityState !== 'visible' || !document.hasFocus()) return neutral;
-    const sum = (axis: keyof Deflection) =>
-      Math.max(-1, Math.min(1, all.reduce((total, deflection) => total + deflection[axis], 0)));
-    return { pan: sum('pan'), tilt: sum('tilt') };
+    return sumOf(all);
   }
 
   private fromKeys(): Deflection {
@@ -119,21 +117,14 @@ class Sticks {
     return { pan: pan * scale, tilt: tilt * scale };
   }
 
-  // Standard mapping: the left stick drives, the right one slowly, the cross too; the right-hand button stops.
-  private fromController(): Deflection {
-    const pad = navigator.getGamepads().find((candidate) => candidate?.connected && candidate.mapping === 'standard');
-    this.controller.value = pad?.id ?? '';
-    if (!pad) return neutral;
-    const stopButton = 1;
-    const stopPressed = pad.buttons[stopButton]?.pressed ?? false;
-    if (stopPressed && !this.stopWasPressed) link.stop();
-    this.stopWasPressed = stopPressed;
-    const axis = (i: number) => shaped(pad.axes[i] ?? 0);
-    const button = (i: number) => (pad.buttons[i]?.pressed ? slow : 0);
-    return {
-      pan: -axis(0) - slow * axis(2) + button(14) - button(15),
-      tilt: -axis(1) - slow * axis(3) + button(12) - button(13),
-    };
+  private fromControllers(): Deflection {
+    const settings = { dead_zone: padMemory.deadZone.value, taught: padMemory.taught.value, teaching: this.teaching.value };
+    const awaited = link.lease.value.yours && isDisarmed();
+    const { deflection, stop, reports, id } = this.controllers.read(connectedPads(), performance.now(), settings, awaited);
+    if (stop) link.stop();
+    this.controller.value = id;
+    if (JSON.stringify(reports) !== JSON.stringify(this.pads.value)) this.pads.value = reports;
+    return deflection;
   }
 }
 

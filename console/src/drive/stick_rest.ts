@@ -1,0 +1,74 @@
+// Where an axis of a stick comes to rest, and how far it is deflected from there.
+
+/** An axis beyond this is held, not at rest. */
+export const rest_limit = 0.35;
+
+const still_spread = 0.05;
+const still_ms = 500;
+// Somebody may be turning the camera slowly: only an axis that stands stiller than any thumb is at rest.
+const still_while_deflected_ms = 2000;
+
+// Before its rest is known, an axis counts only when it is clearly deflected.
+const unlearnt_reach = 0.55;
+// However worn the stick is, some way must be left to full deflection.
+const longest_dead_way = 0.9;
+
+// A worn stick does not always return to the same place. Later places replace the earliest, so that one at
+// which the stick was held by mistake is forgotten.
+const remembered_places = 8;
+
+interface Place {
+  low: number;
+  high: number;
+  since_ms: number;
+}
+
+export class StickRest {
+  private readonly places: Place[] = [];
+  private latest: Place = { low: NaN, high: NaN, since_ms: NaN };
+
+  /** Learns from where the axis is at a time. */
+  observe(raw: number, now_ms: number, dead_zone: number): void {
+    const low = Math.min(raw, this.latest.low);
+    const high = Math.max(raw, this.latest.high);
+    if (high - low <= still_spread) Object.assign(this.latest, { low, high });
+    else this.latest = { low: raw, high: raw, since_ms: now_ms };
+
+    const needed_ms = this.deflection(raw, dead_zone) === 0 ? still_ms : still_while_deflected_ms;
+    const isStill = now_ms - this.latest.since_ms >= needed_ms;
+    if (!isStill || !canRestAt(raw, dead_zone) || this.places.includes(this.latest)) return;
+    this.places.push(this.latest);
+    if (this.places.length > remembered_places) this.places.shift();
+  }
+
+  /** Whether the axis is where it cannot be when the stick is let go. */
+  isAstray(raw: number, dead_zone: number): boolean {
+    if (!Number.isFinite(raw) || this.deflection(raw, dead_zone) !== 0) return true;
+    return this.places.length === 0 && !canRestAt(raw, dead_zone);
+  }
+
+  /** 0 at rest and within the dead zone around it, 1 at the end; fine near the middle. */
+  deflection(raw: number, dead_zone: number): number {
+    if (!Number.isFinite(raw)) return 0;
+    const { low, high } = this.range();
+    const from = Math.min(longest_dead_way, high + dead_zone);
+    const to = Math.max(-longest_dead_way, low - dead_zone);
+    if (raw >= to && raw <= from) return 0;
+    const beyond = raw > from ? (raw - from) / (1 - from) : (raw - to) / (1 + to);
+    const within = Math.max(-1, Math.min(1, beyond));
+    return within * Math.abs(within);
+  }
+
+  // The middle is always in it: where a place was learnt from a stick that was held, letting go turns nothing.
+  private range(): { low: number; high: number } {
+    if (this.places.length === 0) return { low: -unlearnt_reach, high: unlearnt_reach };
+    return {
+      low: Math.min(0, ...this.places.map((place) => place.low)),
+      high: Math.max(0, ...this.places.map((place) => place.high)),
+    };
+  }
+}
+
+function canRestAt(raw: number, dead_zone: number): boolean {
+  return Math.abs(raw) < Math.max(rest_limit, dead_zone);
+}
