@@ -30,17 +30,16 @@ struct InfoArguments {
 // What only a look at every frame tells.
 struct FrameSummary {
   double fill_rate = 0.0;
-  double saturated = 0.0;  // share of pixels at the largest value of 16 bits
   double nearest_m = std::numeric_limits<double>::infinity();
   double farthest_m = 0.0;
   std::size_t lost = 0;  // frames, by the camera's counter
+  std::vector<std::string> notes;
 };
 
 FrameSummary read_all_frames(const Capture& capture) {
   FrameSummary summary;
   std::size_t measured = 0;
   std::size_t pixels = 0;
-  std::size_t saturated = 0;
   std::uint16_t nearest = std::numeric_limits<std::uint16_t>::max();
   std::uint16_t farthest = 0;
   for_each_depth_frame(capture, capture.depth_frames(), terminal_progress(), [&](const DepthImage& frame) {
@@ -48,7 +47,6 @@ FrameSummary read_all_frames(const Capture& capture) {
     for (const std::uint16_t depth : frame.pixels()) {
       if (depth == no_depth) continue;
       ++measured;
-      saturated += depth == std::numeric_limits<std::uint16_t>::max() ? 1U : 0U;
       nearest = std::min(nearest, depth);
       farthest = std::max(farthest, depth);
     }
@@ -58,8 +56,9 @@ FrameSummary read_all_frames(const Capture& capture) {
     static_cast<void>(capture.color(i));
   }
   summary.lost = lost_frames(capture);
+  summary.notes = capture.info().notes;
+  for (const std::string& note : capture.depth_notes()) summary.notes.push_back(note);
   summary.fill_rate = static_cast<double>(measured) / static_cast<double>(pixels);
-  summary.saturated = static_cast<double>(saturated) / static_cast<double>(pixels);
   summary.nearest_m = measured == 0 ? 0.0 : nearest * capture.info().depth_unit_m;
   summary.farthest_m = farthest * capture.info().depth_unit_m;
   return summary;
@@ -97,7 +96,7 @@ Json to_json(const Capture& capture, const FrameSummary& summary) {
   json["nearest_m"] = summary.nearest_m;
   json["farthest_m"] = summary.farthest_m;
   json["lost_frames"] = summary.lost;
-  if (!info.notes.empty()) json["notes"] = info.notes;
+  if (!summary.notes.empty()) json["notes"] = summary.notes;
   return json;
 }
 
@@ -149,13 +148,7 @@ void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
   if (info.camera) print_model(*info.camera);
   if (!info.captured_at.empty()) print("taken    {}\n", printable(info.captured_at));
   if (summary.lost > 0) print("lost     {} frame(s) between these, by the camera's counter\n", summary.lost);
-  for (const std::string& note : info.notes) print("note     {}\n", note);
-  if (summary.saturated > 0.0) {
-    print(
-        "note     {:.2f} % of pixels read 65535, the largest value; some cameras mean by it that nothing was "
-        "measured\n",
-        100.0 * summary.saturated);
-  }
+  for (const std::string& note : summary.notes) print("note     {}\n", note);
   print("sound    every frame was read\n");
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -55,8 +56,14 @@ void add_flags(CLI::App& command, Options& options) {
 /// What every command that opens captures takes.
 struct CaptureFlags {
   std::vector<double> intrinsics;
+  std::vector<std::uint16_t> no_depth;
 
   void add_to(CLI::App& command) {
+    command
+        .add_option("--no-depth", no_depth,
+                    "a value of depth that means no measurement, besides 0 and 65535; may be repeated")
+        ->type_name("VALUE")
+        ->check(number_within<int>(0, 65535));
     command.add_option("--intrinsics", intrinsics, "the depth camera of a capture that carries none (TUM)")
         ->type_name("FX,FY,CX,CY")
         ->delimiter(',')
@@ -65,6 +72,7 @@ struct CaptureFlags {
 
   [[nodiscard]] CaptureOptions options() const {
     CaptureOptions options;
+    options.no_depth = no_depth;
     if (intrinsics.empty()) return options;
     Intrinsics camera;
     camera.width = camera.height = 1;  // replaced by the size of the first image

@@ -45,8 +45,9 @@ struct CaptureInfo {
   std::optional<Transform> color_from_depth;
   std::optional<Pose> pose;
   std::optional<CameraInfo> camera;
-  std::string captured_at;           ///< ISO 8601, empty where unknown
-  std::string source_json;           ///< the description as it was read, keys that we do not know included
+  std::string captured_at;  ///< ISO 8601, empty where unknown
+  std::string source_json;  ///< the description as it was read, keys that we do not know included
+  std::vector<std::uint16_t> no_depth{};  ///< values of depth that mean no measurement, besides 0 and 65535
   std::vector<std::string> notes{};  ///< what a person should know of the files; sentences without full stop
 };
 
@@ -75,9 +76,18 @@ class Capture {
   [[nodiscard]] virtual std::size_t color_frames() const = 0;
 
   /// @param i frame, from 0, below depth_frames()
-  /// @return  an image of the size that info().depth states
+  /// @return  an image of the size that info().depth states; values that mean no measurement are no_depth
+  ///          (no_depth.hpp)
   /// @throws  Error when the frame is damaged or of another size
   [[nodiscard]] virtual DepthImage depth(std::size_t i) const = 0;
+
+  /// What a person should know of the depth images; sentences without a full stop. Reads the first one.
+  /// @throws Error as depth()
+  [[nodiscard]] virtual std::vector<std::string> depth_notes() const { return {}; }
+
+  /// False where other values than 0 stand for no measurement: some tool wrote them, and may have cut off
+  /// depth that the camera did measure. Reads the first depth image.
+  [[nodiscard]] virtual bool marks_no_depth_by_zero() const { return true; }
 
   /// As depth(); the image has the size that info().color states, if it states one.
   [[nodiscard]] virtual ColorImage color(std::size_t i) const = 0;
@@ -100,6 +110,8 @@ class Capture {
 struct CaptureOptions {
   /// Intrinsics for a format that carries none (TUM); the size is that of the first image.
   std::optional<Intrinsics> intrinsics;
+  /// Values of depth that mean no measurement, besides those that the capture states.
+  std::vector<std::uint16_t> no_depth{};
 };
 
 /// Frames that the camera lost between those of the capture, by its counter; 0 where it tells none.

@@ -97,6 +97,17 @@ void require_format(const JsonObject& document, const std::string& place) {
   }
 }
 
+std::vector<std::uint16_t> parse_no_depth(const nlohmann::json& list, const JsonObject& depth) {
+  constexpr std::size_t most_values = 16;
+  const auto is_value = [](const nlohmann::json& value) {
+    return value.is_number_integer() && value.get<std::int64_t>() >= 0 && value.get<std::int64_t>() <= 65535;
+  };
+  if (!list.is_array() || list.size() > most_values || !std::ranges::all_of(list, is_value))
+    throw Error(depth.name_of("no_depth"), fmt::format("no list of up to {} values of 16 bits", most_values),
+                "correct the file, as in [65535]");
+  return list.get<std::vector<std::uint16_t>>();
+}
+
 }  // namespace
 
 CaptureInfo parse_capture_json(const std::string& text, const std::string& place) {
@@ -109,6 +120,7 @@ CaptureInfo parse_capture_json(const std::string& text, const std::string& place
   const JsonObject depth = document.object("depth");
   info.depth = parse_intrinsics(depth);
   info.depth_unit_m = depth.number("unit_m");
+  if (depth.has("no_depth")) info.no_depth = parse_no_depth(json.at("depth").at("no_depth"), depth);
   if (const auto color = document.optional_object("color")) info.color = parse_intrinsics(*color);
   if (document.has("color_from_depth")) info.color_from_depth = parse_transform(document, "color_from_depth");
   if (const auto pose = document.optional_object("pose")) info.pose = parse_pose(*pose);
@@ -141,7 +153,7 @@ std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text, 
   return frames;
 }
 
-std::unique_ptr<Capture> open_capture_folder(const fs::path& folder) {
+std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const CaptureOptions& options) {
   const fs::path description = folder / "capture.json";
   const fs::path lines = folder / "frames.jsonl";
   std::error_code ignored;
@@ -149,8 +161,9 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder) {
                    image_files(folder / "color", {".png", ".jpg", ".jpeg"}),
                    image_files(folder / "infrared", {".png"})};
   if (fs::exists(lines, ignored)) files.metadata = parse_frame_lines(read_text_file(lines), printable(lines));
-  return std::make_unique<FolderCapture>(
-      folder, parse_capture_json(read_text_file(description), printable(description)), std::move(files));
+  CaptureInfo info = parse_capture_json(read_text_file(description), printable(description));
+  info.no_depth.insert(info.no_depth.end(), options.no_depth.begin(), options.no_depth.end());
+  return std::make_unique<FolderCapture>(folder, std::move(info), std::move(files));
 }
 
 void require_possible(const CaptureInfo& info, const std::string& place) {

@@ -68,15 +68,26 @@ std::vector<fs::path> image_files(const fs::path& folder, const std::vector<std:
 FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, FrameFiles files)
     : Capture(std::move(info)),
       files_(std::move(files)),
+      no_depth_(this->info().no_depth, this->info().depth_unit_m),
       color_of_(companions(files_.depth, files_.color)),
       infrared_of_(companions(files_.depth, files_.infrared)) {
   require_possible(this->info(), printable(place));
   if (files_.depth.empty()) throw Error(printable(place), "holds no depth frame", "record the capture again");
 }
 
-DepthImage FolderCapture::depth(std::size_t i) const {
+DepthImage FolderCapture::stored_depth(std::size_t i) const {
   const fs::path& file = files_.depth.at(i);
   return of_size(read_depth(file), file, info().depth);
+}
+
+DepthImage FolderCapture::depth(std::size_t i) const {
+  DepthImage image = stored_depth(i);
+  no_depth_.clear(image, [this] { return stored_depth(0); });
+  return image;
+}
+
+std::vector<std::string> FolderCapture::depth_notes() const {
+  return no_depth_.notes([this] { return stored_depth(0); });
 }
 
 ColorImage FolderCapture::color(std::size_t i) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "depth/capture.hpp"
+#include "depth/no_depth.hpp"
 
 namespace rva {
 
@@ -31,24 +32,31 @@ class FolderCapture : public Capture {
   [[nodiscard]] std::size_t depth_frames() const override { return files_.depth.size(); }
   [[nodiscard]] std::size_t color_frames() const override { return files_.color.size(); }
   [[nodiscard]] DepthImage depth(std::size_t i) const override;
+  [[nodiscard]] std::vector<std::string> depth_notes() const override;
+  [[nodiscard]] bool marks_no_depth_by_zero() const override { return depth_notes().empty(); }
   [[nodiscard]] ColorImage color(std::size_t i) const override;
   [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override;
   [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override;
   [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override;
 
  private:
+  [[nodiscard]] DepthImage stored_depth(std::size_t i) const;
+
   FrameFiles files_;
+  NoDepthValues no_depth_;
   std::vector<std::optional<std::size_t>> color_of_;     // by depth frame
   std::vector<std::optional<std::size_t>> infrared_of_;  // the same
 };
 
 /// capture.json, depth/*.png, color/*.png|jpg: our own format (docs/captures.md).
-[[nodiscard]] std::unique_ptr<Capture> open_capture_folder(const std::filesystem::path& folder);
+[[nodiscard]] std::unique_ptr<Capture> open_capture_folder(const std::filesystem::path& folder,
+                                                           const CaptureOptions& options);
 
 /// intrinsic.json or camera_intrinsic.json, depth/*.png, color/*.jpg|png: what Open3D's recorders write.
 /// Depth is aligned to colour there, so both share one view.
 [[nodiscard]] std::unique_ptr<Capture> open_open3d_folder(const std::filesystem::path& folder,
-                                                          const std::filesystem::path& intrinsic_file);
+                                                          const std::filesystem::path& intrinsic_file,
+                                                          const CaptureOptions& options);
 
 /// depth.txt, rgb.txt and the images they list: the TUM RGB-D benchmark's format, 5000 units a metre.
 [[nodiscard]] std::unique_ptr<Capture> open_tum_folder(const std::filesystem::path& folder,
@@ -58,7 +66,8 @@ class FolderCapture : public Capture {
 /// packed by LZ4 or not at all, or, from librealsense 2.58 on, a database of rosbag2 (.db3), with messages
 /// packed by Zstandard or not at all. A file of any size: frames are read when they are asked for. One whose
 /// recorder was stopped gives the frames that are whole, and says so in info().notes.
-[[nodiscard]] std::unique_ptr<Capture> open_recording(const std::filesystem::path& file);
+[[nodiscard]] std::unique_ptr<Capture> open_recording(const std::filesystem::path& file,
+                                                      const CaptureOptions& options);
 
 /// The description of a capture folder from its text; apart from open_capture_folder() so that it can be
 /// tried with any text.

@@ -44,9 +44,12 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
   return info;
 }
 
-std::unique_ptr<Capture> open_open3d_folder(const fs::path& folder, const fs::path& intrinsic_file) {
+std::unique_ptr<Capture> open_open3d_folder(const fs::path& folder, const fs::path& intrinsic_file,
+                                            const CaptureOptions& options) {
+  CaptureInfo info = parse_open3d_json(read_text_file(intrinsic_file), printable(intrinsic_file));
+  info.no_depth = options.no_depth;
   return std::make_unique<FolderCapture>(
-      folder, parse_open3d_json(read_text_file(intrinsic_file), printable(intrinsic_file)),
+      folder, std::move(info),
       FrameFiles{image_files(folder / "depth", {".png"}),
                  image_files(folder / "color", {".png", ".jpg", ".jpeg"})});
 }

@@ -80,6 +80,7 @@ std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOp
   info.format = "tum";
   info.depth = *options.intrinsics;
   info.depth_unit_m = tum_unit_m;
+  info.no_depth = options.no_depth;
   const DepthImage first = read_depth(depth_files.front());
   info.depth.width = first.width();
   info.depth.height = first.height();

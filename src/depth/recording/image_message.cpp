@@ -11,6 +11,7 @@
 #include "core/path_text.hpp"
 #include "depth/image_file.hpp"
 #include "depth/mat_view.hpp"
+#include "depth/no_depth.hpp"
 
 namespace rva {
 namespace {
@@ -69,7 +70,8 @@ void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, st
   }
 }
 
-DepthImage depth_of(const ImageMessage& image, std::string_view place) {
+DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view place) {
+  if (image.encoding == "32FC1") return depth_from_metres(copy_rows<float>(image, place), unit_m);
   if (image.encoding != "mono16" && image.encoding != "16UC1") throw unknown_encoding(image, "depth", place);
   return copy_rows<std::uint16_t>(image, place);
 }

@@ -39,7 +39,7 @@ void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, st
 [[nodiscard]] int possible_side(std::uint32_t pixels, std::string_view place);
 
 /// @throws Error when the encoding is not one of 16 bits in one channel, or there are too few bytes, as below
-[[nodiscard]] DepthImage depth_of(const ImageMessage& image, std::string_view place);
+[[nodiscard]] DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view place);
 
 /// From rgb8, bgr8, rgba8, bgra8, mono8, 8UC1, YUYV and yuv422 (UYVY). @throws Error for another
 [[nodiscard]] ColorImage color_of(const ImageMessage& image, std::string_view place);

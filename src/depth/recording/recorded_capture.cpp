@@ -45,7 +45,8 @@ class RecordedCapture : public Capture {
       : Capture(std::move(info)),
         recording_(std::move(recording)),
         streams_(std::move(streams)),
-        depth_(recording_->messages(streams_.depth.images())) {
+        depth_(recording_->messages(streams_.depth.images())),
+        no_depth_(this->info().no_depth, this->info().depth_unit_m) {
     if (streams_.color) color_ = recording_->messages(streams_.color->images());
     color_of_ = companions(depth_, color_);
     if (streams_.infrared)
@@ -56,18 +57,16 @@ class RecordedCapture : public Capture {
   [[nodiscard]] std::size_t color_frames() const override { return color_.size(); }
 
   [[nodiscard]] DepthImage depth(std::size_t i) const override {
-    const std::string where = place("depth", i);
-    const ImageMessage image = recording_->image(streams_.depth, depth_.at(i), where);
-    if (image.width != info().depth.width || image.height != info().depth.height) {
-      throw Error(where,
-                  fmt::format("{}x{} pixels where the file states {}x{}", image.width, image.height,
-                              info().depth.width, info().depth.height),
-                  "record it again");
-    }
-    if (image.unit_m && *image.unit_m != info().depth_unit_m)
-      throw Error(where, "its unit is not that of the first frame", "record it again");
-    return rva::depth_of(image, where);
+    DepthImage image = stored_depth(i);
+    no_depth_.clear(image, [this] { return stored_depth(0); });
+    return image;
   }
+
+  [[nodiscard]] std::vector<std::string> depth_notes() const override {
+    return no_depth_.notes([this] { return stored_depth(0); });
+  }
+
+  [[nodiscard]] bool marks_no_depth_by_zero() const override { return depth_notes().empty(); }
 
   [[nodiscard]] ColorImage color(std::size_t i) const override {
     return read_color(color_.at(i), place("colour", i));
@@ -90,6 +89,20 @@ class RecordedCapture : public Capture {
   }
 
  private:
+  [[nodiscard]] DepthImage stored_depth(std::size_t i) const {
+    const std::string where = place("depth", i);
+    const ImageMessage image = recording_->image(streams_.depth, depth_.at(i), where);
+    if (image.width != info().depth.width || image.height != info().depth.height) {
+      throw Error(where,
+                  fmt::format("{}x{} pixels where the file states {}x{}", image.width, image.height,
+                              info().depth.width, info().depth.height),
+                  "record it again");
+    }
+    if (image.unit_m && *image.unit_m != info().depth_unit_m)
+      throw Error(where, "its unit is not that of the first frame", "record it again");
+    return rva::depth_of(image, info().depth_unit_m, where);
+  }
+
   [[nodiscard]] std::string place(const char* kind, std::size_t i) const {
     return fmt::format("{}, {} frame {}", recording_->place(), kind, i);
   }
@@ -101,6 +114,7 @@ class RecordedCapture : public Capture {
   std::unique_ptr<Recording> recording_;
   RecordedStreams streams_;
   std::vector<RecordedMessage> depth_;
+  NoDepthValues no_depth_;
   std::vector<RecordedMessage> color_;
   std::vector<std::optional<RecordedMessage>> color_of_;     // by depth frame
   std::vector<std::optional<RecordedMessage>> infrared_of_;  // the same
@@ -108,12 +122,13 @@ class RecordedCapture : public Capture {
 
 }  // namespace
 
-std::unique_ptr<Capture> open_recording(const std::filesystem::path& file) {
+std::unique_ptr<Capture> open_recording(const std::filesystem::path& file, const CaptureOptions& options) {
   std::unique_ptr<Recording> recording =
       is_db3_file(file) ? open_db3_recording(file) : open_bag_recording(file);
   RecordedStreams streams = find_streams(*recording);
   CaptureInfo info = describe(*recording, streams);
   require_possible(info, recording->place());
+  info.no_depth = options.no_depth;
   return std::make_unique<RecordedCapture>(std::move(recording), std::move(info), std::move(streams));
 }
 
