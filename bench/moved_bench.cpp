@@ -199,7 +199,7 @@ class MovedCamera {
     const Comparison comparison =
         compare_spatial(change_from_elsewhere(before, after, registration), final_.info.depth_unit_m, {})
             .comparison;
-    sink = sink + measure_regions(find_regions(comparison.changed, {}), comparison, final_.info.depth).size();
+    sink = sink + find_findings(comparison, {}, final_.info.depth).size();
   }
 
   void register_as_the_thesis() {
@@ -209,7 +209,7 @@ class MovedCamera {
   void octree() const {
     const Comparison comparison =
         compare_clouds(clouds_, {final_.first, final_.info}, OctreeOptions{}.cell_m);
-    sink = sink + measure_regions(find_regions(comparison.changed, {}), comparison, final_.info.depth).size();
+    sink = sink + find_findings(comparison, {}, final_.info.depth).size();
   }
 
   const Side& initial_;

@@ -12,28 +12,24 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
-#include "cloud/octree_detection.hpp"
-#include "cloud/spatial_detection.hpp"
+#include "cloud/detect.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
 #include "detect/drawing.hpp"
-#include "detect/static_detection.hpp"
+#include "detect/ignored_regions.hpp"
 
 namespace rva::cli {
 namespace {
 
-constexpr std::array static_methods{StaticMethod::constant, StaticMethod::gaussian, StaticMethod::calibrated};
-
-constexpr std::string_view spatial = "spatial";
-constexpr std::string_view octree = "octree";
+constexpr std::array methods{DetectionMethod::automatic, DetectionMethod::constant,
+                             DetectionMethod::gaussian,  DetectionMethod::calibrated,
+                             DetectionMethod::spatial,   DetectionMethod::octree};
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const StaticMethod method : static_methods) names.emplace_back(name_of(method));
-  names.emplace_back(spatial);
-  names.emplace_back(octree);
+  for (const DetectionMethod method : methods) names.emplace_back(name_of(method));
   return names;
 }
 
@@ -44,9 +40,10 @@ struct DetectArguments {
   std::vector<std::string> final_side;
   std::string out;
   CaptureFlags captures;
-  std::string method;  // empty: by what the captures say
-  StaticDetectionOptions detection;
-  OctreeOptions octree;
+  std::string method{name_of(DetectionMethod::automatic)};
+  DetectOptions detection;
+  std::vector<std::string> ignore;
+  std::vector<std::vector<int>> within;
   bool overwrite = false;
   bool json = false;
   bool fail_on_detection = false;
@@ -93,27 +90,34 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   }
   for (const Finding& finding : findings.findings) {
     const Box& box = finding.box;
-    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", finding.id,
-          finding.kind == ChangeKind::added ? "added" : "removed",
+    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", finding.id, name_of(finding.kind),
           fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height), finding.pixels.size(),
           or_none("{:.1f}", finding.height_mm),
           or_none("{:.2f}", finding.position_m ? std::optional(finding.position_m->z()) : std::nullopt),
           or_none("{:.1f}", finding.score));
   }
+  for (const Finding& finding : findings.findings) {
+    if (finding.moved_from)
+      print("finding {} has about the size of {}, which was removed: it may be the same thing, moved\n",
+            finding.id, *finding.moved_from);
+  }
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
         100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
   if (coverage.beyond_clip) print(", too far {:.1f} %", 100.0 * *coverage.beyond_clip);
+  if (coverage.left_out) print(", left out as asked {:.1f} %", 100.0 * *coverage.left_out);
   print("\n");
   if (detection.level_of_detection) print_levels(detection.level_of_detection->summary);
   print("{}\n", arguments.out);
 }
 
-std::vector<std::string> flags_without_a_say(std::string_view method) {
-  if (method == octree) return {"--threshold", "--clip", "--sigmas", "--frames", "--false-findings"};
+// Flags of methods other than the given one.
+std::vector<std::string> flags_of_others(DetectionMethod method) {
+  if (method == DetectionMethod::octree)
+    return {"--threshold", "--clip", "--sigmas", "--frames", "--false-findings"};
   std::vector<std::string> flags{"--threshold", "--clip", "--sigmas"};
-  if (method == name_of(StaticMethod::constant)) flags = {"--sigmas", "--frames", "--false-findings"};
-  if (method == name_of(StaticMethod::gaussian)) flags = {"--threshold", "--clip", "--false-findings"};
+  if (method == DetectionMethod::constant) flags = {"--sigmas", "--frames", "--false-findings"};
+  if (method == DetectionMethod::gaussian) flags = {"--threshold", "--clip", "--false-findings"};
   OctreeOptions::describe(OctreeOptions{}, [&](const auto& /*value*/, const OptionField& field) {
     flags.push_back(fmt::format("--{}", field.name));
   });
@@ -121,11 +125,11 @@ std::vector<std::string> flags_without_a_say(std::string_view method) {
 }
 
 // Options of the other methods, given all the same: the person believes that they do something.
-std::vector<std::string> options_without_a_say(const CLI::App& command, std::string_view method) {
+std::vector<std::string> options_without_effect(const CLI::App& command, DetectionMethod method) {
   std::vector<std::string> warnings;
-  for (const std::string& flag : flags_without_a_say(method)) {
+  for (const std::string& flag : flags_of_others(method)) {
     if (command.get_option(flag)->count() == 0) continue;
-    warnings.push_back(fmt::format("{} has no say in --method {}", flag, method));
+    warnings.push_back(fmt::format("{} has no effect with --method {}", flag, name_of(method)));
   }
   return warnings;
 }
@@ -159,76 +163,55 @@ void check_sides(const DetectArguments& arguments) {
                      "give INITIAL FINAL, or --initial C ... --final C ... for several a side");
 }
 
-// A camera that stood still is compared pixel by pixel; any other by the space that it saw through.
-std::string method_for(const Sides& sides) {
-  const bool several = sides.initial.size() + sides.final.size() > 2;
-  const bool moved = poses_differ(sides.initial.front()->info(), sides.final.front()->info());
-  return std::string(several || moved ? spatial : name_of(StaticMethod::calibrated));
+Box box_of(const std::vector<int>& numbers) {
+  if (numbers.size() != 4)
+    throw UsageError("--within", fmt::format("{} numbers are no rectangle", numbers.size()), "give x,y,w,h");
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-// The static methods compare pixels: of an exact return, to the same angles on the same base.
-const Capture& same_view(const Captures& initial, const Capture& final) {
-  const auto returned = std::ranges::find_if(
-      initial, [&](const auto& capture) { return !poses_differ(capture->info(), final.info()); });
-  if (returned == initial.end())
-    throw Error("initial captures", "none was taken from where the first final capture was",
-                "use --method spatial");
-  return **returned;
-}
-
-Detection detect_with_one_a_side(const std::string& method, const DetectArguments& arguments,
-                                 const Sides& sides, bool several) {
-  const Capture& final = *sides.final.front();
-  if (method == octree)
-    return detect_by_octree(*sides.initial.front(), final, arguments.octree, arguments.detection.regions,
-                            terminal_progress());
-  StaticDetectionOptions options = arguments.detection;
-  options.method = *std::ranges::find(static_methods, method, [](StaticMethod of) { return name_of(of); });
-  const Capture& initial = several ? same_view(sides.initial, final) : *sides.initial.front();
-  return detect_static(initial, final, options, terminal_progress());
-}
-
-Detection detect_by(const std::string& method, const DetectArguments& arguments, const Sides& sides,
-                    std::optional<Registration>& registration) {
-  if (method == spatial) {
-    SpatialDetection spatially = detect_spatial(
-        sides.initial, sides.final,
-        {arguments.detection.frames, arguments.detection.calibrated, arguments.detection.regions},
-        terminal_progress());
-    registration = std::move(spatially.registration);
-    return std::move(spatially.detection);
+Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
+  const int width = initial.depth.width;
+  const int height = initial.depth.height;
+  IgnoredRegions regions;
+  for (const std::vector<int>& numbers : arguments.within) {
+    const Box box = box_of(numbers);
+    if (box.width < 1 || box.height < 1 || box.x >= width || box.y >= height || box.x + box.width <= 0 ||
+        box.y + box.height <= 0)
+      throw UsageError("--within",
+                       fmt::format("{},{},{},{} holds no pixel of the depth image of {}x{}", box.x, box.y,
+                                   box.width, box.height, width, height),
+                       "give x,y,w,h in pixels of the initial depth image");
+    regions.within.push_back(polygon_of(box));
   }
-  const bool several = sides.initial.size() + sides.final.size() > 2;
-  Detection detection = detect_with_one_a_side(method, arguments, sides, several);
-  if (several)
-    detection.warnings.push_back(
-        fmt::format("--method {} compared one capture of each side: the others had no say", method));
-  return detection;
+  Mask mask = mask_of(regions, width, height);
+  for (const std::string& file : arguments.ignore) unite(mask, read_ignored_mask(file, width, height));
+  return mask;
 }
 
 // Warnings come last, so that a failure is one line.
 int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_sides(arguments);
   check_options(arguments.detection);
-  check_options(arguments.octree);
   OutputFolder out(
       arguments.out,
       {"detections.json", "changes.png", "overlay.png", "depth_overlay.png", "level_of_detection.png",
        "level_of_detection.json", "registration.json", "changed_points.png"},
       arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
-  const std::string method = arguments.method.empty() ? method_for(sides) : arguments.method;
-  std::optional<Registration> registration;
-  const Detection detection = detect_by(method, arguments, sides, registration);
-  std::vector<std::string> warnings = options_without_a_say(command, method);
+  DetectOptions options = arguments.detection;
+  options.method = detection_method_from_name(arguments.method).value();
+  const auto [detection, registration] = detect(sides.initial, sides.final, options, terminal_progress(),
+                                                left_out(arguments, sides.initial.front()->info()));
+  const DetectionMethod used = detection_method_from_name(detection.findings.method).value();
+  std::vector<std::string> warnings = options_without_effect(command, used);
   warnings.insert(warnings.end(), detection.warnings.begin(), detection.warnings.end());
 
   const std::string json = to_json(detection.findings);
   write_file(out.path("changes.png"), encode_png(detection.changed));
   write_file(out.path("depth_overlay.png"),
-             encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
+             encode_png(draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out)));
   write_color_overlay(*sides.final.front(), detection, out, warnings);
-  if (method == octree && sides.final.front()->color_frames() > 0)
+  if (used == DetectionMethod::octree && sides.final.front()->color_frames() > 0)
     write_file(out.path("changed_points.png"),
                encode_png(draw_changed_points(sides.final.front()->color(0), detection.changed,
                                               detection.final_m, sides.final.front()->info())));
@@ -265,13 +248,23 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
       ->type_name("CAPTURE");
   command.add_option("--out", arguments->out, "folder for the result")->required()->type_name("DIR");
   command
+      .add_option("--method", arguments->method,
+                  "how captures are compared; auto checks from the depth images whether the camera moved: "
+                  "calibrated where it did not, else spatial")
+      ->check(CLI::IsMember(method_names()))
+      ->capture_default_str();
+  command
       .add_option(
-          "--method", arguments->method,
-          "how captures are compared; without it spatial where their poses differ or a side has several, "
-          "else calibrated")
-      ->check(CLI::IsMember(method_names()));
+          "--ignore", arguments->ignore,
+          "leave out what a mask or a file of polygons shows, in pixels of the first initial depth image")
+      ->type_name("MASK.png|REGIONS.json")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option("--within", arguments->within, "leave out everything but this rectangle; may be repeated")
+      ->type_name("x,y,w,h")
+      ->delimiter(',');
   add_flags(command, arguments->detection);
-  add_flags(command, arguments->octree);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");

@@ -3,10 +3,9 @@
 #include "camera/realsense/realsense.hpp"
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
-#include "cloud/octree_detection.hpp"
+#include "cloud/detect.hpp"
 #include "depth/check_standard.hpp"
 #include "depth/noise.hpp"
-#include "detect/static_detection.hpp"
 #include "evaluate/study.hpp"
 #include "inspect/inspector.hpp"
 #include "map/calibration.hpp"
@@ -37,7 +36,7 @@ void print_table(const char* command) {
 // docs/options.md is this text; a test compares the two.
 void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
-  print_table<StaticDetectionOptions, OctreeOptions>("rva detect");
+  print_table<DetectOptions>("rva detect");
   print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");

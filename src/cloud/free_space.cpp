@@ -17,6 +17,8 @@ namespace {
 // gave up on an edge, farther.
 constexpr int edge_reach_px = 2;
 constexpr int hole_reach_px = 4;
+// Where a matcher lacks half of its window, its errors do not stay where they are when the camera moves.
+constexpr int border_px = 2 * margin_px;
 // What differs by less within reach is one surface.
 constexpr float one_surface_px = 1.2F;
 // Farther than this behind what was seen, a point was hidden.
@@ -49,10 +51,10 @@ class Surroundings {
   // How far a disparity lies off the surface at a pixel: from the surface itself where there is one, from all
   // that is within reach where there is an edge. Empty where nothing was seen, and in the margin.
   [[nodiscard]] std::optional<float> excess_px(float disparity_px, float u, float v) const {
-    constexpr auto margin = static_cast<float>(margin_px);
-    const auto right = static_cast<float>(disparity_px_.width() - 1 - margin_px);
-    const auto bottom = static_cast<float>(disparity_px_.height() - 1 - margin_px);
-    if (!(u >= margin && v >= margin && u < right && v < bottom)) return std::nullopt;
+    constexpr auto border = static_cast<float>(border_px);
+    const auto right = static_cast<float>(disparity_px_.width() - 1 - border_px);
+    const auto bottom = static_cast<float>(disparity_px_.height() - 1 - border_px);
+    if (!(u >= border && v >= border && u < right && v < bottom)) return std::nullopt;
     const auto column = static_cast<int>(u);
     const auto row = static_cast<int>(v);
     const float here = between(column, row, u - static_cast<float>(column), v - static_cast<float>(row));
@@ -160,7 +162,7 @@ void judge(const FreeSpace& space, const DepthView& final, int u, int v, Dispari
   const std::optional<float> change_px = space.change_px(u, v);
   if (!change_px) return;
   change.before_px(u, v) = std::max(after_px - *change_px, least_px);
-  if (!inside_margin(u, v, final.camera.width, final.camera.height)) return;
+  if (!inside_margin(u, v, final.camera.width, final.camera.height, border_px)) return;
   change.judged(u, v) = mask_set;
   change.deviation_px(u, v) = std::max(final.deviation_px(u, v), least_px);
 }

@@ -1,7 +1,9 @@
 #include "cloud/octree_detection.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "cloud/left_out.hpp"
 #include "cloud/octree_change.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
@@ -25,6 +27,16 @@ PointCloud cloud_of(const DepthFrame& frame, const OctreeOptions& options, const
   return cloud;
 }
 
+Mask left_out_after(const Mask& left_out, const CaptureInfo& initial, const DepthFrame& final,
+                    const RegisteredClouds& clouds) {
+  if (left_out.empty()) return {};
+  Image<float> final_m(final.depth.width(), final.depth.height());
+  std::ranges::transform(final.depth.pixels(), final_m.pixels().begin(), [&](std::uint16_t units) {
+    return static_cast<float>(units * final.info.depth_unit_m);
+  });
+  return carry_over(left_out, initial.depth, final.info.depth, final_m, clouds.final_from_initial.inverse());
+}
+
 }  // namespace
 
 RegisteredClouds register_clouds(const DepthFrame& initial, const DepthFrame& final,
@@ -34,29 +46,40 @@ RegisteredClouds register_clouds(const DepthFrame& initial, const DepthFrame& fi
   return clouds;
 }
 
-Comparison compare_clouds(const RegisteredClouds& clouds, const DepthFrame& final, double cell_m) {
+Comparison compare_clouds(const RegisteredClouds& clouds, const DepthFrame& final, double cell_m,
+                          const Mask& left_out) {
   const DepthImage& depth = final.depth;
   Comparison comparison(depth.width(), depth.height());
   std::size_t measured = 0;
+  std::size_t omitted = 0;
   for (std::size_t i = 0; i < depth.size(); ++i) {
     comparison.final_m[i] = static_cast<float>(depth[i] * final.info.depth_unit_m);
-    measured += depth[i] > 0 ? 1 : 0;
+    if (is_left_out(left_out, i))
+      ++omitted;
+    else
+      measured += depth[i] > 0 ? 1 : 0;
   }
   const std::vector<std::uint32_t>& pixels = clouds.final.pixels;
   for (const std::size_t position :
        points_in_new_cells(clouds.initial, clouds.final, clouds.final_from_initial, cell_m)) {
+    if (is_left_out(left_out, pixels[position])) continue;
     comparison.changed[pixels[position]] = mask_set;
     comparison.evidence[pixels[position]] = 1.0F;
   }
-  const auto all = static_cast<double>(depth.size());
-  comparison.coverage.compared = static_cast<double>(pixels.size()) / all;
-  comparison.coverage.beyond_clip = static_cast<double>(measured - pixels.size()) / all;
-  comparison.coverage.invalid = 1.0 - static_cast<double>(measured) / all;
+  const auto compared = static_cast<std::size_t>(
+      std::ranges::count_if(pixels, [&](std::uint32_t i) { return !is_left_out(left_out, i); }));
+  const auto share = [&](std::size_t count) {
+    return static_cast<double>(count) / static_cast<double>(depth.size());
+  };
+  comparison.coverage.compared = share(compared);
+  comparison.coverage.beyond_clip = share(measured - compared);
+  comparison.coverage.invalid = share(depth.size() - measured - omitted);
+  if (!left_out.empty()) comparison.coverage.left_out = share(omitted);
   return comparison;
 }
 
 Detection detect_by_octree(const Capture& initial, const Capture& final, const OctreeOptions& options,
-                           const RegionOptions& regions, const Progress& progress) {
+                           const RegionOptions& regions, const Progress& progress, const Mask& left_out) {
   check_options(options);
   check_options(regions);
   Detection detection;
@@ -77,14 +100,13 @@ Detection detect_by_octree(const Capture& initial, const Capture& final, const O
   const DepthFrame final_frame{after, final.info()};
   const RegisteredClouds clouds = register_clouds({before, initial.info()}, final_frame, options, progress);
   findings.final_from_initial = clouds.final_from_initial;
-  Comparison comparison = compare_clouds(clouds, final_frame, options.cell_m);
+  detection.left_out = left_out_after(left_out, initial.info(), final_frame, clouds);
+  Comparison comparison = compare_clouds(clouds, final_frame, options.cell_m, detection.left_out);
   findings.runtime.detect_ms = detect_start.ms();
   throw_if_interrupted();
 
   const Stopwatch regions_start;
-  findings.findings =
-      measure_regions(find_regions(comparison.changed, regions), comparison, final.info().depth);
-  for (Finding& finding : findings.findings) finding.kind = ChangeKind::added;  // it sees nothing that went
+  findings.findings = find_findings(comparison, regions, final.info().depth);
   findings.runtime.regions_ms = regions_start.ms();
   findings.runtime.total_ms = start.ms();
   findings.coverage = comparison.coverage;

@@ -50,9 +50,10 @@ struct RegisteredClouds {
                                                const OctreeOptions& options, const Progress& progress);
 
 /// What stands in cells that were empty before, pixel by pixel of the final image.
-/// @param cell_m edge of a cell, above 0
+/// @param cell_m   edge of a cell, above 0
+/// @param left_out as of is_left_out(), of the final image
 [[nodiscard]] Comparison compare_clouds(const RegisteredClouds& clouds, const DepthFrame& final,
-                                        double cell_m);
+                                        double cell_m, const Mask& left_out = {});
 
 /// Deprojects the first depth image of either capture, crops, registers from no motion at all, whatever poses
 /// say, and calls the points in cells that were empty before changed.
@@ -63,6 +64,6 @@ struct RegisteredClouds {
 ///         range; Interrupted
 [[nodiscard]] Detection detect_by_octree(const Capture& initial, const Capture& final,
                                          const OctreeOptions& options, const RegionOptions& regions,
-                                         const Progress& progress);
+                                         const Progress& progress, const Mask& left_out = {});
 
 }  // namespace rva

@@ -17,10 +17,17 @@ struct SpatialChange {
   double disparity_m_px = 0.0;  ///< focal length times baseline of the final camera
 };
 
+/// What is known of the camera's motion before the images are registered.
+enum class KnownMotion {
+  moved,   ///< the robot was moved, or several captures a side were taken
+  bumped,  ///< the camera was meant to stand still: one capture a side, from nearly one place
+};
+
 /// By free space, between views that lie over each other.
 /// @param registration to be trusted
 [[nodiscard]] SpatialChange change_from_elsewhere(const DepthView& initial, const DepthView& final,
-                                                  const Registration& registration);
+                                                  const Registration& registration,
+                                                  KnownMotion known = KnownMotion::moved);
 
 /// Pixel by pixel, between captures of which each final one has an initial one of the same pose.
 /// @param changes        at least one, all of `camera`; the result is in the first one's view

@@ -9,7 +9,9 @@
 #include <string_view>
 
 #include "cloud/fused_view.hpp"
+#include "cloud/left_out.hpp"
 #include "cloud/spatial_comparison.hpp"
+#include "cloud/view_check.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/stopwatch.hpp"
@@ -45,24 +47,38 @@ struct Compared {
   Registration registration;
 };
 
+/// A capture, and what its frames come to.
+struct Seen {
+  const CaptureInfo& info;
+  DepthStatistics statistics;
+  bool marks_no_depth_by_zero = true;
+
+  [[nodiscard]] DepthView view() const {
+    return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
+  }
+};
+
 class Run {
  public:
-  Run(const SpatialDetectionOptions& options, const Progress& progress)
-      : options_(options), progress_(progress) {
+  Run(const SpatialDetectionOptions& options, const Progress& progress, const Mask& left_out)
+      : options_(options), progress_(progress), left_out_(left_out) {
     check_options(options);
   }
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
     const Stopwatch start;
-    const std::vector<std::size_t> returns =
-        options_.exact_poses ? exact_returns(initial, final) : std::vector<std::size_t>{};
-    auto [calibrated, registration] =
-        returns.empty() ? from_elsewhere(initial, final) : from_the_same_places(initial, final, returns);
-    const CaptureInfo& info = final.front()->info();
+    const std::vector<Seen> before = read(initial, "initial", findings().initial_frames);
+    const std::vector<Seen> after = read(final, "final", findings().final_frames);
+    const std::vector<std::size_t> returns = exact_returns(initial, final);
+    throw_if_interrupted();
+    const Stopwatch detect_start;
+    auto [calibrated, registration] = !returns.empty() && are_aligned(before, after, returns)
+                                          ? from_the_same_places(before, after, returns)
+                                          : from_elsewhere(before, after);
+    findings().runtime.detect_ms = detect_start.ms();
     Comparison& comparison = calibrated.comparison;
     const Stopwatch regions_start;
-    findings().findings =
-        measure_regions(find_regions(comparison.changed, options_.regions), comparison, info.depth);
+    findings().findings = find_findings(comparison, options_.regions, after.front().info.depth);
     findings().runtime.regions_ms = regions_start.ms();
     findings().runtime.total_ms = start.ms();
     throw_if_interrupted();
@@ -84,48 +100,81 @@ class Run {
  private:
   Findings& findings() { return detection_.findings; }
 
-  Compared from_elsewhere(const Captures& initial, const Captures& final) {
-    const DepthView before = view_of(initial, "initial", findings().initial_frames);
-    const DepthView after = view_of(final, "final", findings().final_frames);
+  std::vector<Seen> read(const Captures& captures, std::string_view side, std::size_t& frames) {
+    assert(!captures.empty());
+    std::vector<Seen> seen;
+    for (const auto& capture : captures) {
+      const std::size_t used = frames_to_use(*capture, options_.frames, side, detection_.warnings);
+      frames += used;
+      seen.push_back({capture->info(), rva::statistics_of(*capture, used, progress_, findings().runtime),
+                      capture->marks_no_depth_by_zero()});
+    }
+    return seen;
+  }
+
+  // Servos report the same step and yet stand up to half a step apart: the images decide.
+  bool are_aligned(const std::vector<Seen>& before, const std::vector<Seen>& after,
+                   const std::vector<std::size_t>& returns) {
+    double farthest_px = 0.0;
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      if (after[k].info.depth.distortion != Distortion::none) continue;
+      const ViewCheck check = check_views(before[returns[k]].view(), after[k].view());
+      if (!check.is_aligned())
+        farthest_px = std::max({farthest_px, check.motion.displacement_px, check.registered_px});
+    }
+    if (farthest_px <= 0.0) return true;
+    detection_.warnings.push_back(fmt::format(
+        "captures whose poses are stated as equal show views up to {:.2g} pixels apart: they were "
+        "laid over each other instead of being compared pixel by pixel",
+        farthest_px));
+    return false;
+  }
+
+  Compared from_elsewhere(const std::vector<Seen>& initial, const std::vector<Seen>& final) {
+    const DepthView before = fused(initial, "initial");
+    const DepthView after = fused(final, "final");
     throw_if_interrupted();
-    const Stopwatch start;
-    Registration registration = lay_over(before, after, initial.front()->info(), final.front()->info());
+    Registration registration = lay_over(before, after, initial.front().info, final.front().info);
+    SpatialChange change = change_from_elsewhere(before, after, registration, options_.known);
+    leave_out_regions(initial, final, change, registration.initial_from_final);
     CalibratedComparison calibrated =
-        compare_spatial(change_from_elsewhere(before, after, registration),
-                        final.front()->info().depth_unit_m, options_.calibrated);
-    findings().runtime.detect_ms = fusing_ms_ + start.ms();
+        compare_spatial(change, final.front().info.depth_unit_m, options_.calibrated);
     return {std::move(calibrated), std::move(registration)};
   }
 
   // Where the camera came back exactly, what its matcher gets wrong cancels pixel by pixel.
-  Compared from_the_same_places(const Captures& initial, const Captures& final,
+  Compared from_the_same_places(const std::vector<Seen>& initial, const std::vector<Seen>& final,
                                 const std::vector<std::size_t>& returns) {
-    const CaptureInfo& first = final.front()->info();
+    const CaptureInfo& first = final.front().info;
     const double disparity_by_depth = disparity_m_px(first) / first.depth_unit_m;
     std::vector<PlacedChange> changes;
     for (std::size_t k = 0; k < final.size(); ++k) {
-      const Capture& capture = *final[k];
-      const DepthStatistics before =
-          statistics_of(*initial[returns[k]], "initial", findings().initial_frames);
-      const DepthStatistics after = statistics_of(capture, "final", findings().final_frames);
-      changes.push_back({disparity_change(before, after, disparity_by_depth),
-                         known_transform(first, capture.info()).value_or(Transform::Identity())});
+      const Seen& before = initial[returns[k]];
+      changes.push_back({disparity_change(before.statistics, final[k].statistics, disparity_by_depth),
+                         place(final, k, "final")});
+      if (!before.marks_no_depth_by_zero || !final[k].marks_no_depth_by_zero)
+        forget_losses(changes.back().change);
     }
-    throw_if_interrupted();
-    const Stopwatch start;
-    CalibratedComparison calibrated =
-        compare_spatial(change_from_same_places(std::move(changes), first.depth, disparity_m_px(first)),
-                        first.depth_unit_m, options_.calibrated);
-    findings().runtime.detect_ms = start.ms();
     Registration registration;
     registration.agreeing = registration.overlap = 1.0;
+    registration.initial_from_final =
+        known_transform(initial.front().info, first).value_or(Transform::Identity());
+    SpatialChange change = change_from_same_places(std::move(changes), first.depth, disparity_m_px(first));
+    leave_out_regions(initial, final, change, registration.initial_from_final);
+    CalibratedComparison calibrated = compare_spatial(change, first.depth_unit_m, options_.calibrated);
     return {std::move(calibrated), std::move(registration)};
   }
 
-  DepthStatistics statistics_of(const Capture& capture, std::string_view side, std::size_t& frames) {
-    const std::size_t used = frames_to_use(capture, options_.frames, side, detection_.warnings);
-    frames += used;
-    return rva::statistics_of(capture, used, progress_, findings().runtime);
+  // Where a person left something out, as the final view shows it.
+  void leave_out_regions(const std::vector<Seen>& initial, const std::vector<Seen>& final,
+                         SpatialChange& change, const Transform& initial_from_final) {
+    if (left_out_.empty()) return;
+    Image<float> final_m = change.change.after_px;
+    for (float& value : final_m.pixels())
+      value = value > 0.0F ? static_cast<float>(change.disparity_m_px) / value : 0.0F;
+    detection_.left_out = carry_over(left_out_, initial.front().info.depth, final.front().info.depth, final_m,
+                                     initial_from_final);
+    leave_out(change.change, detection_.left_out);
   }
 
   void state_parameters() {
@@ -137,34 +186,28 @@ class Run {
   }
 
   // All captures of a side as one view, in the first one's camera.
-  DepthView view_of(const Captures& captures, std::string_view side, std::size_t& frames) {
-    assert(!captures.empty());
+  [[nodiscard]] DepthView fused(const std::vector<Seen>& side, std::string_view name) const {
     std::vector<PlacedView> views;
-    for (const auto& capture : captures) {
-      const CaptureInfo& info = capture->info();
-      const DepthStatistics statistics = statistics_of(*capture, side, frames);
-      views.push_back({depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info)),
-                       Transform::Identity()});
-      if (views.size() > 1)
-        views.back().first_from_view =
-            place(views.front().view, views.back().view, captures.front()->info(), info, side);
-    }
-    const Stopwatch start;
-    DepthView fused = fuse(views);
-    fusing_ms_ += start.ms();
-    return fused;
+    for (std::size_t k = 0; k < side.size(); ++k) views.push_back({side[k].view(), place(side, k, name)});
+    return fuse(views);
   }
 
-  [[nodiscard]] Transform place(const DepthView& first, const DepthView& view, const CaptureInfo& first_info,
-                                const CaptureInfo& info, std::string_view side) const {
-    if (const auto known = known_transform(first_info, info)) {
-      if (options_.exact_poses) return *known;
+  // Of a capture of a side in the first one's frame.
+  [[nodiscard]] Transform place(const std::vector<Seen>& side, std::size_t k, std::string_view name) const {
+    // About as much as a pose within a twentieth of a degree, and twice what registration itself is off.
+    constexpr double contradicted_px = 0.4;
+    if (k == 0) return Transform::Identity();
+    const DepthView first = side.front().view();
+    const DepthView view = side[k].view();
+    if (const auto known = known_transform(side.front().info, side[k].info)) {
       const Registration nearby = register_views(first, view, {*known, true});
-      if (nearby.trusted()) return nearby.initial_from_final;
+      if (!nearby.trusted() || displacement_px(view, *known, nearby.initial_from_final) < contradicted_px)
+        return *known;
+      return nearby.initial_from_final;
     }
     const Registration registration = register_views(first, view);
     if (!registration.trusted())
-      throw Error(fmt::format("{} captures", side),
+      throw Error(fmt::format("{} captures", name),
                   "they could not be laid over each other: " + registration.doubt,
                   "record them from one base with poses, or from nearly one place");
     return registration.initial_from_final;
@@ -189,15 +232,16 @@ class Run {
 
   const SpatialDetectionOptions& options_;
   const Progress& progress_;
+  const Mask& left_out_;
   Detection detection_;
-  double fusing_ms_ = 0.0;
 };
 
 }  // namespace
 
 SpatialDetection detect_spatial(const Captures& initial, const Captures& final,
-                                const SpatialDetectionOptions& options, const Progress& progress) {
-  return Run(options, progress).run(initial, final);
+                                const SpatialDetectionOptions& options, const Progress& progress,
+                                const Mask& left_out) {
+  return Run(options, progress, left_out).run(initial, final);
 }
 
 std::string to_json(const Registration& registration) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cloud/registration.hpp"
+#include "cloud/spatial_comparison.hpp"
 #include "core/options.hpp"
 #include "core/progress.hpp"
 #include "depth/capture.hpp"
@@ -19,9 +20,7 @@ struct SpatialDetectionOptions {
   int frames = 0;
   CalibratedOptions calibrated;
   RegionOptions regions;
-  /// Poses of one base are where the cameras stood, to the last digit; else as nearly as servos come to it,
-  /// and a search begins there.
-  bool exact_poses = true;
+  KnownMotion known = KnownMotion::moved;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
@@ -39,14 +38,16 @@ struct SpatialDetection {
 using Captures = std::vector<std::unique_ptr<Capture>>;
 
 /// Lays the views over each other, and compares what each saw through with what the other saw there
-/// (docs/spatial.md). Captures of one side whose poses name one base stand where their poses say; others are
-/// registered. Where both sides name one base, the search for the move begins there, and looks no farther.
+/// (docs/spatial.md). Poses of one base are where the search begins; they are believed to the last digit
+/// where the images do not contradict them. Where each final capture has an initial one of the same pose and
+/// the images show no motion between the two, they are compared pixel by pixel.
 /// @param initial, final captures of one side from nearly one place, one at least
+/// @param left_out       pixels of the first initial depth image that a person wants left out; empty for none
 /// @throws Error when the registration is not to be trusted, the lens bends rays, the captures of one side
 ///         differ in camera, or a frame cannot be read; UsageError for options out of range; Interrupted
 [[nodiscard]] SpatialDetection detect_spatial(const Captures& initial, const Captures& final,
                                               const SpatialDetectionOptions& options,
-                                              const Progress& progress);
+                                              const Progress& progress, const Mask& left_out = {});
 
 /// `registration.json`: the transform, its covariance, and how well the views agree (docs/spatial.md).
 [[nodiscard]] std::string to_json(const Registration& registration);

@@ -5,7 +5,7 @@
 namespace rva {
 
 Comparison compare_constant(const DepthImage& initial, const DepthImage& final, double unit_m,
-                            const ConstantOptions& options) {
+                            const ConstantOptions& options, const Mask& left_out) {
   assert(initial.same_size(final));
   const double threshold = options.threshold_m / unit_m;
   const double clip = options.clip_m / unit_m;
@@ -13,11 +13,16 @@ Comparison compare_constant(const DepthImage& initial, const DepthImage& final, 
   std::size_t compared = 0;
   std::size_t unseen = 0;
   std::size_t beyond_clip = 0;
+  std::size_t omitted = 0;
   for (std::size_t i = 0; i < final.size(); ++i) {
     const double before = initial[i];
     const double after = final[i];
     result.initial_m[i] = static_cast<float>(before * unit_m);
     result.final_m[i] = static_cast<float>(after * unit_m);
+    if (is_left_out(left_out, i)) {
+      ++omitted;
+      continue;
+    }
     if (final[i] == no_depth) continue;
     if (!(after < clip)) {
       ++beyond_clip;
@@ -35,8 +40,9 @@ Comparison compare_constant(const DepthImage& initial, const DepthImage& final, 
   const auto share = [&](std::size_t pixels) {
     return static_cast<double>(pixels) / static_cast<double>(final.size());
   };
-  result.coverage = {share(compared), share(unseen), share(final.size() - compared - unseen - beyond_clip),
-                     share(beyond_clip)};
+  const std::size_t counted = compared + unseen + beyond_clip + omitted;
+  result.coverage = {share(compared), share(unseen), share(final.size() - counted), share(beyond_clip),
+                     left_out.empty() ? std::nullopt : std::optional(share(omitted))};
   return result;
 }
 

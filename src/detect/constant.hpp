@@ -25,7 +25,8 @@ struct ConstantOptions {
 /// that a pixel came nearer, in thresholds.
 /// @param initial, final one size, one depth unit
 /// @param unit_m         metres of one depth unit
+/// @param left_out       as of is_left_out()
 [[nodiscard]] Comparison compare_constant(const DepthImage& initial, const DepthImage& final, double unit_m,
-                                          const ConstantOptions& options);
+                                          const ConstantOptions& options, const Mask& left_out = {});
 
 }  // namespace rva

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/path_text.hpp"
 #include "core/stopwatch.hpp"
 #include "depth/frame_reader.hpp"
 
@@ -27,6 +28,17 @@ bool poses_differ(const CaptureInfo& initial, const CaptureInfo& final) {
   const bool transforms_differ = a.world_from_camera && b.world_from_camera &&
                                  !a.world_from_camera->isApprox(*b.world_from_camera, 1e-9);
   return bases_differ || transforms_differ || differ(a.pan_deg, b.pan_deg) || differ(a.tilt_deg, b.tilt_deg);
+}
+
+void require_one_device(const CaptureInfo& initial, const CaptureInfo& final) {
+  if (!initial.camera || !final.camera) return;
+  const std::string& before = initial.camera->serial;
+  const std::string& after = final.camera->serial;
+  if (before.empty() || after.empty() || before == after) return;
+  throw Error("initial and final",
+              fmt::format("were taken with different cameras (serial numbers {} and {})", printable(before),
+                          printable(after)),
+              "give the baseline that was taken with this camera");
 }
 
 std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view side,
@@ -74,7 +86,7 @@ void warn_of_blindness(const Comparison& comparison, std::string_view why,
   constexpr double little = 0.5;
   constexpr double much = 0.05;
   const double compared = comparison.coverage.compared;
-  if (compared < little) {
+  if (compared < little * (1.0 - comparison.coverage.left_out.value_or(0.0))) {
     warnings.push_back(fmt::format("only {:.1f} % of the view could be compared", 100.0 * compared));
   }
   if (comparison.blind > much) {

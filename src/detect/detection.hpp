@@ -26,12 +26,16 @@ struct Detection {
   std::optional<LevelOfDetection> level_of_detection;  ///< of `calibrated`
   Mask changed;          ///< every changed pixel, blobs below the least size included
   Image<float> final_m;  ///< depth after, metres; 0 where not measured
+  Mask left_out;         ///< of the final depth image, as a person wished; empty where nothing was left out
   std::vector<std::string>
       warnings;  ///< for a person, one line each: what makes the result less than it seems
 };
 
 /// True when the captures' poses say that the camera moved in between; false where they say nothing.
 [[nodiscard]] bool poses_differ(const CaptureInfo& initial, const CaptureInfo& final);
+
+/// @throws Error when both captures state the serial number of their camera, and they differ
+void require_one_device(const CaptureInfo& initial, const CaptureInfo& final);
 
 /// How many frames of a capture to use.
 /// @param wanted   0 for all

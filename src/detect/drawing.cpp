@@ -64,6 +64,20 @@ void draw_box(cv::Mat& picture, const Box& box, int id, const cv::Scalar& color)
   cv::putText(picture, label, at, cv::FONT_HERSHEY_SIMPLEX, font, color, 1, cv::LINE_AA);
 }
 
+// A pattern, so that what was left out is not told by colour alone.
+void hatch(ColorImage& picture, const Mask& left_out) {
+  constexpr int period_px = 8;
+  for (std::size_t i = 0; i < left_out.size(); ++i) {
+    if (left_out[i] == 0) continue;
+    const auto width = static_cast<std::size_t>(picture.width());
+    const bool line = (i % width + i / width) % period_px == 0;
+    const Rgb& pixel = picture[i];
+    picture[i] = line ? Rgb{128, 128, 128}
+                      : Rgb{static_cast<std::uint8_t>(pixel.r / 3), static_cast<std::uint8_t>(pixel.g / 3),
+                            static_cast<std::uint8_t>(pixel.b / 3)};
+  }
+}
+
 }  // namespace
 
 std::optional<Box> box_on_color(const Finding& finding, const Image<float>& final_m,
@@ -101,13 +115,15 @@ Overlay draw_on_color(ColorImage color, const std::vector<Finding>& findings, co
   return overlay;
 }
 
-ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>& findings) {
+ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>& findings,
+                         const Mask& left_out) {
   Image<float> measured = final_m;
   for (std::size_t i = 0; i < measured.size(); ++i) {
     if (measured[i] <= 0.0F) measured[i] = std::numeric_limits<float>::quiet_NaN();
   }
   const ColorScale scale = scale_around(measured);
   ColorImage colors = colorize(measured, scale);
+  hatch(colors, left_out);
   cv::Mat picture = as_mat(colors);
   for (const Finding& finding : findings) draw_box(picture, finding.box, finding.id, white);
   return colors;

@@ -29,7 +29,9 @@ struct Overlay {
 
 /// White boxes on the colourised depth, which needs no light (thesis figure 3.13). Pixel for pixel the depth
 /// image; black where nothing was measured, blue near, red far.
-[[nodiscard]] ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>& findings);
+/// @param left_out dimmed and hatched; empty for nothing
+[[nodiscard]] ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>& findings,
+                                       const Mask& left_out = {});
 
 /// Every changed pixel green on the colour image turned grey (thesis figure 3.19), at the pixel nearest to
 /// its point; scaled from one image to the other where the capture does not tell how the imagers stand.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/quantile.hpp"
+#include "detect/moved_things.hpp"
 
 namespace rva {
 namespace {
@@ -15,7 +16,6 @@ constexpr double mm_per_m = 1000.0;
 struct RegionDepth {
   std::vector<float> depths_m;   // after; before, where there is none after
   std::vector<float> heights_m;  // where there are both
-  std::size_t lost = 0;          // pixels without a depth after
 };
 
 RegionDepth depth_of(const std::vector<std::uint32_t>& pixels, const Comparison& comparison) {
@@ -26,7 +26,6 @@ RegionDepth depth_of(const std::vector<std::uint32_t>& pixels, const Comparison&
     const float depth_m = after_m > 0.0F ? after_m : before_m;
     if (depth_m > 0.0F) depth.depths_m.push_back(depth_m);
     if (before_m > 0.0F && after_m > 0.0F) depth.heights_m.push_back(before_m - after_m);
-    depth.lost += after_m > 0.0F ? 0 : 1;
   }
   return depth;
 }
@@ -39,19 +38,18 @@ void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& find
                      finding.box.height * depth_m / camera.fy * mm_per_m};
 }
 
-// By its height, where at least half of it has one; else by whether depth went or came.
-void tell_kind(RegionDepth& depth, Finding& finding) {
-  const std::size_t without_height = finding.pixels.size() - depth.heights_m.size();
-  if (!depth.heights_m.empty() && depth.heights_m.size() >= without_height) {
-    finding.height_mm = quantile(depth.heights_m, 0.5) * mm_per_m;
-    finding.kind = *finding.height_mm < 0.0 ? ChangeKind::removed : ChangeKind::added;
-  } else {
-    finding.kind = 2 * depth.lost >= without_height ? ChangeKind::added : ChangeKind::removed;
-  }
+// Where depth went missing on a thing that shines, what is left of it may be of anything: a height that
+// contradicts the kind of the change is none.
+std::optional<double> height_mm(RegionDepth& depth, std::size_t pixels, ChangeKind kind) {
+  if (depth.heights_m.empty() || 2 * depth.heights_m.size() < pixels) return std::nullopt;
+  const double height_mm = quantile(depth.heights_m, 0.5) * mm_per_m;
+  const bool agrees = kind == ChangeKind::added ? height_mm > 0.0 : height_mm < 0.0;
+  return agrees ? std::optional(height_mm) : std::nullopt;
 }
 
-Finding measure(Region region, const Comparison& comparison, const Intrinsics& camera) {
+Finding measure(Region region, ChangeKind kind, const Comparison& comparison, const Intrinsics& camera) {
   Finding finding;
+  finding.kind = kind;
   finding.box = region.box;
   finding.pixels = std::move(region.pixels);
   const auto width = static_cast<std::uint32_t>(comparison.changed.width());
@@ -67,7 +65,7 @@ Finding measure(Region region, const Comparison& comparison, const Intrinsics& c
   finding.centroid = sum / area;
   RegionDepth depth = depth_of(finding.pixels, comparison);
   place(camera, depth.depths_m, finding);
-  tell_kind(depth, finding);
+  finding.height_mm = height_mm(depth, finding.pixels.size(), kind);
   if (comparison.evidence_is_rarity) {
     finding.score = rarest;
     // None, if places are scattered by chance (Poisson).
@@ -78,16 +76,31 @@ Finding measure(Region region, const Comparison& comparison, const Intrinsics& c
   return finding;
 }
 
+Mask changed_to(ChangeKind kind, const Comparison& comparison) {
+  Mask mask(comparison.changed.width(), comparison.changed.height());
+  const bool farther = kind == ChangeKind::removed;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    const bool of_kind = comparison.changed[i] != 0 && (comparison.farther[i] != 0) == farther;
+    mask[i] = of_kind ? mask_set : std::uint8_t{0};
+  }
+  return mask;
+}
+
 }  // namespace
 
-std::vector<Finding> measure_regions(std::vector<Region> regions, const Comparison& comparison,
-                                     const Intrinsics& camera) {
+std::string_view name_of(ChangeKind kind) { return kind == ChangeKind::added ? "added" : "removed"; }
+
+std::vector<Finding> find_findings(const Comparison& comparison, const RegionOptions& options,
+                                   const Intrinsics& camera) {
   std::vector<Finding> findings;
-  findings.reserve(regions.size());
-  for (Region& region : regions) findings.push_back(measure(std::move(region), comparison, camera));
+  for (const ChangeKind kind : {ChangeKind::added, ChangeKind::removed}) {
+    for (Region& region : find_regions(changed_to(kind, comparison), options))
+      findings.push_back(measure(std::move(region), kind, comparison, camera));
+  }
   std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) { return a.score > b.score; });
   int id = 0;
   for (Finding& finding : findings) finding.id = ++id;
+  find_moved_things(findings, comparison, camera);
   return findings;
 }
 

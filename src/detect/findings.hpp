@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,9 +23,10 @@ enum class ChangeKind {
   added,    ///< nearer than before; or its depth went missing, as behind glass and on bare metal
   removed,  ///< farther than before; or depth appeared where there was none
 };
+[[nodiscard]] std::string_view name_of(ChangeKind kind);
 
-/// One changed place. Pixels are of the final depth image, positions in the final depth camera's frame.
-/// What a method cannot give is empty.
+/// One change, of one kind throughout. Pixels are of the final depth image, positions in the final depth
+/// camera's frame. What a method cannot give is empty.
 struct Finding {
   int id = 0;  ///< from 1, most suspicious first
   ChangeKind kind = ChangeKind::added;
@@ -34,10 +36,13 @@ struct Finding {
   std::optional<Eigen::Vector3d>
       position_m;  ///< the centroid at the region's median depth, before where there is none after
   std::optional<std::array<double, 2>> size_mm;  ///< the box's width and height at that depth
-  std::optional<double>
-      height_mm;  ///< median change of depth over the region, along z; where half of it has both
+  /// Median change of depth over the region, along z: above 0 for `added`, below for `removed`. Empty where
+  /// less than half of the region has a depth both before and after.
+  std::optional<double> height_mm;
   std::optional<double> score;  ///< larger is more suspicious; comparable within a method
   std::optional<double> p_value;
+  /// Of an added finding: the id of the removed finding that it has about the size of (moved_things.hpp).
+  std::optional<int> moved_from;
 };
 
 /// Milliseconds that each stage took.
@@ -61,14 +66,15 @@ struct Findings {
   std::vector<Finding> findings;  ///< most suspicious first
 };
 
-/// Measures each region of a comparison and puts the most suspicious first.
+/// The regions of a comparison, measured, the most suspicious first. Pixels that came nearer and pixels that
+/// went farther are never of one region, however close they lie.
 ///
 /// Where evidence is rarity, the score is that of the rarest pixel, and the p-value the probability that an
 /// inspection without any change shows something as rare. Elsewhere the score is the mean evidence of the
 /// region's pixels times the root of their number: what a sum of independent evidence comes to in deviations
 /// of one pixel. Neighbours are not independent, so it ranks, and says nothing about probability.
-[[nodiscard]] std::vector<Finding> measure_regions(std::vector<Region> regions, const Comparison& comparison,
-                                                   const Intrinsics& camera);
+[[nodiscard]] std::vector<Finding> find_findings(const Comparison& comparison, const RegionOptions& options,
+                                                 const Intrinsics& camera);
 
 /// `detections.json` (docs/detection.md), ending in a line feed.
 [[nodiscard]] std::string to_json(const Findings& findings);

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 Json to_json_value(const Finding& finding) {
   Json json;
   json["id"] = finding.id;
-  json["kind"] = finding.kind == ChangeKind::added ? "added" : "removed";
+  json["kind"] = name_of(finding.kind);
   json["bbox"] = {finding.box.x, finding.box.y, finding.box.width, finding.box.height};
   json["area_px"] = finding.pixels.size();
   json["centroid"] = {finding.centroid.x(), finding.centroid.y()};
@@ -19,12 +19,14 @@ Json to_json_value(const Finding& finding) {
   if (finding.height_mm) json["height_mm"] = *finding.height_mm;
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
+  if (finding.moved_from) json["moved_from"] = *finding.moved_from;
   return json;
 }
 
 Json to_json_value(const Coverage& coverage) {
   Json json{{"compared", coverage.compared}, {"unseen", coverage.unseen}, {"invalid", coverage.invalid}};
   if (coverage.beyond_clip) json["beyond_clip"] = *coverage.beyond_clip;
+  if (coverage.left_out) json["left_out"] = *coverage.left_out;
   return json;
 }
 

@@ -24,7 +24,9 @@ struct GaussianOptions {
 /// deviations of one frame of either set, with the rounding of depth to its unit as the least deviation.
 /// @param initial, final one size, one depth unit; deviations of a single frame are 0
 /// @param unit_m         metres of one depth unit
+/// @param left_out       as of is_left_out()
 [[nodiscard]] Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistics& final,
-                                          double unit_m, const GaussianOptions& options);
+                                          double unit_m, const GaussianOptions& options,
+                                          const Mask& left_out = {});
 
 }  // namespace rva

@@ -16,6 +16,7 @@ namespace {
 bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
 void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
+  require_one_device(initial, final);
   const Intrinsics& a = initial.depth;
   const Intrinsics& b = final.depth;
   if (a.width != b.width || a.height != b.height) {
@@ -39,27 +40,29 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
   }
 }
 
+// Of statistics over one frame.
+DepthImage first_frame(const DepthStatistics& statistics) {
+  DepthImage frame(statistics.width(), statistics.height());
+  for (std::size_t i = 0; i < frame.size(); ++i) frame[i] = static_cast<std::uint16_t>(statistics.sum(i));
+  return frame;
+}
+
 class Run {
  public:
   Run(const Capture& initial, const Capture& final, const StaticDetectionOptions& options,
-      const Progress& progress)
-      : initial_(initial), final_(final), options_(options), progress_(progress) {
+      const Progress& progress, const Mask& left_out)
+      : initial_(initial), final_(final), options_(options), progress_(progress), left_out_(left_out) {
     check_options(options);
     require_one_camera(initial.info(), final.info());
-    if (poses_differ(initial.info(), final.info())) {
-      result_.warnings.emplace_back(
-          "the captures' poses say that the camera moved: pixels were compared all the same, and what "
-          "differs "
-          "may be the view");
-    }
   }
 
-  Detection run() {
+  StaticDetection run() {
     const Stopwatch start;
-    Comparison comparison = compare();
+    DepthStatistics before = statistics(initial_, "initial", findings().initial_frames);
+    DepthStatistics after = statistics(final_, "final", findings().final_frames);
+    Comparison comparison = compare(before, after);
     const Stopwatch regions_start;
-    findings().findings =
-        measure_regions(find_regions(comparison.changed, options_.regions), comparison, final_.info().depth);
+    findings().findings = find_findings(comparison, options_.regions, final_.info().depth);
     findings().runtime.regions_ms = regions_start.ms();
     findings().runtime.total_ms = start.ms();
     throw_if_interrupted();
@@ -71,7 +74,8 @@ class Run {
     state_parameters(options_.regions);
     result_.changed = std::move(comparison.changed);
     result_.final_m = std::move(comparison.final_m);
-    return std::move(result_);
+    result_.left_out = left_out_;
+    return {std::move(result_), std::move(before), std::move(after)};
   }
 
  private:
@@ -84,89 +88,84 @@ class Run {
     });
   }
 
-  Comparison compare() {
+  DepthStatistics statistics(const Capture& capture, std::string_view side, std::size_t& frames) {
+    const bool first_alone = options_.method == StaticMethod::constant;
+    frames = first_alone ? 1 : frames_to_use(capture, options_.frames, side, result_.warnings);
+    return statistics_of(capture, frames, progress_, findings().runtime);
+  }
+
+  Comparison compare(const DepthStatistics& before, const DepthStatistics& after) {
+    const Stopwatch start;
+    Comparison comparison = compare_by_method(before, after);
+    findings().runtime.detect_ms = start.ms();
+    return comparison;
+  }
+
+  Comparison compare_by_method(const DepthStatistics& before, const DepthStatistics& after) {
     switch (options_.method) {
       case StaticMethod::constant:
-        return constant();
+        return constant(before, after);
       case StaticMethod::gaussian:
-        return gaussian();
+        return gaussian(before, after);
       case StaticMethod::calibrated:
-        return calibrated();
+        return calibrated(before, after);
     }
     throw std::logic_error("a static method without an implementation");
   }
 
-  Comparison constant() {
-    const Stopwatch load_start;
-    const DepthImage before = initial_.depth(0);
-    const DepthImage after = final_.depth(0);
-    findings().runtime.load_ms = load_start.ms();
-    findings().initial_frames = findings().final_frames = 1;
+  Comparison constant(const DepthStatistics& before, const DepthStatistics& after) {
     state_parameters(options_.constant);
-    const Stopwatch detect_start;
-    Comparison comparison = compare_constant(before, after, final_.info().depth_unit_m, options_.constant);
-    findings().runtime.detect_ms = detect_start.ms();
-    return comparison;
+    return compare_constant(first_frame(before), first_frame(after), final_.info().depth_unit_m,
+                            options_.constant, left_out_);
   }
 
-  void count_frames() {
-    findings().initial_frames = frames_to_use(initial_, options_.frames, "initial", result_.warnings);
-    findings().final_frames = frames_to_use(final_, options_.frames, "final", result_.warnings);
+  [[nodiscard]] bool has_single_frames() const {
+    return std::min(result_.findings.initial_frames, result_.findings.final_frames) < 2;
   }
 
-  Comparison calibrated() {
-    count_frames();
-    if (std::min(findings().initial_frames, findings().final_frames) < 2) {
+  Comparison calibrated(const DepthStatistics& before, const DepthStatistics& after) {
+    if (has_single_frames()) {
       result_.warnings.emplace_back(
           "one frame says nothing about noise over time: what differs between the captures in most places "
-          "was "
-          "taken for noise, and wrong matches may pass for changes (record 10 frames or more)");
+          "was taken for noise, and wrong matches may pass for changes (record 10 frames or more)");
     }
-    const DepthStatistics before = statistics(initial_, findings().initial_frames);
-    const DepthStatistics after = statistics(final_, findings().final_frames);
     state_parameters(options_.calibrated);
-    const Stopwatch detect_start;
     const CaptureInfo& info = final_.info();
-    CalibratedComparison calibrated =
-        compare_calibrated(before, after, info.depth_unit_m, disparity_m_px(info), options_.calibrated);
-    findings().runtime.detect_ms = detect_start.ms();
+    const double disparity_by_depth = disparity_m_px(info) / info.depth_unit_m;
+    DisparityChange change = disparity_change(before, after, disparity_by_depth);
+    leave_out(change, left_out_);
+    if (!initial_.marks_no_depth_by_zero() || !final_.marks_no_depth_by_zero()) forget_losses(change);
+    CalibratedComparison calibrated = compare_calibrated(change, disparity_by_depth, disparity_m_px(info),
+                                                         usual_slopes(change.frames), options_.calibrated);
     result_.level_of_detection =
         LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
     return std::move(calibrated.comparison);
   }
 
-  Comparison gaussian() {
-    count_frames();
-    if (std::min(findings().initial_frames, findings().final_frames) < 2) {
+  Comparison gaussian(const DepthStatistics& before, const DepthStatistics& after) {
+    if (has_single_frames()) {
       throw Error(
           "gaussian", "one frame has no deviation, and this method needs two of either capture at least",
           "record more frames or raise --frames (40 make a good inspection), or use --method constant");
     }
-    const DepthStatistics before = statistics(initial_, findings().initial_frames);
-    const DepthStatistics after = statistics(final_, findings().final_frames);
     state_parameters(options_.gaussian);
-    const Stopwatch detect_start;
-    Comparison comparison = compare_gaussian(before, after, final_.info().depth_unit_m, options_.gaussian);
-    findings().runtime.detect_ms = detect_start.ms();
-    return comparison;
-  }
-
-  DepthStatistics statistics(const Capture& capture, std::size_t frames) {
-    return statistics_of(capture, frames, progress_, findings().runtime);
+    return compare_gaussian(before, after, final_.info().depth_unit_m, options_.gaussian, left_out_);
   }
 
   const Capture& initial_;
   const Capture& final_;
   const StaticDetectionOptions& options_;
   const Progress& progress_;
+  const Mask& left_out_;
   Detection result_;
 };
 
 }  // namespace
 
-Detection detect_static(const Capture& initial, const Capture& final, const StaticDetectionOptions& options,
-                        const Progress& progress) {
-  return Run(initial, final, options, progress).run();
+StaticDetection detect_static(const Capture& initial, const Capture& final,
+                              const StaticDetectionOptions& options, const Progress& progress,
+                              const Mask& left_out) {
+  return Run(initial, final, options, progress, left_out).run();
 }
 
 std::string_view name_of(StaticMethod method) {

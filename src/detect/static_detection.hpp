@@ -42,11 +42,23 @@ struct StaticDetectionOptions {
   }
 };
 
-/// @throws Error when the captures differ in size, intrinsics or depth unit, when `gaussian` has fewer than
-/// two
-///         frames of either, or a frame cannot be read; UsageError for options out of range; Interrupted
-[[nodiscard]] Detection detect_static(const Capture& initial, const Capture& final,
-                                      const StaticDetectionOptions& options, const Progress& progress);
+/// A detection, and the statistics that it rests on: of the frames that the method takes.
+struct StaticDetection {
+  Detection detection;
+  DepthStatistics initial;
+  DepthStatistics final;
+};
+
+/// Compares pixel by pixel. That the camera stood still is taken for granted here (cloud/detect.hpp checks
+/// it).
+/// @param left_out pixels of the depth image that a person wants left out; empty for none
+/// @throws Error when the captures differ in camera, size, intrinsics or depth unit, when `gaussian` has
+/// fewer
+///         than two frames of either, or a frame cannot be read; UsageError for options out of range;
+///         Interrupted
+[[nodiscard]] StaticDetection detect_static(const Capture& initial, const Capture& final,
+                                            const StaticDetectionOptions& options, const Progress& progress,
+                                            const Mask& left_out = {});
 
 [[nodiscard]] std::string_view name_of(StaticMethod method);
 

@@ -80,7 +80,7 @@ MovedRegistration outcome_of(std::string method, int captures, const Transform& 
 }
 
 std::vector<Finding> findings_of(const Comparison& comparison, const Intrinsics& camera) {
-  return measure_regions(find_regions(comparison.changed, {.join_px = join_px}), comparison, camera);
+  return find_findings(comparison, {.join_px = join_px}, camera);
 }
 
 MovedResult result_of(std::string method, int captures, double setting, const std::vector<Finding>& clean,

@@ -57,8 +57,7 @@ Comparison compare(const Detector& detector, const Take& before, const Take& aft
 
 std::vector<Finding> find(const Detector& detector, const Take& before, const Take& after) {
   const Comparison comparison = compare(detector, before, after);
-  return measure_regions(find_regions(comparison.changed, {.join_px = join_px}), comparison,
-                         after.camera().info().depth);
+  return find_findings(comparison, {.join_px = join_px}, after.camera().info().depth);
 }
 
 Scene without_debris(Scene scene) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "detect/findings.hpp"
+#include "detect/ignored_regions.hpp"
 #include "geometry/pan_tilt.hpp"
 
 namespace rva {
@@ -56,6 +58,8 @@ struct ReviewedFinding {
   Finding finding;                             ///< in its view
   std::optional<Eigen::Vector3d> in_foot_m{};  ///< in the frame of the robot's foot, which the map has
   std::optional<Decision> decision{};          ///< the last one
+  /// Of an added finding: the number of the removed one that it has about the size of, in the same view.
+  std::optional<int> moved_from{};
 };
 
 /// What the comparison of one view said besides its findings.
@@ -75,6 +79,8 @@ struct Inspection {
   std::string created_at;  ///< ISO 8601
   std::vector<PanTilt> views;
   int dither = 1;  ///< captures of each view, a few servo steps apart
+  /// By view: what is left out of the comparison, in pixels of its first initial depth image.
+  std::map<int, std::vector<Polygon>> ignored;
   std::optional<TakenSide> initial;
   std::optional<TakenSide> final;
   std::string compared_at;  ///< ISO 8601; empty before

@@ -137,6 +137,17 @@ void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
   records_.set_views(id, views);
 }
 
+void Inspector::set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
+  const Inspection before = inspection(id);
+  if (!before.initial) throw Error(title(id), "has no baseline to draw on", "take the baseline first");
+  if (view < 0 || view >= static_cast<int>(before.views.size()))
+    throw Error(title(id), fmt::format("has no view {}", view), "give one of its views, from 0");
+  const TaskState now = task();
+  if (now.end == TaskEnd::running && now.kind != TaskKind::readiness && now.inspection == id)
+    throw Error(title(id), "is captured or compared just now", "wait until that is done");
+  records_.set_ignored(id, view, ignored);
+}
+
 void Inspector::start(TaskState task, const Work& work) {
   const std::lock_guard starting(starting_);
   end_check();

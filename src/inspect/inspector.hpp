@@ -61,6 +61,11 @@ class Inspector {
   ///         robot's limits (UsageError)
   void set_views(std::int64_t id, const std::vector<PanTilt>& views);
 
+  /// Replaces what is left out of a view's comparison. A comparison that was made without it holds no more.
+  /// @param ignored in pixels of the view's first initial depth image
+  /// @throws Error when there is no baseline or no such view, or a capture or comparison is under way
+  void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
+
   // Each starts a task. @throws Error when another is under way that is no check of readiness, which is
   // ended, or when the inspection is not so far.
 

@@ -49,6 +49,9 @@ class Records {
   virtual void set_views(std::int64_t id, const std::vector<PanTilt>& views) = 0;
   /// What was compared with an earlier capture holds no more.
   virtual void set_side(std::int64_t id, Side side, const TakenSide& taken) = 0;
+  /// Takes the place of the polygons that were left out of this view before. What was compared without these
+  /// holds no more.
+  virtual void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) = 0;
   /// Takes the place of an earlier comparison and of its findings.
   virtual void set_comparison(std::int64_t id, const std::string& compared_at,
                               const std::vector<ComparedView>& views,

@@ -141,6 +141,15 @@ ColorImage seen_from(const ColorImage& image, const Intrinsics& camera, const Tr
   return sample(image, map_to(camera, camera_from_view, view, view_depth_m), cv::INTER_LINEAR);
 }
 
+ColorImage draw_depth(const Capture& capture) {
+  const Image<float> depth_m = metres(capture);
+  return colorized(depth_m, scale_of(depth_m));
+}
+
+ColorImage draw_color(const Capture& capture) {
+  return color_in_view(capture, Transform::Identity(), capture.info().depth, metres(capture));
+}
+
 ReviewPictures draw_review(const Capture& initial, const Capture& final, const Detection& detection) {
   const Intrinsics& view = final.info().depth;
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();

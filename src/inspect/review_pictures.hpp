@@ -25,6 +25,11 @@ struct ReviewPictures {
 [[nodiscard]] ReviewPictures draw_review(const Capture& initial, const Capture& final,
                                          const Detection& detection);
 
+/// A capture by itself, of the size of its depth image, to draw regions on.
+[[nodiscard]] ColorImage draw_depth(const Capture& capture);
+/// The same in colour, grey beyond the colour imager's view. Empty where the capture has no colour.
+[[nodiscard]] ColorImage draw_color(const Capture& capture);
+
 /// What an image shows at the places that another camera sees.
 /// @param image            of `camera`
 /// @param camera_from_view where the image's imager stood

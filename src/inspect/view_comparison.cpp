@@ -7,13 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "cloud/spatial_detection.hpp"
+#include "cloud/detect.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
 #include "detect/drawing.hpp"
-#include "detect/static_detection.hpp"
 #include "inspect/inspection_map.hpp"
 #include "inspect/review_pictures.hpp"
 
@@ -34,18 +33,16 @@ struct ViewResult {
   Detection detection;
 };
 
-ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view, bool moved) {
+ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view) {
   ViewResult result{open_captures(folder, inspection, Side::initial, view),
                     open_captures(folder, inspection, Side::final, view),
                     {}};
-  if (moved) {
-    // Servos come back to a step, not to a place.
-    SpatialDetectionOptions options;
-    options.exact_poses = false;
-    result.detection = detect_spatial(result.initial, result.final, options, {}).detection;
-  } else {
-    result.detection = detect_static(*result.initial.front(), *result.final.front(), {}, {});
-  }
+  const auto ignored = inspection.ignored.find(view);
+  const Intrinsics& camera = result.initial.front()->info().depth;
+  const Mask left_out = ignored == inspection.ignored.end()
+                            ? Mask()
+                            : mask_of({ignored->second, {}}, camera.width, camera.height);
+  result.detection = detect(result.initial, result.final, {}, {}, left_out).detection;
   return result;
 }
 
@@ -63,7 +60,8 @@ ColorImage write(const ViewResult& result, const std::filesystem::path& folder) 
                    Existing::replace);
   write_file(out.path("detections.json"), to_json(detection.findings));
   write_file(out.path("changes.png"), encode_png(detection.changed));
-  write_picture(out, "depth_overlay.png", draw_on_depth(detection.final_m, detection.findings.findings));
+  write_picture(out, "depth_overlay.png",
+                draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out));
   if (const auto& level = detection.level_of_detection) {
     write_picture(out, "level_of_detection.png", draw_level_of_detection(level->least_mm));
     write_file(out.path("level_of_detection.json"), to_json(level->summary));
@@ -109,6 +107,17 @@ bool is_same_thing(const ReviewedFinding& a, const ReviewedFinding& b, double re
          (*a.in_foot_m - *b.in_foot_m).norm() < reach_m;
 }
 
+// By their numbers in the inspection rather than their ids in one view.
+void name_moved_things(std::vector<ReviewedFinding>& findings) {
+  for (ReviewedFinding& finding : findings) {
+    if (!finding.finding.moved_from) continue;
+    const auto from = std::ranges::find_if(findings, [&](const ReviewedFinding& other) {
+      return other.view == finding.view && other.finding.id == *finding.finding.moved_from;
+    });
+    if (from != findings.end()) finding.moved_from = from->number;
+  }
+}
+
 }  // namespace
 
 std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m) {
@@ -125,6 +134,7 @@ std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double 
     const bool is_new = same == findings.begin() + (number - 1);
     finding.same_as = is_new ? number : same->number;
   }
+  name_moved_things(findings);
   return findings;
 }
 
@@ -136,7 +146,7 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
   for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
     throw_if_interrupted();
     if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
-    const ViewResult result = compare(folder, inspection, view, moved);
+    const ViewResult result = compare(folder, inspection, view);
     const ColorImage changed = write(result, folder.result(view));
     const CaptureInfo& info = result.final.front()->info();
     std::ranges::move(changed_points(result.detection, changed, info.depth, map_from_camera(info, chain)),

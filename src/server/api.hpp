@@ -90,6 +90,7 @@ class Api {
   ApiResponse begin_inspection(const Call& call) const;
   ApiResponse get_inspection(const Call& call) const;
   ApiResponse set_views(const Call& call) const;
+  ApiResponse set_regions(const Call& call) const;
   ApiResponse check_readiness(const Call& call) const;
   ApiResponse take_side(const Call& call) const;
   ApiResponse compare(const Call& call) const;
@@ -97,6 +98,7 @@ class Api {
   ApiResponse decide(const Call& call) const;
   // server/picture_routes.cpp
   ApiResponse get_picture(const Call& call) const;
+  ApiResponse get_baseline_picture(const Call& call) const;
   ApiResponse get_findable(const Call& call) const;
   ApiResponse get_map(const Call& call) const;
   ApiResponse get_changes(const Call& call) const;

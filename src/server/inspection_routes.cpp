@@ -2,6 +2,7 @@
 
 #include "core/date_time.hpp"
 #include "core/path_text.hpp"
+#include "detect/ignored_regions.hpp"
 #include "server/api.hpp"
 #include "server/request_body.hpp"
 
@@ -51,6 +52,19 @@ ApiResponse Api::get_inspection(const Call& call) const {
 ApiResponse Api::set_views(const Call& call) const {
   const std::int64_t id = inspection_id(call);
   parts_.inspector.set_views(id, views_in(call.body));
+  return json_answer(json_of(parts_.inspector.inspection(id)));
+}
+
+ApiResponse Api::set_regions(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  const auto ignore = call.body.find("ignore");
+  if (ignore == call.body.end())
+    throw ApiError(400, "bad-request", "ignore", "is missing", "see docs/api.md");
+  const double view = number_field(call.body, "view");
+  if (!(view >= 0.0 && view < 1000.0))
+    throw ApiError(404, "not-found", "view", "there is none", "see its views");
+  const Json regions{{"format", "rva-regions"}, {"version", 1}, {"ignore", *ignore}};
+  parts_.inspector.set_ignored(id, static_cast<int>(view), parse_regions(regions.dump(), "regions").ignore);
   return json_answer(json_of(parts_.inspector.inspection(id)));
 }
 

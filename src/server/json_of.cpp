@@ -13,6 +13,15 @@ double rounded(double number, int digits) {
 
 Json list_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
+Json list_of(const std::vector<Polygon>& polygons) {
+  Json list = Json::array();
+  for (const Polygon& polygon : polygons) {
+    list.push_back(Json::array());
+    for (const Eigen::Vector2d& corner : polygon) list.back().push_back({corner.x(), corner.y()});
+  }
+  return list;
+}
+
 Json json_of(const TakenSide& side) {
   return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}};
 }
@@ -25,12 +34,13 @@ Json json_of(const Decision& decision) {
 }
 
 Json json_of(const ComparedView& view) {
+  Json coverage{{"compared", view.coverage.compared},
+                {"unseen", view.coverage.unseen},
+                {"invalid", view.coverage.invalid}};
+  if (view.coverage.left_out) coverage["left_out"] = *view.coverage.left_out;
   return {{"view", view.view},
           {"method", view.method},
-          {"coverage",
-           {{"compared", view.coverage.compared},
-            {"unseen", view.coverage.unseen},
-            {"invalid", view.coverage.invalid}}},
+          {"coverage", coverage},
           {"judged", view.judged},
           {"warnings", view.warnings}};
 }
@@ -45,7 +55,7 @@ Json json_of(const ReviewedFinding& reviewed) {
   Json json{{"number", reviewed.number},
             {"view", reviewed.view},
             {"same_as", reviewed.same_as},
-            {"kind", finding.kind == ChangeKind::added ? "added" : "removed"},
+            {"kind", name_of(finding.kind)},
             {"bbox", {box.x, box.y, box.width, box.height}},
             {"centroid", {finding.centroid.x(), finding.centroid.y()}}};
   if (finding.position_m) json["position_m"] = list_of(*finding.position_m);
@@ -54,6 +64,7 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (finding.height_mm) json["height_mm"] = *finding.height_mm;
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
+  if (reviewed.moved_from) json["moved_from"] = *reviewed.moved_from;
   if (reviewed.decision) json["decision"] = json_of(*reviewed.decision);
   return json;
 }
@@ -79,7 +90,12 @@ Json summary_json(const Inspection& inspection) {
 Json json_of(const Inspection& inspection) {
   Json json = summary_json(inspection);
   json["views"] = Json::array();
-  for (const PanTilt& view : inspection.views) json["views"].push_back(json_of(view));
+  for (std::size_t view = 0; view < inspection.views.size(); ++view) {
+    json["views"].push_back(json_of(inspection.views[view]));
+    const auto ignored = inspection.ignored.find(static_cast<int>(view));
+    if (ignored != inspection.ignored.end() && !ignored->second.empty())
+      json["views"].back()["ignore"] = list_of(ignored->second);
+  }
   json["compared"] = Json::array();
   for (const ComparedView& view : inspection.compared) json["compared"].push_back(json_of(view));
   json["findings"] = Json::array();

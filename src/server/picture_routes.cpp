@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "core/file.hpp"
+#include "depth/capture.hpp"
 #include "depth/image_file.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
+#include "inspect/review_pictures.hpp"
 #include "server/api.hpp"
 #include "server/measurement.hpp"
 #include "server/request_body.hpp"
@@ -20,6 +22,13 @@ constexpr std::array pictures{"initial_color.png",      "final_color.png", "init
                               "level_of_detection.png", "changes.png"};
 
 ApiError not_there() { return {404, "not-found", "picture", "there is none", "take both captures first"}; }
+
+int view_number(const std::string& text) {
+  int view = -1;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), view);
+  if (failure != std::errc{} || end != text.data() + text.size() || view < 0) throw not_there();
+  return view;
+}
 
 std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -42,12 +51,22 @@ Json json_of(const std::optional<MeasuredPoint>& point) {
 
 ApiResponse Api::get_picture(const Call& call) const {
   const std::string& name = call.places.at(2);
-  const std::string& text = call.places.at(1);
-  int view = -1;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), view);
-  const bool known = std::ranges::find(pictures, name) != pictures.end();
-  if (!known || failure != std::errc{} || end != text.data() + text.size() || view < 0) throw not_there();
+  const int view = view_number(call.places.at(1));
+  if (std::ranges::find(pictures, name) == pictures.end()) throw not_there();
   return file_answer(parts_.inspector.folder(inspection_id(call)).result(view) / name, "image/png");
+}
+
+ApiResponse Api::get_baseline_picture(const Call& call) const {
+  const std::string& name = call.places.at(2);
+  const int view = view_number(call.places.at(1));
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  if (!inspection.initial || view >= static_cast<int>(inspection.views.size())) throw not_there();
+  const auto capture =
+      open_capture(parts_.inspector.folder(inspection.id).capture(Side::initial, inspection, view, 0));
+  if (name != "depth.png" && name != "color.png") throw not_there();
+  const ColorImage picture = name == "depth.png" ? draw_depth(*capture) : draw_color(*capture);
+  if (picture.empty()) throw not_there();
+  return {200, "image/png", text_of(encode_png(picture)), {{"Cache-Control", "no-store"}}};
 }
 
 ApiResponse Api::get_findable(const Call& /*call*/) const {

@@ -71,13 +71,16 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, const s
                     const ReviewedFinding& reviewed) {
   const Finding& finding = reviewed.finding;
   const Box& box = finding.box;
-  SQLite::Statement insert(database, "insert into finding values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(database,
+                           "insert into finding (inspection, compared_at, number, view, same_as, kind, box, "
+                           "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from) "
+                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
   insert.bind(2, compared_at);
   insert.bind(3, reviewed.number);
   insert.bind(4, reviewed.view);
   insert.bind(5, reviewed.same_as);
-  insert.bind(6, finding.kind == ChangeKind::added ? "added" : "removed");
+  insert.bind(6, std::string(name_of(finding.kind)));
   insert.bind(7, json{box.x, box.y, box.width, box.height}.dump());
   insert.bind(8, json{finding.centroid.x(), finding.centroid.y()}.dump());
   bind(insert, 9, finding.position_m);
@@ -86,6 +89,7 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, const s
   bind(insert, 12, finding.height_mm);
   bind(insert, 13, finding.score);
   bind(insert, 14, finding.p_value);
+  if (reviewed.moved_from) insert.bind(15, *reviewed.moved_from);
   insert.exec();
 }
 
@@ -103,6 +107,8 @@ std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_
     finding.same_as = query.getColumn("same_as");
     finding.finding = finding_of(query);
     finding.in_foot_m = point(query.getColumn("in_foot_m"));
+    if (const SQLite::Column moved_from = query.getColumn("moved_from"); !moved_from.isNull())
+      finding.moved_from = moved_from.getInt();
     finding.decision = last_decision(database, inspection, compared_at, finding.number);
     findings.push_back(std::move(finding));
   }

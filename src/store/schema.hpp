@@ -4,9 +4,10 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
 
-/// Lists within a row are JSON. `decision` only grows: the last one of a finding holds.
+/// The tables of version 1. Lists within a row are JSON. `decision` only grows: the last one of a finding
+/// holds.
 inline constexpr const char* schema = R"sql(
 create table inspection (
   id integer primary key,
@@ -49,6 +50,16 @@ create index decision_of_finding on decision (inspection, compared_at, finding);
 create table account (
   name text primary key, role text not null, password_hash text not null
 ) strict, without rowid;
+)sql";
+
+/// What version 2 has beyond version 1: regions that are left out, and objects that were moved.
+inline constexpr const char* schema_2_from_1 = R"sql(
+create table ignored_region (
+  inspection integer not null references inspection, view integer not null, regions text not null,
+  primary key (inspection, view)
+) strict, without rowid;
+alter table compared_view add column left_out real;
+alter table finding add column moved_from integer;
 )sql";
 
 }  // namespace rva

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -61,7 +62,7 @@ std::optional<TakenSide> side_of(SQLite::Database& database, std::int64_t id, Si
 std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int64_t id) {
   SQLite::Statement query(
       database,
-      "select view, method, compared, unseen, invalid, judged, warnings from compared_view "
+      "select view, method, compared, unseen, invalid, judged, warnings, left_out from compared_view "
       "where inspection = ? order by view");
   query.bind(1, id);
   std::vector<ComparedView> views;
@@ -70,11 +71,31 @@ std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int
     view.view = query.getColumn(0);
     view.method = query.getColumn(1).getString();
     view.coverage = {query.getColumn(2), query.getColumn(3), query.getColumn(4), std::nullopt};
+    if (!query.getColumn(7).isNull()) view.coverage.left_out = query.getColumn(7).getDouble();
     view.judged = query.getColumn(5);
     view.warnings = nlohmann::json::parse(query.getColumn(6).getString()).get<std::vector<std::string>>();
     views.push_back(std::move(view));
   }
   return views;
+}
+
+std::map<int, std::vector<Polygon>> ignored_of(SQLite::Database& database, std::int64_t id) {
+  SQLite::Statement query(database, "select view, regions from ignored_region where inspection = ?");
+  query.bind(1, id);
+  std::map<int, std::vector<Polygon>> ignored;
+  while (query.executeStep())
+    ignored[query.getColumn(0)] = parse_regions(query.getColumn(1).getString(), "regions").ignore;
+  return ignored;
+}
+
+// Its findings and the decisions on them stay in the record.
+void forget_comparison(SQLite::Database& database, std::int64_t id) {
+  SQLite::Statement forget(database, "update inspection set compared_at = '' where id = ?");
+  forget.bind(1, id);
+  forget.exec();
+  SQLite::Statement remove(database, "delete from compared_view where inspection = ?");
+  remove.bind(1, id);
+  remove.exec();
 }
 
 }  // namespace
@@ -92,9 +113,10 @@ SqliteRecords::SqliteRecords(const std::filesystem::path& file)
     database_.exec("pragma journal_mode = wal");
     database_.exec("pragma synchronous = full");
     database_.exec("pragma foreign_keys = on");
-    if (version == 0) {
+    if (version < schema_version) {
       SQLite::Transaction transaction(database_);
-      database_.exec(schema);
+      if (version == 0) database_.exec(schema);
+      database_.exec(schema_2_from_1);
       database_.exec(fmt::format("pragma application_id = {}", our_application));
       database_.exec(fmt::format("pragma user_version = {}", schema_version));
       transaction.commit();
@@ -169,6 +191,7 @@ std::optional<Inspection> SqliteRecords::find(std::int64_t id) const {
     inspection.compared_at = query.getColumn(5).getString();
     inspection.dither = query.getColumn(6);
     inspection.views = views_of(database, id);
+    inspection.ignored = ignored_of(database, id);
     inspection.initial = side_of(database, id, Side::initial);
     inspection.final = side_of(database, id, Side::final);
     inspection.compared = compared_views_of(database, id);
@@ -209,12 +232,21 @@ void SqliteRecords::set_side(std::int64_t id, Side side, const TakenSide& taken)
     insert.bind(4, taken.person);
     insert.bind(5, taken.base);
     insert.exec();
-    SQLite::Statement forget(database, "update inspection set compared_at = '' where id = ?");
-    forget.bind(1, id);
-    forget.exec();
-    SQLite::Statement remove(database, "delete from compared_view where inspection = ?");
-    remove.bind(1, id);
-    remove.exec();
+    forget_comparison(database, id);
+    return true;
+  });
+}
+
+void SqliteRecords::set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
+  change([&](SQLite::Database& database) {
+    require_inspection(database, id);
+    SQLite::Statement insert(
+        database, "insert or replace into ignored_region (inspection, view, regions) values (?, ?, ?)");
+    insert.bind(1, id);
+    insert.bind(2, view);
+    insert.bind(3, to_json(IgnoredRegions{ignored, {}}));
+    insert.exec();
+    forget_comparison(database, id);
     return true;
   });
 }
@@ -232,7 +264,10 @@ void SqliteRecords::set_comparison(std::int64_t id, const std::string& compared_
     remove.bind(1, id);
     remove.exec();
     for (const ComparedView& view : views) {
-      SQLite::Statement insert(database, "insert into compared_view values (?, ?, ?, ?, ?, ?, ?, ?)");
+      SQLite::Statement insert(
+          database,
+          "insert into compared_view (inspection, view, method, compared, unseen, invalid, judged, warnings, "
+          "left_out) values (?, ?, ?, ?, ?, ?, ?, ?, ?)");
       insert.bind(1, id);
       insert.bind(2, view.view);
       insert.bind(3, view.method);
@@ -241,6 +276,7 @@ void SqliteRecords::set_comparison(std::int64_t id, const std::string& compared_
       insert.bind(6, view.coverage.invalid);
       insert.bind(7, view.judged);
       insert.bind(8, nlohmann::json(view.warnings).dump());
+      if (view.coverage.left_out) insert.bind(9, *view.coverage.left_out);
       insert.exec();
     }
     for (const ReviewedFinding& finding : findings) insert_finding(database, id, compared_at, finding);

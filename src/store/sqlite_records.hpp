@@ -22,6 +22,7 @@ class SqliteRecords : public Records {
   [[nodiscard]] std::vector<std::int64_t> inspections() const override;
   [[nodiscard]] std::optional<Inspection> find(std::int64_t id) const override;
   void set_views(std::int64_t id, const std::vector<PanTilt>& views) override;
+  void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) override;
   void set_side(std::int64_t id, Side side, const TakenSide& taken) override;
   void set_comparison(std::int64_t id, const std::string& compared_at, const std::vector<ComparedView>& views,
                       const std::vector<ReviewedFinding>& findings) override;

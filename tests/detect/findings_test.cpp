@@ -30,8 +30,7 @@ Comparison sample() {
 
 TEST(Findings, AreMeasuredInTheCamerasFrame) {
   const Comparison comparison = sample();
-  const std::vector<Finding> findings =
-      measure_regions(find_regions(comparison.changed, {}), comparison, camera);
+  const std::vector<Finding> findings = find_findings(comparison, {}, camera);
   ASSERT_EQ(findings.size(), 2U);
   const Finding& second = findings[1];
   EXPECT_EQ(second.box, (Box{20, 10, 10, 4}));
@@ -49,24 +48,24 @@ TEST(Findings, WithoutDepthAfterwardsTheyHaveNoHeight) {
   for (int v = 10; v < 13; ++v) {
     for (int u = 20; u < 30; ++u) lost.final_m(u, v) = 0.0F;
   }
-  const Finding went = measure_regions(find_regions(lost.changed, {}), lost, camera)[1];
+  const Finding went = find_findings(lost, {}, camera)[1];
   EXPECT_FALSE(went.height_mm);
   EXPECT_EQ(went.kind, ChangeKind::added);
   EXPECT_FLOAT_EQ(static_cast<float>(went.position_m->z()), 1.0F) << "three rows of four, as before";
   std::swap(lost.initial_m, lost.final_m);
-  const Finding came = measure_regions(find_regions(lost.changed, {}), lost, camera)[1];
+  lost.farther = lost.changed;
+  const Finding came = find_findings(lost, {}, camera)[1];
   EXPECT_FALSE(came.height_mm);
   EXPECT_EQ(came.kind, ChangeKind::removed);
   lost.initial_m = lost.final_m = Image<float>(width, 80);
-  const Finding nowhere = measure_regions(find_regions(lost.changed, {}), lost, camera)[1];
+  const Finding nowhere = find_findings(lost, {}, camera)[1];
   EXPECT_FALSE(nowhere.position_m);
   EXPECT_FALSE(nowhere.size_mm);
 }
 
 TEST(Findings, MostSuspiciousComesFirst) {
   const Comparison comparison = sample();
-  const std::vector<Finding> findings =
-      measure_regions(find_regions(comparison.changed, {}), comparison, camera);
+  const std::vector<Finding> findings = find_findings(comparison, {}, camera);
   EXPECT_EQ(findings[0].id, 1);
   EXPECT_EQ(findings[0].box.x, 70);
   EXPECT_GT(*findings[0].score, *findings[1].score);
@@ -81,7 +80,7 @@ TEST(Findings, JsonHasTheContractsShape) {
   findings.initial_frames = 40;
   findings.final_frames = 20;
   findings.coverage = comparison.coverage;
-  findings.findings = measure_regions(find_regions(comparison.changed, {}), comparison, camera);
+  findings.findings = find_findings(comparison, {}, camera);
   const auto json = nlohmann::json::parse(to_json(findings));
   EXPECT_EQ(json["format"], "rva-detections");
   EXPECT_EQ(json["version"], 1);

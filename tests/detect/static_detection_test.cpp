@@ -35,7 +35,7 @@ TEST(Detection, FindsWhatWasLeft) {
     StaticDetectionOptions options;
     options.method = method;
     options.constant.threshold_m = 0.02;
-    const Detection detection = detect_static(before, after, options, {});
+    const Detection detection = detect_static(before, after, options, {}).detection;
     ASSERT_EQ(detection.findings.findings.size(), 1U);
     EXPECT_EQ(detection.findings.findings[0].box, (Box{30, 20, 12, 8}));
     EXPECT_NEAR(*detection.findings.findings[0].height_mm, 30.0, 2.0);
@@ -47,7 +47,7 @@ TEST(Detection, FindsWhatWasLeft) {
 TEST(Detection, NothingChangedNothingFound) {
   const MemoryCapture before = test::capture_of(wall(20, false, 3));
   const MemoryCapture after = test::capture_of(wall(20, false, 4));
-  EXPECT_TRUE(detect_static(before, after, {}, {}).findings.findings.empty());
+  EXPECT_TRUE(detect_static(before, after, {}, {}).detection.findings.findings.empty());
 }
 
 TEST(Detection, UsesTheFirstFramesOnly) {
@@ -56,7 +56,7 @@ TEST(Detection, UsesTheFirstFramesOnly) {
   const MemoryCapture before = test::capture_of(wall(10, false, 7));
   StaticDetectionOptions options;
   options.frames = 10;
-  const Detection detection = detect_static(before, test::capture_of(frames), options, {});
+  const Detection detection = detect_static(before, test::capture_of(frames), options, {}).detection;
   EXPECT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.final_frames, 10U);
 }
@@ -65,7 +65,7 @@ TEST(Detection, SaysWhenFramesAreMissing) {
   StaticDetectionOptions options;
   options.frames = 10;
   const MemoryCapture capture = test::capture_of(wall(6, false, 8));
-  const Detection detection = detect_static(capture, capture, options, {});
+  const Detection detection = detect_static(capture, capture, options, {}).detection;
   EXPECT_EQ(detection.findings.initial_frames, 6U);
   EXPECT_EQ(detection.warnings.size(), 2U);
 }
@@ -79,14 +79,14 @@ TEST(Detection, WarnsWhereItIsBlind) {
     }
   }
   const MemoryCapture still = test::capture_of(wall(8, false, 15));
-  EXPECT_EQ(detect_static(still, test::capture_of(moving), {}, {}).warnings.size(), 1U);
-  EXPECT_EQ(detect_static(test::capture_of(moving), still, {}, {}).warnings.size(), 1U);
-  EXPECT_TRUE(detect_static(still, still, {}, {}).warnings.empty());
+  EXPECT_EQ(detect_static(still, test::capture_of(moving), {}, {}).detection.warnings.size(), 1U);
+  EXPECT_EQ(detect_static(test::capture_of(moving), still, {}, {}).detection.warnings.size(), 1U);
+  EXPECT_TRUE(detect_static(still, still, {}, {}).detection.warnings.empty());
 }
 
 TEST(Detection, WarnsWhenLittleCouldBeCompared) {
   const MemoryCapture nothing = test::capture_of(std::vector<DepthImage>(4, DepthImage(80, 60)));
-  const Detection detection = detect_static(nothing, nothing, {}, {});
+  const Detection detection = detect_static(nothing, nothing, {}, {}).detection;
   EXPECT_TRUE(detection.findings.findings.empty());
   EXPECT_EQ(detection.warnings.size(), 1U);
 }
@@ -95,20 +95,20 @@ TEST(Detection, OneFrameHasNoDeviation) {
   const MemoryCapture one = test::capture_of(wall(1, false, 9));
   StaticDetectionOptions options;
   options.method = StaticMethod::gaussian;
-  EXPECT_THROW(static_cast<void>(detect_static(one, one, options, {})), Error);
+  EXPECT_THROW(static_cast<void>(detect_static(one, one, options, {}).detection), Error);
   options.method = StaticMethod::constant;
-  EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {})));
+  EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {}).detection));
 }
 
 TEST(Detection, OnlyCalibratedKnowsWhatItCouldHaveFound) {
   const MemoryCapture before = test::capture_of(wall(10, false, 16));
   const MemoryCapture after = test::capture_of(wall(10, true, 17));
-  const Detection calibrated = detect_static(before, after, {}, {});
+  const Detection calibrated = detect_static(before, after, {}, {}).detection;
   ASSERT_TRUE(calibrated.level_of_detection);
   EXPECT_LT(*calibrated.findings.findings.at(0).p_value, 0.05);
   StaticDetectionOptions options;
   options.method = StaticMethod::gaussian;
-  const Detection gaussian = detect_static(before, after, options, {});
+  const Detection gaussian = detect_static(before, after, options, {}).detection;
   EXPECT_FALSE(gaussian.level_of_detection);
   EXPECT_FALSE(gaussian.findings.findings.at(0).p_value);
 }
@@ -119,7 +119,7 @@ TEST(Detection, RefusesAnotherCamera) {
     CaptureInfo info = before.info();
     change(info);
     const MemoryCapture after(info, wall(2, false, 11));
-    EXPECT_THROW(static_cast<void>(detect_static(before, after, {}, {})), Error);
+    EXPECT_THROW(static_cast<void>(detect_static(before, after, {}, {}).detection), Error);
   };
   refused([](CaptureInfo& info) { info.depth.width = 81; });
   refused([](CaptureInfo& info) { info.depth.fx += 1.0; });
@@ -128,20 +128,18 @@ TEST(Detection, RefusesAnotherCamera) {
   refused([](CaptureInfo& info) { info.depth_unit_m = 0.0001; });
 }
 
-TEST(Detection, WarnsWhenPosesSayThatTheCameraMoved) {
-  const auto warnings = [](const Pose& a, const Pose& b) {
+TEST(Detection, KnowsWhenPosesSayThatTheCameraMoved) {
+  const auto differ = [](const Pose& a, const Pose& b) {
     CaptureInfo before = test::info_of(80, 60);
     CaptureInfo after = before;
     before.pose = a;
     after.pose = b;
-    return detect_static(MemoryCapture(before, wall(2, false, 12)), MemoryCapture(after, wall(2, false, 13)),
-                         {}, {})
-        .warnings.size();
+    return poses_differ(before, after);
   };
-  EXPECT_EQ(warnings({"b1", 10.0, -5.0, {}}, {"b1", 10.0, -5.0, {}}), 0U);
-  EXPECT_EQ(warnings({"b1", 10.0, -5.0, {}}, {"b2", 10.0, -5.0, {}}), 1U);
-  EXPECT_EQ(warnings({"b1", 10.0, -5.0, {}}, {"b1", 10.3, -5.0, {}}), 1U);
-  EXPECT_EQ(warnings({{}, {}, {}, {}}, {"b1", 10.3, {}, {}}), 0U);
+  EXPECT_FALSE(differ({"b1", 10.0, -5.0, {}}, {"b1", 10.0, -5.0, {}}));
+  EXPECT_TRUE(differ({"b1", 10.0, -5.0, {}}, {"b2", 10.0, -5.0, {}}));
+  EXPECT_TRUE(differ({"b1", 10.0, -5.0, {}}, {"b1", 10.3, -5.0, {}}));
+  EXPECT_FALSE(differ({{}, {}, {}, {}}, {"b1", 10.3, {}, {}}));
 }
 
 }  // namespace

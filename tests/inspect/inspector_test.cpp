@@ -69,6 +69,28 @@ TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
   EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
 }
 
+TEST_F(Standing, WhatIsLeftOutIsNotFoundAndTheComparisonIsMadeAgain) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  const Polygon everything{{-1, -1}, {2000, -1}, {2000, 2000}, {-1, 2000}};
+  EXPECT_THROW(inspector_->set_ignored(id, 0, {everything}), Error) << "there is no picture to draw on";
+  take(id, Side::initial);
+  EXPECT_THROW(inspector_->set_ignored(id, 1, {everything}), Error) << "no such view";
+  plug_->bump_mm = 12;
+  take(id, Side::final);
+  ASSERT_EQ(inspector_->inspection(id).findings.size(), 1U);
+  inspector_->set_ignored(id, 0, {everything});
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::work) << "it was compared without them";
+  inspector_->compare(id);
+  EXPECT_EQ(wait().end, TaskEnd::done);
+  const Inspection inspection = inspector_->inspection(id);
+  EXPECT_TRUE(inspection.findings.empty());
+  EXPECT_EQ(inspection.compared.at(0).coverage.left_out, 1.0);
+  inspector_->set_ignored(id, 0, {});
+  inspector_->compare(id);
+  wait();
+  EXPECT_EQ(inspector_->inspection(id).findings.size(), 1U);
+}
+
 TEST_F(Standing, WhereNothingChangedNothingIsFound) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   take(id, Side::initial);

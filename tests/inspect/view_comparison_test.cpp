@@ -37,6 +37,18 @@ TEST(RankedFindings, OfOneViewOfAnotherKindOrFarApartAreOthers) {
   }
 }
 
+TEST(RankedFindings, OfAThingThatWasMovedNameWhereItWasByItsNumber) {
+  ReviewedFinding gone = at(1, 0.0, 9.0, ChangeKind::removed);
+  ReviewedFinding come = at(1, 0.4, 5.0);
+  ReviewedFinding elsewhere = at(0, 0.8, 7.0, ChangeKind::removed);
+  gone.finding.id = elsewhere.finding.id = 1;
+  come.finding.id = 2;
+  come.finding.moved_from = 1;
+  const std::vector<ReviewedFinding> ranked = rank({come, elsewhere, gone});
+  EXPECT_EQ(ranked[2].moved_from, 1) << "of the same view";
+  EXPECT_FALSE(ranked[0].moved_from || ranked[1].moved_from);
+}
+
 TEST(RankedFindings, ThatNobodyCanPlaceStandAlone) {
   ReviewedFinding placeless = at(1, 0.0, 5.0);
   placeless.in_foot_m.reset();

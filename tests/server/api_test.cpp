@@ -49,6 +49,29 @@ TEST_F(Asked, AnInspectionIsBegunListedAndGivenItsViews) {
   EXPECT_EQ(Json::parse(ask("GET", "/api/inspections").body)["inspections"].size(), 1U);
 }
 
+TEST_F(Asked, RegionsToLeaveOutNeedABaselineAndPolygons) {
+  ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
+  const std::string path = "/api/inspections/1/regions";
+  EXPECT_EQ(ask("PUT", path, R"({"view":0,"ignore":[[[0,0],[5,0],[0,5]]]})").status, 409) << "no baseline";
+  EXPECT_EQ(ask("GET", "/api/inspections/1/baseline/0/depth.png").status, 404);
+  served_.records.set_side(1, Side::initial, {"t", "Ann", "b"});
+  const ApiResponse kept = ask("PUT", path, R"({"view":0,"ignore":[[[0,0],[5.5,0],[0,5]]]})");
+  EXPECT_EQ(kept.status, 200);
+  EXPECT_EQ(Json::parse(kept.body)["views"][0]["ignore"].dump(), "[[[0.0,0.0],[5.5,0.0],[0.0,5.0]]]");
+  EXPECT_EQ(code("PUT", path, R"({"view":0})"), "bad-request");
+  for (const char* const body :
+       {R"({"view":7,"ignore":[]})", R"({"view":-1,"ignore":[]})", R"({"view":1e99,"ignore":[]})",
+        R"({"view":0,"ignore":7})", R"({"view":0,"ignore":[[[0,0],[1,1]]]})",
+        R"({"view":0,"ignore":[[[0,0],[1,1],["x",2]]]})"})
+    EXPECT_GE(ask("PUT", path, body).status, 400) << body;
+  EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1").body)["views"][0]["ignore"].size(), 1U)
+      << "as before";
+  EXPECT_FALSE(
+      Json::parse(ask("PUT", path, R"({"view":0,"ignore":[]})").body)["views"][0].contains("ignore"));
+  for (const char* const picture : {"1/depth.png", "x/depth.png", "0/secret.png", "-1/depth.png"})
+    EXPECT_GE(ask("GET", std::string("/api/inspections/1/baseline/") + picture).status, 400) << picture;
+}
+
 TEST_F(Asked, WhatIsMissingOrMalformedIsSaidWithACode) {
   EXPECT_EQ(code("GET", "/api/nothing"), "not-found");
   EXPECT_EQ(code("DELETE", "/api/inspections"), "method-not-allowed");

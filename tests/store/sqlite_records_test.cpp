@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "store/schema.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rva {
@@ -119,6 +120,56 @@ TEST_F(Kept, WhatIsCapturedAnewIsNotCompared) {
   EXPECT_EQ(inspection.compared_at, "");
   EXPECT_TRUE(inspection.findings.empty());
   EXPECT_THROW(records_->decide(id, "first", 1, {}), Error);
+}
+
+TEST_F(Kept, RegionsThatAreLeftOutComeBackAndEndTheComparison) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, "first", {{0, "spatial", {0.5, 0.1, 0.1, {}, 0.3}, 0.5, {}}}, {finding(1)});
+  EXPECT_EQ(records_->find(id)->compared.at(0).coverage.left_out, 0.3);
+  const Polygon polygon{{0.5, 1}, {3, 1.25}, {2, 7}};
+  records_->set_ignored(id, 1, {polygon, polygon});
+  records_->set_ignored(id, 1, {polygon});
+  open();
+  const Inspection back = *records_->find(id);
+  EXPECT_EQ(back.ignored, (std::map<int, std::vector<Polygon>>{{1, {polygon}}}));
+  EXPECT_EQ(back.compared_at, "") << "it was made without them";
+  EXPECT_TRUE(back.findings.empty());
+  EXPECT_THROW(records_->set_ignored(7, 0, {}), Error);
+}
+
+TEST_F(Kept, AThingThatWasMovedNamesWhereItWas) {
+  const std::int64_t id = add();
+  ReviewedFinding moved = finding(1);
+  moved.moved_from = 2;
+  records_->set_comparison(id, "first", {}, {moved, finding(2)});
+  EXPECT_EQ(records_->find(id)->findings[0].moved_from, 2);
+  EXPECT_FALSE(records_->find(id)->findings[1].moved_from);
+}
+
+// As the program wrote it before regions could be left out.
+TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
+  records_.reset();
+  const std::filesystem::path old = folder_ / "old.db";
+  {
+    SQLite::Database file(old.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    file.exec(schema);
+    file.exec("pragma application_id = 1381384497");
+    file.exec("pragma user_version = 1");
+    file.exec(
+        "insert into inspection values (1, 'N1', 'bay', 'WO', 'Ann', 't0', 't1', 4);"
+        "insert into compared_view values (1, 0, 'spatial', 0.9, 0.06, 0.04, 0.8, '[]');"
+        "insert into finding values (1, 't1', 1, 0, 1, 'added', '[1,2,3,4]', '[2.5,4]', null, null, null, 7, "
+        "9, null);"
+        "insert into decision values (1, 1, 't1', 1, 'debris-removed', 'a bolt', 'Bob', 't2')");
+  }
+  SqliteRecords records(old);
+  const Inspection back = *records.find(1);
+  ASSERT_THAT(back.findings, SizeIs(1));
+  EXPECT_EQ(back.findings[0].decision->note, "a bolt");
+  EXPECT_FALSE(back.findings[0].moved_from || back.compared.at(0).coverage.left_out);
+  EXPECT_TRUE(back.ignored.empty());
+  EXPECT_NO_THROW(records.set_ignored(1, 0, {{{0, 0}, {1, 0}, {0, 1}}}));
+  EXPECT_NO_THROW(SqliteRecords{old}) << "once";
 }
 
 TEST_F(Kept, WhatIsNotThereCannotBeChanged) {

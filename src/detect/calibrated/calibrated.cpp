@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "detect/calibrated/disparity_change.hpp"
@@ -63,12 +64,17 @@ double share(std::size_t pixels, const Mask& of) {
 Coverage coverage_of(const DisparityChange& change) {
   std::size_t compared = 0;
   std::size_t unseen = 0;
+  std::size_t omitted = 0;
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    if (change.after_px[i] <= 0.0F) continue;
-    ++(change.before_px[i] > 0.0F ? compared : unseen);
+    if (is_left_out(change.left_out, i))
+      ++omitted;
+    else if (change.after_px[i] > 0.0F)
+      ++(change.before_px[i] > 0.0F ? compared : unseen);
   }
+  const std::size_t counted = compared + unseen + omitted;
   return {share(compared, change.judged), share(unseen, change.judged),
-          share(change.judged.size() - compared - unseen, change.judged), std::nullopt};
+          share(change.judged.size() - counted, change.judged), std::nullopt,
+          change.left_out.empty() ? std::nullopt : std::optional(share(omitted, change.judged))};
 }
 
 // Share of the compared pixels that could not be judged. The margin is another matter: it is the same in
@@ -78,12 +84,22 @@ double blind_share(const DisparityChange& change, const Image<float>& level_mm) 
   std::size_t blind = 0;
   for (int v = margin_px; v < level_mm.height() - margin_px; ++v) {
     for (int u = margin_px; u < level_mm.width() - margin_px; ++u) {
-      const bool both = change.after_px(u, v) > 0.0F && change.before_px(u, v) > 0.0F;
+      const bool omitted = !change.left_out.empty() && change.left_out(u, v) != 0;
+      const bool both = !omitted && change.after_px(u, v) > 0.0F && change.before_px(u, v) > 0.0F;
       compared += both ? 1 : 0;
       blind += both && std::isnan(level_mm(u, v)) ? 1 : 0;
     }
   }
   return static_cast<double>(blind) / static_cast<double>(std::max<std::size_t>(compared, 1));
+}
+
+void clear_left_out(const Mask& left_out, CalibratedComparison& result) {
+  for (std::size_t i = 0; i < left_out.size(); ++i) {
+    if (left_out[i] == 0) continue;
+    result.comparison.changed[i] = result.comparison.farther[i] = 0;
+    result.comparison.evidence[i] = 0.0F;
+    result.level_of_detection_mm[i] = std::numeric_limits<float>::quiet_NaN();
+  }
 }
 
 }  // namespace
@@ -126,6 +142,7 @@ CalibratedComparison compare_calibrated(const DisparityChange& change, double di
   const Scale& finest = finest_reachable(scales);
   result.level_of_detection_mm =
       level_of_detection_mm(unsure, noise.deviation_px, comparison.final_m, finest, disparity_m_px);
+  clear_left_out(change.left_out, result);
   const auto judged = static_cast<std::size_t>(std::ranges::count_if(
       result.level_of_detection_mm.pixels(), [](float level) { return !std::isnan(level); }));
   result.levels = {share(judged, change.judged),

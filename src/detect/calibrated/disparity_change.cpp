@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/quantile.hpp"
@@ -79,6 +80,19 @@ void leave_out_jumps(DisparityChange& change) {
 }
 
 }  // namespace
+
+void leave_out(DisparityChange& change, Mask left_out) {
+  const auto count = static_cast<std::size_t>(std::ranges::count(left_out.pixels(), mask_set));
+  const bool enough_remains = 2 * count <= left_out.size();
+  for (std::size_t i = 0; enough_remains && i < left_out.size(); ++i) {
+    if (left_out[i] == 0) continue;
+    leave_out(change, i);
+    change.lost[i] = nothing;
+  }
+  change.left_out = std::move(left_out);
+}
+
+void forget_losses(DisparityChange& change) { std::ranges::fill(change.lost.pixels(), nothing); }
 
 DisparityChange disparity_change(const DepthStatistics& initial, const DepthStatistics& final,
                                  double disparity_by_depth) {

@@ -10,8 +10,8 @@ namespace rva {
 /// Nothing is judged so near to the image's border: a matcher lacks half of its window there.
 inline constexpr int margin_px = 6;
 
-[[nodiscard]] inline bool inside_margin(int u, int v, int width, int height) {
-  return u >= margin_px && v >= margin_px && u < width - margin_px && v < height - margin_px;
+[[nodiscard]] inline bool inside_margin(int u, int v, int width, int height, int margin = margin_px) {
+  return u >= margin && v >= margin && u < width - margin && v < height - margin;
 }
 
 /// All images have the size of the statistics.
@@ -33,9 +33,20 @@ struct DisparityChange {
   /// missing.
   Image<float> lost;
 
+  /// Pixels that a person wants left out: nothing is found there. Empty for none.
+  Mask left_out;
+
   /// Above 0, something came nearer. Of a pixel that is judged.
   [[nodiscard]] float change_px(std::size_t i) const { return after_px[i] - before_px[i]; }
 };
+
+/// Nothing is found in these pixels, nor is noise learnt from them, unless they are more than half of the
+/// image: a small region that a person looks at is judged by what the rest of the view shows of the noise.
+/// @param left_out of the change's size; empty for none
+void leave_out(DisparityChange& change, Mask left_out);
+
+/// Depth that went missing or came back is no evidence any more, as where a tool may have cut depth off.
+void forget_losses(DisparityChange& change);
 
 /// A pixel jumps when its deviation over time is more than ten times that of the median pixel: its matches
 /// change between places far apart, and their mean is no depth.

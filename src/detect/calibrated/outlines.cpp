@@ -102,6 +102,7 @@ void Outlines::add(const Scale& scale, const Image<float>& evidence, float sign)
   const Sighting seen = sighting(scale, unsure_, log10_looks_, sign);
   if (seen.where.empty()) return;
   Mask& outlined = outlined_[sign > 0.0F ? 0 : 1];
+  const std::uint8_t farther = sign > 0.0F ? std::uint8_t{0} : mask_set;
   const Blobs blobs(seen.around);
   std::vector<Change> changes(blobs.count());
   for_each_pixel(seen, blobs, [&](const cv::Point&, const cv::Point& at, std::size_t blob) {
@@ -114,9 +115,12 @@ void Outlines::add(const Scale& scale, const Image<float>& evidence, float sign)
     const float rarity = seen.rarity(here.x, here.y);
     outlined(at.x, at.y) = mask_set;
     if (comparison_.changed(at.x, at.y) != 0) {
-      comparison_.evidence(at.x, at.y) = std::max(comparison_.evidence(at.x, at.y), rarity);
+      // What another scale found of the other kind is not made rarer by this one.
+      if (comparison_.farther(at.x, at.y) == farther)
+        comparison_.evidence(at.x, at.y) = std::max(comparison_.evidence(at.x, at.y), rarity);
     } else if (!changes[blob].known && sign * evidence(at.x, at.y) > half * changes[blob].peak) {
       comparison_.changed(at.x, at.y) = mask_set;
+      comparison_.farther(at.x, at.y) = farther;
       comparison_.evidence(at.x, at.y) = rarity;
     }
   });

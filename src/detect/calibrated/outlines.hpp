@@ -15,7 +15,8 @@ class Outlines {
  public:
   /// @param unsure     as of unsure_places()
   /// @param looks      tails that share the false findings, over all scales
-  /// @param comparison its `changed` and `evidence`, -log10 of the expected false findings as strong, are
+  /// @param comparison its `changed`, `farther` and `evidence`, -log10 of the expected false findings as
+  /// strong, are
   ///                   filled
   Outlines(const Mask& unsure, double looks, Comparison& comparison);
 

@@ -31,7 +31,7 @@ Intrinsics camera() {
 std::vector<Finding> find(const DepthStatistics& before, const DepthStatistics& after,
                           const CalibratedOptions& options = {}) {
   const Comparison comparison = compare(before, after, options).comparison;
-  return measure_regions(find_regions(comparison.changed, {}), comparison, camera());
+  return find_findings(comparison, {}, camera());
 }
 
 /// A step of so much disparity over a square of so many pixels in the middle.

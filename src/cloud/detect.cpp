@@ -1,0 +1,253 @@
+#include "cloud/detect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "cloud/view_check.hpp"
+#include "core/error.hpp"
+
+namespace rva {
+namespace {
+
+struct MethodName {
+  DetectionMethod method;
+  std::string_view name;
+};
+
+constexpr std::array method_names{
+    MethodName{DetectionMethod::automatic, "auto"},    MethodName{DetectionMethod::constant, "constant"},
+    MethodName{DetectionMethod::gaussian, "gaussian"}, MethodName{DetectionMethod::calibrated, "calibrated"},
+    MethodName{DetectionMethod::spatial, "spatial"},   MethodName{DetectionMethod::octree, "octree"}};
+
+StaticMethod static_method(DetectionMethod method) {
+  if (method == DetectionMethod::constant) return StaticMethod::constant;
+  if (method == DetectionMethod::gaussian) return StaticMethod::gaussian;
+  return StaticMethod::calibrated;
+}
+
+// A pixel by pixel comparison of several captures a side takes an exact return: the initial capture whose
+// pose is that of the first final one.
+const Capture& initial_of_same_view(const Captures& initial, const Capture& final) {
+  if (initial.size() == 1) return *initial.front();
+  const auto same = std::ranges::find_if(
+      initial, [&](const auto& capture) { return !poses_differ(capture->info(), final.info()); });
+  if (same == initial.end())
+    throw Error("initial captures", "none was taken from where the first final capture was",
+                "use --method spatial");
+  return **same;
+}
+
+DepthView view_of(const DepthStatistics& statistics, const CaptureInfo& info) {
+  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
+}
+
+/// The views that a static comparison rests on, and whether they lie over each other.
+struct CheckedViews {
+  DepthView initial;
+  DepthView final;
+  ViewCheck check;
+
+  [[nodiscard]] Registration registration() const {
+    return check.registration ? *check.registration : register_near_views(initial, final);
+  }
+};
+
+// A lens that bends rays leaves nothing that could be checked: planes are none then.
+std::optional<CheckedViews> checked_views(const StaticDetection& compared, const CaptureInfo& initial,
+                                          const CaptureInfo& final) {
+  if (final.depth.distortion != Distortion::none) return std::nullopt;
+  CheckedViews views{view_of(compared.initial, initial), view_of(compared.final, final), {}};
+  views.check = check_views(views.initial, views.final);
+  return views;
+}
+
+// "turned by 1.02 degrees and shifted by 0.4 mm"
+std::string motion_text(const Transform& initial_from_final) {
+  const double turn_deg = Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi;
+  const double shift_mm = 1000.0 * initial_from_final.translation().norm();
+  return fmt::format("turned by {:.2g} degrees and shifted by {:.2g} mm", turn_deg, shift_mm);
+}
+
+class Run {
+ public:
+  Run(const Captures& initial, const Captures& final, const DetectOptions& options, const Progress& progress,
+      const Mask& left_out)
+      : initial_(initial), final_(final), options_(options), progress_(progress), left_out_(left_out) {
+    check_options(options);
+    const Intrinsics& camera = initial.front()->info().depth;
+    if (!left_out.empty() && (left_out.width() != camera.width || left_out.height() != camera.height))
+      throw Error("region to leave out",
+                  fmt::format("of {}x{} pixels where the initial depth image has {}x{}", left_out.width(),
+                              left_out.height(), camera.width, camera.height),
+                  "draw it on the initial depth image");
+  }
+
+  SidesDetection run() {
+    SidesDetection result = run_method();
+    add_depth_notes("initial", *initial_.front(), result.detection.warnings);
+    add_depth_notes("final", *final_.front(), result.detection.warnings);
+    return result;
+  }
+
+ private:
+  static void add_depth_notes(std::string_view side, const Capture& capture,
+                              std::vector<std::string>& warnings) {
+    for (const std::string& note : capture.depth_notes())
+      warnings.push_back(fmt::format("{} capture: {}", side, note));
+  }
+
+  SidesDetection run_method() {
+    switch (options_.method) {
+      case DetectionMethod::automatic:
+        return automatic();
+      case DetectionMethod::constant:
+      case DetectionMethod::gaussian:
+      case DetectionMethod::calibrated:
+        return by_name();
+      case DetectionMethod::spatial:
+        warn_of_other_camera();
+        return spatial();
+      case DetectionMethod::octree:
+        warn_of_other_camera();
+        return octree();
+    }
+    throw std::logic_error("a method without an implementation");
+  }
+
+  [[nodiscard]] const CaptureInfo& initial_info() const { return initial_.front()->info(); }
+  [[nodiscard]] const CaptureInfo& final_info() const { return final_.front()->info(); }
+  [[nodiscard]] bool has_several() const { return initial_.size() + final_.size() > 2; }
+
+  SidesDetection automatic() {
+    require_one_device(initial_info(), final_info());
+    if (has_several() || poses_differ(initial_info(), final_info())) return spatial();
+    StaticDetection compared = compare_pixels(*initial_.front());
+    const std::optional<CheckedViews> views = checked_views(compared, initial_info(), final_info());
+    if (!views || views->check.is_aligned()) return {std::move(compared.detection), std::nullopt};
+    return spatial_after(*views, std::move(compared.detection));
+  }
+
+  // The views do not lie over each other.
+  SidesDetection spatial_after(const CheckedViews& views, Detection compared) {
+    const Registration registration = views.registration();
+    if (!registration.trusted() && views.check.shows_other_view())
+      throw Error("initial and final",
+                  fmt::format("the captures do not show the same view, nor one that can be laid over it ({})",
+                              registration.doubt),
+                  "give the baseline of this bay, taken from nearly the same place; --method calibrated "
+                  "compares pixel by pixel all the same");
+    if (!registration.trusted()) {
+      compared.warnings.push_back(warning_of_motion(views.check, registration));
+      return {std::move(compared), std::nullopt};
+    }
+    SidesDetection result = spatial(KnownMotion::bumped);
+    result.detection.warnings.insert(
+        result.detection.warnings.begin(),
+        fmt::format("the camera {} between the captures: their views were laid over each other and compared "
+                    "with method spatial",
+                    motion_text(registration.initial_from_final)));
+    return result;
+  }
+
+  SidesDetection by_name() {
+    const Capture& initial = initial_of_same_view(initial_, *final_.front());
+    StaticDetection compared = compare_pixels(initial);
+    std::vector<std::string>& warnings = compared.detection.warnings;
+    if (has_several())
+      warnings.push_back(
+          fmt::format("--method {} compared one capture of each side: the others were not used",
+                      name_of(options_.method)));
+    if (poses_differ(initial.info(), final_info()))
+      warnings.emplace_back(
+          "the captures' poses say that the camera moved: pixels were compared all the same, and what "
+          "differs "
+          "may be the view");
+    else if (const auto views = checked_views(compared, initial.info(), final_info());
+             views && !views->check.is_aligned())
+      warnings.push_back(warning_of_motion(views->check, views->registration()));
+    return {std::move(compared.detection), std::nullopt};
+  }
+
+  static std::string warning_of_motion(const ViewCheck& check, const Registration& registration) {
+    if (registration.trusted())
+      return fmt::format(
+          "the camera {} between the captures: pixels were compared all the same, and edges may show as "
+          "changes; --method auto lays the views over each other first",
+          motion_text(registration.initial_from_final));
+    if (check.shows_other_view())
+      return fmt::format(
+          "the captures do not show the same view ({}): pixels were compared all the same, and mean little",
+          registration.doubt);
+    return fmt::format(
+        "the camera moved by about {:.2g} pixels between the captures, and the views cannot be laid over "
+        "each other "
+        "({}): edges may show as changes",
+        check.motion.displacement_px, registration.doubt);
+  }
+
+  StaticDetection compare_pixels(const Capture& initial) {
+    StaticDetectionOptions options = options_.static_camera;
+    options.method = static_method(options_.method);
+    return detect_static(initial, *final_.front(), options, progress_, left_out_);
+  }
+
+  SidesDetection spatial(KnownMotion known = KnownMotion::moved) {
+    const StaticDetectionOptions& shared = options_.static_camera;
+    SpatialDetection found = detect_spatial(
+        initial_, final_, {shared.frames, shared.calibrated, shared.regions, known}, progress_, left_out_);
+    prepend_warnings(found.detection);
+    return {std::move(found.detection), std::move(found.registration)};
+  }
+
+  SidesDetection octree() {
+    Detection found = detect_by_octree(*initial_.front(), *final_.front(), options_.octree,
+                                       options_.static_camera.regions, progress_, left_out_);
+    if (has_several())
+      warnings_.emplace_back("--method octree compared one capture of each side: the others were not used");
+    prepend_warnings(found);
+    return {std::move(found), std::nullopt};
+  }
+
+  void warn_of_other_camera() {
+    try {
+      require_one_device(initial_info(), final_info());
+    } catch (const Error& error) {
+      warnings_.emplace_back(error.what());
+    }
+  }
+
+  void prepend_warnings(Detection& detection) {
+    detection.warnings.insert(detection.warnings.begin(), warnings_.begin(), warnings_.end());
+  }
+
+  const Captures& initial_;
+  const Captures& final_;
+  const DetectOptions& options_;
+  const Progress& progress_;
+  const Mask& left_out_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+std::string_view name_of(DetectionMethod method) {
+  return std::ranges::find(method_names, method, &MethodName::method)->name;
+}
+
+std::optional<DetectionMethod> detection_method_from_name(std::string_view name) {
+  const auto* const found = std::ranges::find(method_names, name, &MethodName::name);
+  return found == method_names.end() ? std::nullopt : std::optional(found->method);
+}
+
+SidesDetection detect(const Captures& initial, const Captures& final, const DetectOptions& options,
+                      const Progress& progress, const Mask& left_out) {
+  return Run(initial, final, options, progress, left_out).run();
+}
+
+}  // namespace rva

@@ -1,0 +1,125 @@
+#include "detect/moved_things.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "core/quantile.hpp"
+
+namespace rva {
+namespace {
+
+// Outlines follow a matcher's windows, so that a side is uncertain by about a pixel and a half whatever its
+// length. Within that and an eighth of its length, two sides are alike; areas accordingly.
+constexpr double outline_px = 1.5;
+constexpr double alike_share = 0.12;
+// Heights of small things are off by a few millimetres.
+constexpr double height_share = 0.3;
+constexpr double height_noise_mm = 3.0;
+
+/// How large a thing looks, whichever way it is turned in the image.
+struct Size {
+  double area_mm2 = 0.0;
+  double length_mm = 0.0;
+  double breadth_mm = 0.0;
+  double pixel_mm = 0.0;  ///< one pixel on the thing's own surface
+  std::optional<double> height_mm;
+};
+
+// The thing's own surface is the nearer of what was there before and after.
+std::optional<double> surface_m(const Finding& finding, const Comparison& comparison) {
+  std::vector<float> depths_m;
+  for (const std::uint32_t i : finding.pixels) {
+    const float before_m = comparison.initial_m[i];
+    const float after_m = comparison.final_m[i];
+    if (before_m > 0.0F && after_m > 0.0F)
+      depths_m.push_back(std::min(before_m, after_m));
+    else if (before_m > 0.0F || after_m > 0.0F)
+      depths_m.push_back(std::max(before_m, after_m));
+  }
+  return depths_m.empty() ? std::nullopt : std::optional<double>(quantile(depths_m, 0.5));
+}
+
+// A rectangle of the pixels' second moments: of variance side^2 / 12 along either side.
+Size size_of(const Finding& finding, double distance_m, int width, const Intrinsics& camera) {
+  constexpr double mm_per_m = 1000.0;
+  Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+  const Eigen::Vector2d pixel_mm(mm_per_m * distance_m / camera.fx, mm_per_m * distance_m / camera.fy);
+  for (const std::uint32_t i : finding.pixels) {
+    const auto at = static_cast<int>(i);
+    const Eigen::Vector2d off =
+        (Eigen::Vector2d(at % width, at / width) - finding.centroid).cwiseProduct(pixel_mm);
+    moments += off * off.transpose();
+  }
+  moments /= static_cast<double>(finding.pixels.size());
+  moments.diagonal() += pixel_mm.cwiseAbs2() / 12.0;  // of a pixel itself
+  const Eigen::Vector2d sides_mm =
+      (12.0 * Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(moments).eigenvalues()).cwiseSqrt();
+  const std::optional<double> height_mm =
+      finding.height_mm ? std::optional(std::abs(*finding.height_mm)) : std::nullopt;
+  const double area_mm2 = static_cast<double>(finding.pixels.size()) * pixel_mm.prod();
+  return {area_mm2, sides_mm[1], sides_mm[0], pixel_mm.mean(), height_mm};
+}
+
+/// What differs, in what may: alike up to 1.
+double side_difference(double a_mm, double b_mm, double pixel_mm) {
+  return std::abs(a_mm - b_mm) / (alike_share * std::max(a_mm, b_mm) + outline_px * pixel_mm);
+}
+
+double area_difference(const Size& a, const Size& b, double pixel_mm) {
+  const double sides_mm = std::max(a.length_mm + a.breadth_mm, b.length_mm + b.breadth_mm);
+  const double allowed_mm2 =
+      2.0 * alike_share * std::max(a.area_mm2, b.area_mm2) + outline_px * pixel_mm * sides_mm;
+  return std::abs(a.area_mm2 - b.area_mm2) / allowed_mm2;
+}
+
+double difference(const Size& a, const Size& b) {
+  const double pixel_mm = std::max(a.pixel_mm, b.pixel_mm);
+  double most =
+      std::max({side_difference(a.length_mm, b.length_mm, pixel_mm),
+                side_difference(a.breadth_mm, b.breadth_mm, pixel_mm), area_difference(a, b, pixel_mm)});
+  if (a.height_mm && b.height_mm) {
+    const double allowed_mm = height_share * std::max(*a.height_mm, *b.height_mm) + height_noise_mm;
+    most = std::max(most, std::abs(*a.height_mm - *b.height_mm) / allowed_mm);
+  }
+  return most;
+}
+
+struct Pair {
+  double difference = 0.0;
+  std::size_t added = 0;
+  std::size_t removed = 0;
+};
+
+}  // namespace
+
+void find_moved_things(std::vector<Finding>& findings, const Comparison& comparison,
+                       const Intrinsics& camera) {
+  std::vector<std::optional<Size>> sizes;
+  for (const Finding& finding : findings) {
+    const std::optional<double> distance_m = surface_m(finding, comparison);
+    sizes.push_back(distance_m
+                        ? std::optional(size_of(finding, *distance_m, comparison.changed.width(), camera))
+                        : std::nullopt);
+  }
+  std::vector<Pair> alike;
+  for (std::size_t a = 0; a < findings.size(); ++a) {
+    for (std::size_t r = 0; r < findings.size(); ++r) {
+      if (findings[a].kind != ChangeKind::added || findings[r].kind != ChangeKind::removed) continue;
+      if (!sizes[a] || !sizes[r]) continue;
+      const double how_different = difference(*sizes[a], *sizes[r]);
+      if (how_different <= 1.0) alike.push_back({how_different, a, r});
+    }
+  }
+  std::ranges::stable_sort(alike, {}, &Pair::difference);
+  std::set<std::size_t> taken;
+  for (const Pair& pair : alike) {
+    Finding& added = findings[pair.added];
+    if (added.moved_from || !taken.insert(pair.removed).second) continue;
+    added.moved_from = findings[pair.removed].id;
+  }
+}
+
+}  // namespace rva
