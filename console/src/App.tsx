@@ -1,5 +1,5 @@
 // The console: what is seen in the middle, what is to be done beside it, the robot below.
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { DrivePanel } from './drive/DrivePanel';
 import { Begin } from './inspection/Begin';
 import { attempt, open, openInspection, trouble } from './inspection/inspections';
@@ -8,14 +8,15 @@ import { titleOf } from './inspection/words';
 import { api } from './link/api';
 import { link } from './link/live_link';
 import { LiveView } from './live/LiveView';
+import { page as shownPage, type Page } from './pages';
+import { RegionEditor } from './regions/RegionEditor';
+import { RegionPanel } from './regions/RegionPanel';
 import { FindingList } from './review/FindingList';
 import { ReviewPictures } from './review/ReviewPictures';
 import { firstLook, review, show } from './review/review_state';
 import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
 import type { Inspection, Session } from './types';
-
-type Page = 'live' | 'review' | 'space';
 
 function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
   const status = useStore(link.status);
@@ -62,6 +63,7 @@ function PageTabs({ page, inspection, onPick }: { page: Page; inspection: Inspec
   const compared = inspection.compared_at !== undefined;
   const tabs: [Page, string, boolean][] = [
     ['live', 'Live', true],
+    ['regions', 'Leave out', inspection.initial !== undefined],
     ['review', 'Before / after', compared],
     ['space', '3D', compared],
   ];
@@ -79,14 +81,16 @@ function PageTabs({ page, inspection, onPick }: { page: Page; inspection: Inspec
 export function App({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
   const inspection = useStore(openInspection);
   const ended = useStore(link.ended);
-  const [page, setPage] = useState<Page>('live');
+  const page = useStore(shownPage);
   const compared_at = inspection?.compared_at;
   // Findings that have come are looked at first.
   useEffect(() => {
     review.value = firstLook;
-    setPage(compared_at ? 'review' : 'live');
+    shownPage.value = compared_at ? 'review' : 'live';
     if (inspection?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
   }, [inspection?.id, compared_at]);
+
+  const drawing = page === 'regions' && inspection?.initial !== undefined;
 
   if (ended) {
     return (
@@ -114,7 +118,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       {inspection && (
         <nav>
           <StepBar stage={inspection.stage} />
-          <PageTabs page={page} inspection={inspection} onPick={setPage} />
+          <PageTabs page={page} inspection={inspection} onPick={(next) => (shownPage.value = next)} />
         </nav>
       )}
       <Trouble />
@@ -123,14 +127,17 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <ReviewPictures inspection={inspection} />
         ) : page === 'space' && inspection?.compared_at ? (
           <LazySpace inspection={inspection} />
+        ) : drawing ? (
+          <RegionEditor inspection={inspection} session={session} />
         ) : (
           <LiveView />
         )}
       </main>
       <aside aria-label="What to do" key={`${inspection?.id} ${inspection?.stage}`}>
         {!inspection && <Begin session={session} />}
-        {inspection && !inspection.compared_at && <Steps session={session} />}
-        {inspection?.compared_at && <FindingList inspection={inspection} session={session} />}
+        {drawing && <RegionPanel inspection={inspection} session={session} />}
+        {!drawing && inspection && !inspection.compared_at && <Steps session={session} />}
+        {!drawing && inspection?.compared_at && <FindingList inspection={inspection} session={session} />}
       </aside>
       <footer>
         <DrivePanel mayDrive={session.role !== 'viewer'} small={page !== 'live'} />

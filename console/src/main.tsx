@@ -3,10 +3,13 @@ import { useEffect, useState } from 'preact/hooks';
 import { App } from './App';
 import { sticks } from './drive/sticks';
 import { followTasks, reopen } from './inspection/inspections';
+import { followInspection } from './regions/region_state';
 import { api } from './link/api';
 import { link } from './link/live_link';
 import { SignIn } from './SignIn';
 import './style.css';
+import './regions/regions.css';
+import './review/review.css';
 import type { Session } from './types';
 
 function Console() {
@@ -30,6 +33,7 @@ function Console() {
     link.start();
     sticks.start();
     followTasks();
+    followInspection();
     void reopen().catch(() => undefined);
   }, [known]);
   if (problem) return <p class="alone" role="alert">{problem}</p>;

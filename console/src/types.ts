@@ -19,6 +19,16 @@ export interface Joints {
   tilt_deg: number;
 }
 
+/** [u, v] in pixels of the baseline's depth image; the centre of its first pixel is (0, 0). */
+export type Corner = [number, number];
+/** At least three corners; the last is joined with the first. */
+export type Polygon = Corner[];
+
+export interface View extends Joints {
+  /** What a person leaves out of the comparison. */
+  ignore?: Polygon[];
+}
+
 export interface RobotStatus extends Partial<Joints> {
   driving: boolean;
   armed: boolean;
@@ -124,13 +134,16 @@ export interface Finding {
   height_mm?: number;
   score?: number;
   p_value?: number;
+  /** Number of the removed finding that has about the size of this one: the object may have been moved. */
+  moved_from?: number;
   decision?: Decision;
 }
 
 export interface ComparedView {
   view: number;
   method: string;
-  coverage: { compared: number; unseen: number; invalid: number };
+  /** Shares of the depth image; `left_out` is there when a person left something out. */
+  coverage: { compared: number; unseen: number; invalid: number; left_out?: number };
   judged: number;
   warnings: string[];
 }
@@ -151,7 +164,7 @@ export interface InspectionSummary {
 }
 
 export interface Inspection extends InspectionSummary {
-  views: Joints[];
+  views: View[];
   compared: ComparedView[];
   findings: Finding[];
   /** Of a final capture that was interrupted: what was said of the robot then. */

@@ -5,8 +5,9 @@ import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session, SideName, Stage, TaskStatus } from '../types';
-import { attempt, lastFailure, openInspection } from './inspections';
+import { attempt, isBusy, lastFailure, openInspection } from './inspections';
 import { CaptureProgress, NoiseReport } from './CaptureProgress';
+import { RegionsCard } from '../regions/RegionsCard';
 import { ReadinessCard } from './ReadinessCard';
 import { ViewsCard } from './ViewsCard';
 import { timeOf } from './words';
@@ -104,6 +105,7 @@ function WorkStep({ inspection, session, task }: StepProps) {
           <p>
             <strong>Now do the work in the bay.</strong> Come back here when it is done.
           </p>
+          {inspection.final && <p>What was captured after the work is kept, too: it can be compared without capturing it again.</p>}
           {simulation && (
             <div class="note">
               <p>This bay is simulated: its work is done by a button.</p>
@@ -113,6 +115,7 @@ function WorkStep({ inspection, session, task }: StepProps) {
             </div>
           )}
         </div>
+        <RegionsCard inspection={inspection} session={session} />
         <NoiseReport task={task} />
         <ReadinessCard mayCapture={session.role !== 'viewer'} />
       </div>
@@ -129,12 +132,16 @@ function WorkStep({ inspection, session, task }: StepProps) {
           </p>
         )}
         <Failure inspection={inspection} />
-        <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label="Capture and compare" />
-        {inspection.final && (
-          <button type="button" data-testid="compare" onClick={() => void attempt(() => api.compare(inspection.id))}>
-            Compare what was captured
-          </button>
-        )}
+        <div class="panel-pair">
+          <div class="stack">
+            <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label="Capture and compare" />
+          </div>
+          {inspection.final && (
+            <button type="button" data-testid="compare" disabled={session.role === 'viewer'} onClick={() => void attempt(() => api.compare(inspection.id))}>
+              Compare what was captured
+            </button>
+          )}
+        </div>
       </div>
     </>
   );
@@ -144,7 +151,7 @@ export function Steps({ session }: { session: Session }) {
   const inspection = useStore(openInspection);
   const task = useStore(link.status)?.task;
   if (!inspection || !task) return <p class="hint">Loading…</p>;
-  const running = task.end === 'running' && task.kind !== 'readiness';
+  const running = isBusy(task);
   if (running && task.inspection !== inspection.id) {
     return <p class="hint">Another inspection is being captured just now.</p>;
   }

@@ -23,6 +23,11 @@ export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
   }
 }
 
+/** While a capture or a comparison runs, nothing of the inspection is changed. */
+export function isBusy(task: TaskStatus | undefined): boolean {
+  return task?.end === 'running' && task.kind !== 'readiness';
+}
+
 export async function loadList(): Promise<void> {
   inspectionList.value = (await api.inspections()).inspections;
 }

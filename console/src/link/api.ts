@@ -4,6 +4,7 @@ import type {
   InspectionSummary,
   Joints,
   Measurement,
+  Polygon,
   Session,
   SideName,
   Stream,
@@ -54,6 +55,9 @@ export const api = {
   inspection: (id: number) => call<Inspection>('GET', `/api/inspections/${id}`),
   begin: (order: Order) => call<Inspection>('POST', '/api/inspections', order),
   setViews: (id: number, views: Joints[]) => call<Inspection>('PUT', `/api/inspections/${id}/views`, { views }),
+  /** Replaces what is left out of one view; a comparison that was made before does not hold any more. */
+  setRegions: (id: number, view: number, ignore: Polygon[]) =>
+    call<Inspection>('PUT', `/api/inspections/${id}/regions`, { view, ignore }),
   capture: (id: number, side: SideName, person: string, replaced: boolean) =>
     call<object>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
   compare: (id: number) => call<object>('POST', `/api/inspections/${id}/compare`, {}),
@@ -70,4 +74,10 @@ export const api = {
 /** A picture of a view's comparison; `version` changes when it was made anew. */
 export function pictureAddress(inspection: Inspection, view: number, name: string): string {
   return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${encodeURIComponent(inspection.compared_at ?? '')}`;
+}
+
+/** The first picture that the baseline has of a view; colour may be missing. */
+export function baselineAddress(inspection: Inspection, view: number, name: 'color' | 'depth'): string {
+  const taken = encodeURIComponent(inspection.initial?.taken_at ?? '');
+  return `/api/inspections/${inspection.id}/baseline/${view}/${name}.png?v=${taken}`;
 }

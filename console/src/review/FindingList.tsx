@@ -3,11 +3,13 @@ import { link } from '../link/live_link';
 import { api } from '../link/api';
 import { person } from '../link/client';
 import { attempt } from '../inspection/inspections';
+import { percent } from '../regions/region_words';
 import { suspicion, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
 import type { Decision, Inspection, Session } from '../types';
 import { DecisionForm } from './DecisionForm';
 import { decisionOf, groupsOf, type Group } from './groups';
+import { Moved } from './Moved';
 import { review, show } from './review_state';
 
 function SuspicionBar({ level, says }: { level: number; says: string }) {
@@ -29,7 +31,7 @@ function Said({ decision }: { decision: Decision | undefined }) {
   );
 }
 
-function FindingCard({ inspection, group, session, selected }: { inspection: Inspection; group: Group; session: Session; selected: boolean }) {
+function FindingCard({ inspection, groups, group, session, selected }: { inspection: Inspection; groups: Group[]; group: Group; session: Session; selected: boolean }) {
   const { lead, all } = group;
   const decision = decisionOf(group);
   const { level, says } = suspicion(lead);
@@ -50,6 +52,7 @@ function FindingCard({ inspection, group, session, selected }: { inspection: Ins
           <Said decision={decision} />
         </span>
       </button>
+      <Moved groups={groups} group={group} />
       {selected && <DecisionForm inspection={inspection} group={group} session={session} />}
     </li>
   );
@@ -58,15 +61,20 @@ function FindingCard({ inspection, group, session, selected }: { inspection: Ins
 // Nothing found says nothing of what nobody could see.
 function Extent({ inspection, nothing }: { inspection: Inspection; nothing: boolean }) {
   const half = 0.5;
-  const judged = Math.min(1, ...inspection.compared.map((view) => view.judged));
+  const least = [...inspection.compared].sort((one, other) => one.judged - other.judged)[0];
+  if (!least) return null;
+  const { judged, coverage } = least;
+  const left_out = coverage.left_out ?? 0;
   const few = judged < half;
+  const blind = judged < half * (1 - left_out);
   if (!nothing && !few) return null;
   return (
     <p class={few ? 'bad' : ''} data-testid="extent">
       {few ? '✗ ' : ''}
       {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected was '}
-      <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'least well seen view' : 'view'}.{' '}
-      {few ? 'Most of it could not be: this says next to nothing. Look at the camera and its view, and capture again.' : 'Look at the rest (striped).'}
+      <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'least well seen view' : 'view'}
+      {left_out > 0 && `; ${percent(left_out)} was left out as asked`}.{' '}
+      {blind ? 'Most of it could not be: this says next to nothing. Look at the camera and its view, and capture again.' : 'Look at the rest (striped).'}
     </p>
   );
 }
@@ -134,7 +142,7 @@ export function FindingList({ inspection, session }: { inspection: Inspection; s
       </div>
       <ul class="list">
         {groups.map((group) => (
-          <FindingCard key={group.lead.number} inspection={inspection} group={group} session={session} selected={group.lead.number === state.group} />
+          <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} selected={group.lead.number === state.group} />
         ))}
       </ul>
     </div>

@@ -1,8 +1,10 @@
 // Before and after, pixel upon pixel, with what changed and what could not be inspected.
 import { useEffect, useState } from 'preact/hooks';
+import { Choice } from '../Choice';
 import { pictureAddress } from '../link/api';
 import { useStore } from '../store';
 import type { Finding, Inspection } from '../types';
+import { CoverageText } from './CoverageText';
 import { groupsOf, type Group } from './groups';
 import { review, show, type Layer, type Moment } from './review_state';
 
@@ -17,18 +19,6 @@ const moments: [Moment, string][] = [
   ['blink', 'Blink'],
 ];
 const blink_ms = 700;
-
-function Choice<T extends string>({ label, options, value, onPick }: { label: string; options: [T, string][]; value: T; onPick: (value: T) => void }) {
-  return (
-    <div class="switch" role="radiogroup" aria-label={label}>
-      {options.map(([option, text]) => (
-        <button key={option} type="button" role="radio" aria-checked={option === value} data-testid={`${label.toLowerCase()}-${option}`} onClick={() => onPick(option)}>
-          {text}
-        </button>
-      ))}
-    </div>
-  );
-}
 
 function Toggle({ label, on, testId, onChange }: { label: string; on: boolean; testId: string; onChange: (on: boolean) => void }) {
   return (
@@ -155,25 +145,7 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
           Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here does not speak against it.
         </p>
       )}
-      {coverage && (
-        <p class="coverage" data-testid="coverage">
-          <strong>{Math.round(100 * coverage.judged)} %</strong> of this view was inspected. <span class="stripes" aria-hidden="true" /> <strong>{Math.round(100 * (1 - coverage.judged))} %</strong> was not:
-          the camera measured nothing there ({Math.round(100 * coverage.coverage.invalid)} %), the baseline had not seen it ({Math.round(100 * coverage.coverage.unseen)} %), or it is an edge or too unsteady.
-          {state.findings && (
-            <>
-              {' '}
-              <span class="changed-mark" aria-hidden="true" /> Changed.
-            </>
-          )}{' '}
-          Grey in colour pictures: beyond the colour camera's view.
-          {coverage.warnings.map((warning) => (
-            <span class="bad" key={warning}>
-              {' '}
-              {warning}.
-            </span>
-          ))}
-        </p>
-      )}
+      {coverage && <CoverageText compared={coverage} marked={state.findings} />}
     </section>
   );
 }

@@ -1,0 +1,21 @@
+// One of a few options, all of them in sight.
+interface Props<T extends string> {
+  label: string;
+  options: [T, string][];
+  value: T;
+  /** Begins the test ids of the options. */
+  name?: string;
+  onPick: (value: T) => void;
+}
+
+export function Choice<T extends string>({ label, options, value, name = label.toLowerCase(), onPick }: Props<T>) {
+  return (
+    <div class="switch" role="radiogroup" aria-label={label}>
+      {options.map(([option, text]) => (
+        <button key={option} type="button" role="radio" aria-checked={option === value} data-testid={`${name}-${option}`} onClick={() => onPick(option)}>
+          {text}
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,95 @@
+// What is left out of the view, in words, and saving it.
+import { useMemo } from 'preact/hooks';
+import { CaptureProgress } from '../inspection/CaptureProgress';
+import { isBusy } from '../inspection/inspections';
+import { link } from '../link/live_link';
+import { useStore } from '../store';
+import type { Inspection, Session } from '../types';
+import { change, regionsOf, regionState, removeRegion, unsavedViews } from './region_state';
+import { comparedAlready, percent, purpose } from './region_words';
+import { saveRegions } from './save_regions';
+import { coveredShare } from './shapes';
+
+function RegionList({ inspection, mayChange }: { inspection: Inspection; mayChange: boolean }) {
+  const state = useStore(regionState);
+  const regions = regionsOf(inspection, state);
+  if (regions.length === 0) return null;
+  return (
+    <div class="card">
+      <h2>View {state.view + 1}</h2>
+      <ul class="list">
+        {regions.map((_, i) => (
+          <li key={i} class="view-row">
+            <button type="button" class="wide" aria-pressed={i === state.selected} onClick={() => change({ selected: i, corners: null })}>
+              {i === state.selected ? '● ' : ''}Region {i + 1}
+            </button>
+            <button type="button" aria-label={`Remove region ${i + 1}`} disabled={!mayChange} onClick={() => removeRegion(inspection, i)}>
+              ✕
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function LeftOutShare({ inspection }: { inspection: Inspection }) {
+  const state = useStore(regionState);
+  const regions = regionsOf(inspection, state);
+  const share = useMemo(() => (state.size ? coveredShare(regions, state.size) : null), [regions, state.size]);
+  return (
+    <p role="status" data-testid="left-out-share">
+      Left out of view {state.view + 1}: <strong>{regions.length === 0 ? 'nothing' : share === null ? '…' : `${percent(share)} of the picture`}</strong>
+    </p>
+  );
+}
+
+function Guide({ drawingCorners }: { drawingCorners: boolean }) {
+  if (drawingCorners) return <p class="hint">Tap the corners one after the other. Tap the first one again to close the region.</p>;
+  return (
+    <p class="hint">
+      Drag over the picture to draw a rectangle; drag a region to move it. By keyboard: arrow keys move the selected region, with Shift they resize it, Delete removes it.
+    </p>
+  );
+}
+
+export function RegionPanel({ inspection, session }: { inspection: Inspection; session: Session }) {
+  const state = useStore(regionState);
+  const task = useStore(link.status)?.task;
+  const busy = isBusy(task);
+  const operates = session.role !== 'viewer';
+  const unsaved = unsavedViews(inspection, state).length > 0;
+  return (
+    <>
+      <div class="panel-body">
+        {task && busy && <CaptureProgress task={task} mayCancel={operates} />}
+        <div class="card" data-testid="region-panel">
+          <h2>Leave out parts of the view</h2>
+          <p>{purpose}</p>
+          {operates ? <Guide drawingCorners={state.corners !== null} /> : <p class="hint">You may look. An operator changes what is left out.</p>}
+        </div>
+        <RegionList inspection={inspection} mayChange={operates && !busy} />
+      </div>
+      <div class="panel-action">
+        <LeftOutShare inspection={inspection} />
+        {operates && (
+          <>
+            {unsaved && inspection.compared_at && (
+              <p class="warn" role="status" data-testid="compared-already">
+                {comparedAlready}
+              </p>
+            )}
+            <div class="region-actions">
+              <button type="button" class="primary" data-testid="save-regions" disabled={!unsaved || busy || state.corners !== null} onClick={() => void saveRegions(inspection)}>
+                Save
+              </button>
+              <button type="button" data-testid="discard-regions" disabled={!unsaved} onClick={() => change({ drafts: {}, selected: -1, corners: null })}>
+                Discard changes
+              </button>
+            </div>
+          </>
+        )}
+      </div>
+    </>
+  );
+}
