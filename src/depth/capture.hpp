@@ -85,7 +85,7 @@ class Capture {
   /// @throws Error as depth()
   [[nodiscard]] virtual std::vector<std::string> depth_notes() const { return {}; }
 
-  /// False where other values than 0 stand for no measurement: some tool wrote them, and may have cut off
+  /// False where other values stand for no measurement throughout: some tool wrote them, and may have cut off
   /// depth that the camera did measure. Reads the first depth image.
   [[nodiscard]] virtual bool marks_no_depth_by_zero() const { return true; }
 

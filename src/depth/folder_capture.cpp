@@ -86,6 +86,10 @@ DepthImage FolderCapture::depth(std::size_t i) const {
   return image;
 }
 
+bool FolderCapture::marks_no_depth_by_zero() const {
+  return no_depth_.are_zero([this] { return stored_depth(0); });
+}
+
 std::vector<std::string> FolderCapture::depth_notes() const {
   return no_depth_.notes([this] { return stored_depth(0); });
 }

@@ -33,7 +33,7 @@ class FolderCapture : public Capture {
   [[nodiscard]] std::size_t color_frames() const override { return files_.color.size(); }
   [[nodiscard]] DepthImage depth(std::size_t i) const override;
   [[nodiscard]] std::vector<std::string> depth_notes() const override;
-  [[nodiscard]] bool marks_no_depth_by_zero() const override { return depth_notes().empty(); }
+  [[nodiscard]] bool marks_no_depth_by_zero() const override;
   [[nodiscard]] ColorImage color(std::size_t i) const override;
   [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override;
   [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override;

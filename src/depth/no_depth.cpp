@@ -73,6 +73,7 @@ void NoDepthValues::learn(const std::function<DepthImage()>& first_frame) const 
       notes_.push_back(fmt::format("depth {} stands for no measurement ({:.1f} % of the first frame)", value,
                                    100.0 * histogram[value] / static_cast<double>(frame.size())));
     }
+    are_zero_ = notes_.empty() || histogram[no_depth] > 0;
   });
 }
 
@@ -84,6 +85,11 @@ void NoDepthValues::clear(DepthImage& frame, const std::function<DepthImage()>& 
 std::vector<std::string> NoDepthValues::notes(const std::function<DepthImage()>& first_frame) const {
   learn(first_frame);
   return notes_;
+}
+
+bool NoDepthValues::are_zero(const std::function<DepthImage()>& first_frame) const {
+  learn(first_frame);
+  return are_zero_;
 }
 
 DepthImage depth_from_metres(const Image<float>& depth_m, double unit_m) {

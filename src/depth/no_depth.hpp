@@ -27,6 +27,10 @@ class NoDepthValues {
   /// passed on
   void clear(DepthImage& frame, const std::function<DepthImage()>& first_frame) const;
 
+  /// False where the first frame has other such values and no 0.
+  /// @param first_frame as of clear()
+  [[nodiscard]] bool are_zero(const std::function<DepthImage()>& first_frame) const;
+
   /// Which values were found in the first frame and how often, a sentence each without a full stop. Reads
   /// that frame, as clear() does.
   [[nodiscard]] std::vector<std::string> notes(const std::function<DepthImage()>& first_frame) const;
@@ -38,6 +42,7 @@ class NoDepthValues {
   mutable std::once_flag learnt_;
   mutable std::vector<std::uint16_t> values_;  // besides 0
   mutable std::vector<std::string> notes_;
+  mutable bool are_zero_ = true;
 };
 
 /// Depth in metres as images of 32 bit floating point hold it, in whole units. NaN, infinity, what is not

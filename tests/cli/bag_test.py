@@ -183,7 +183,8 @@ class Refused(BagTest):
         wide[21:25] = u32(2**31)
         for message, info, name in ((sound, None, 'camera_info'), (sound[:-10], camera_info(CAMERA), 'early'),
                                     (wide, camera_info(CAMERA), 'side'),
-                                    (image_message(self.frames[0], '32FC1', 0, 0), camera_info(CAMERA), '32FC1'),
+                                    (image_message(self.frames[0], '32FC1', 0, 0), camera_info(CAMERA), 'fewer bytes'),
+                                    (image_message(self.frames[0], '64FC1', 0, 0), camera_info(CAMERA), '64FC1'),
                                     (image_message(self.frames[0][:-1], 'mono16', 0, 0), camera_info(CAMERA), '64x47'),
                                     (sound, camera_info(CAMERA, 'Kannala Brandt4', (0.1,) * 5), 'kannala_brandt4'),
                                     (sound, camera_info(CAMERA)[:100], 'early')):
@@ -194,6 +195,18 @@ class Refused(BagTest):
                 bag.add(f'{DEPTH}/image/data', 'sensor_msgs/Image', 0, bytes(message))
                 bag.finish()
                 self.check(name)
+
+    def test_depth_in_floating_point(self):
+        metres = (self.frames[0] / 1000).astype(np.float32)
+        metres[5:9, 10:20], metres[20:24, 10:20], metres[30:34, 10:20] = np.nan, -1.0, np.inf
+        bag = Bag(self.bag)
+        bag.add(f'{DEPTH}/info/camera_info', 'sensor_msgs/CameraInfo', 0, camera_info(CAMERA))
+        bag.add(f'{DEPTH}/image/data', 'sensor_msgs/Image', 0, image_message(metres, '32FC1', 0, 0))
+        bag.finish()
+        said = self.info(self.bag)
+        holes = np.mean(~np.isfinite(metres) | (metres <= 0))
+        self.assertAlmostEqual(said['fill_rate'], 1 - holes)
+        self.assertAlmostEqual(said['farthest_m'], self.frames[0].max() / 1000, places=6)
 
     def test_other_packing(self):
         whole = self.write(compression='none').read_bytes()

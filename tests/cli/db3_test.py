@@ -149,7 +149,8 @@ class Refused(Db3Test):
         too_wide = Cdr().put('i', 0).put('I', 0).text('').put('I', 48, 2**31).message()
         for message, described, name in (
                 (sound, None, 'camera_info'), (sound[:-10], info, 'early'), (too_wide, info, 'side'),
-                (image_message(self.frames[0], '32FC1'), info, '32FC1'),
+                (image_message(self.frames[0], '32FC1'), info, 'fewer bytes'),
+                (image_message(self.frames[0], '64FC1'), info, '64FC1'),
                 (image_message(self.frames[0], 'mono16', big_endian=1), info, 'high byte'),
                 (b'\x00\x00' + sound[2:], info, 'little endian'), (b'', info, 'little endian'),
                 (zstd(sound)[:-50], info, 'packed'), (b'\x28\xb5\x2f\xfd\xa0\xff\xff\xff\xff', info, 'packed'),

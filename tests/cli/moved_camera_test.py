@@ -75,7 +75,7 @@ class MovedCameraTest(SimulationTest):
         sides = ('--initial', self.initial, self.final, '--final', self.final, '--out', self.out)
         done = self.succeed('detect', *sides, '--method', 'calibrated')
         self.assertIn('0 finding(s)', done.stdout)
-        self.assertIn('the others had no say', done.stderr)
+        self.assertIn('the others were not used', done.stderr)
         self.check_fails('detect', '--initial', self.initial, self.initial, '--final', self.final, '--out',
                          self.folder / 'other', '--method', 'constant', names=['spatial'])
 

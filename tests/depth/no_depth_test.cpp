@@ -64,6 +64,14 @@ TEST(NoDepthValues, StatedOnesCountWhateverTheyAre) {
   EXPECT_EQ(holes(image, NoDepthValues({5123}, 0.001), image), 144U);
 }
 
+TEST(NoDepthValues, ASaturatedPixelBesideHolesChangesNothingAboutThem) {
+  DepthImage image = slope_with(65535);
+  EXPECT_FALSE(NoDepthValues({}, 0.001).are_zero([&] { return image; }));
+  image(0, 0) = 0;
+  EXPECT_TRUE(NoDepthValues({}, 0.001).are_zero([&] { return image; }));
+  EXPECT_TRUE(NoDepthValues({}, 0.001).are_zero([] { return slope_with(900); }));
+}
+
 TEST(NoDepthValues, SayNothingWhereThereAreNone) {
   const DepthImage image = slope_with(0);
   EXPECT_THAT(NoDepthValues({}, 0.001).notes([&] { return image; }), IsEmpty());

@@ -66,7 +66,9 @@ class RecordedCapture : public Capture {
     return no_depth_.notes([this] { return stored_depth(0); });
   }
 
-  [[nodiscard]] bool marks_no_depth_by_zero() const override { return depth_notes().empty(); }
+  [[nodiscard]] bool marks_no_depth_by_zero() const override {
+    return no_depth_.are_zero([this] { return stored_depth(0); });
+  }
 
   [[nodiscard]] ColorImage color(std::size_t i) const override {
     return read_color(color_.at(i), place("colour", i));
