@@ -106,9 +106,9 @@ Sample sample_at(int u, int v, const SmoothedPair& pair, const Intrinsics& camer
   const double y = static_cast<double>(v) / camera.height - 0.5;
   sample.by_terms.tail<drift_terms>() << 1.0, x, y, x * x, x * y, y * y;
   sample.change_px = static_cast<double>(pair.change_px.at<float>(v, u));
-  const int column = u * tile_columns / camera.width;
-  const int row = v * tile_rows / camera.height;
-  sample.tile = static_cast<std::size_t>(row * tile_columns + column);
+  const auto column = static_cast<std::size_t>(u * tile_columns / camera.width);
+  const auto row = static_cast<std::size_t>(v * tile_rows / camera.height);
+  sample.tile = row * tile_columns + column;
   return sample;
 }
 

@@ -1,8 +1,10 @@
 #include "detect/gaussian.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 namespace rva {
 namespace {
@@ -28,40 +30,48 @@ double evidence(const Gaussian& final, const Gaussian& initial) {
   return (initial.mean - final.mean) / std::sqrt(variance + rounding_variance);
 }
 
+enum class Pixel : std::uint8_t { compared, unseen, not_seen, left_out };
+constexpr std::size_t kinds_of_pixels = 4;
+
+Pixel kind_of(bool before, bool after, bool left_out) {
+  if (left_out) return Pixel::left_out;
+  if (!after) return Pixel::not_seen;
+  return before ? Pixel::compared : Pixel::unseen;
+}
+
+Gaussian gaussian_of(const DepthStatistics& statistics, std::size_t i) {
+  return {statistics.mean(i), statistics.standard_deviation(i)};
+}
+
 }  // namespace
 
 Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistics& final, double unit_m,
                             const GaussianOptions& options, const Mask& left_out) {
   assert(initial.width() == final.width() && initial.height() == final.height());
   Comparison result(final.width(), final.height());
-  std::size_t compared = 0;
-  std::size_t unseen = 0;
+  std::array<std::size_t, kinds_of_pixels> counts{};
   std::size_t blind = 0;
-  std::size_t omitted = 0;
   for (std::size_t i = 0; i < final.size(); ++i) {
-    if (is_left_out(left_out, i)) ++omitted;
-    const bool before = initial.seen(i);
-    const bool after = final.seen(i);
-    const Gaussian initial_i{initial.mean(i), initial.standard_deviation(i)};
-    const Gaussian final_i{final.mean(i), final.standard_deviation(i)};
-    if (before) result.initial_m[i] = static_cast<float>(initial_i.mean * unit_m);
-    if (after) result.final_m[i] = static_cast<float>(final_i.mean * unit_m);
-    if (is_left_out(left_out, i)) continue;
-    if (after && !before) ++unseen;
-    if (!after || !before) continue;
-    ++compared;
-    if (options.sigmas * (initial_i.deviation + final_i.deviation) * unit_m > blind_from_m) ++blind;
-    if (is_nearer(final_i, initial_i, options.sigmas)) {
-      result.changed[i] = mask_set;
-      result.evidence[i] = static_cast<float>(evidence(final_i, initial_i));
-    }
+    const Gaussian before = gaussian_of(initial, i);
+    const Gaussian after = gaussian_of(final, i);
+    if (initial.seen(i)) result.initial_m[i] = static_cast<float>(before.mean * unit_m);
+    if (final.seen(i)) result.final_m[i] = static_cast<float>(after.mean * unit_m);
+    const Pixel kind = kind_of(initial.seen(i), final.seen(i), is_left_out(left_out, i));
+    ++counts.at(static_cast<std::size_t>(kind));
+    if (kind != Pixel::compared) continue;
+    if (options.sigmas * (before.deviation + after.deviation) * unit_m > blind_from_m) ++blind;
+    if (!is_nearer(after, before, options.sigmas)) continue;
+    result.changed[i] = mask_set;
+    result.evidence[i] = static_cast<float>(evidence(after, before));
   }
-  const auto share = [&](std::size_t pixels) {
-    return static_cast<double>(pixels) / static_cast<double>(final.size());
+  const auto count = [&](Pixel kind) { return counts.at(static_cast<std::size_t>(kind)); };
+  const auto share = [&](Pixel kind) {
+    return static_cast<double>(count(kind)) / static_cast<double>(final.size());
   };
-  result.coverage = {share(compared), share(unseen), share(final.size() - compared - unseen - omitted),
-                     std::nullopt, left_out.empty() ? std::nullopt : std::optional(share(omitted))};
-  result.blind = static_cast<double>(blind) / static_cast<double>(std::max<std::size_t>(compared, 1));
+  result.coverage = {share(Pixel::compared), share(Pixel::unseen), share(Pixel::not_seen), std::nullopt,
+                     left_out.empty() ? std::nullopt : std::optional(share(Pixel::left_out))};
+  result.blind =
+      static_cast<double>(blind) / static_cast<double>(std::max<std::size_t>(count(Pixel::compared), 1));
   return result;
 }
 

@@ -93,29 +93,48 @@ struct Pair {
   std::size_t removed = 0;
 };
 
-}  // namespace
+using Sizes = std::vector<std::optional<Size>>;
 
-void find_moved_things(std::vector<Finding>& findings, const Comparison& comparison,
-                       const Intrinsics& camera) {
-  std::vector<std::optional<Size>> sizes;
+Sizes sizes_of(const std::vector<Finding>& findings, const Comparison& comparison, const Intrinsics& camera) {
+  Sizes sizes;
   for (const Finding& finding : findings) {
     const std::optional<double> distance_m = surface_m(finding, comparison);
     sizes.push_back(distance_m
                         ? std::optional(size_of(finding, *distance_m, comparison.changed.width(), camera))
                         : std::nullopt);
   }
+  return sizes;
+}
+
+// Those of `kind` that have a size, by position.
+std::vector<std::size_t> sized(const std::vector<Finding>& findings, const Sizes& sizes, ChangeKind kind) {
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    if (findings[i].kind == kind && sizes[i]) positions.push_back(i);
+  }
+  return positions;
+}
+
+// Most alike first.
+std::vector<Pair> pairs_alike(const std::vector<Finding>& findings, const Sizes& sizes) {
   std::vector<Pair> alike;
-  for (std::size_t a = 0; a < findings.size(); ++a) {
-    for (std::size_t r = 0; r < findings.size(); ++r) {
-      if (findings[a].kind != ChangeKind::added || findings[r].kind != ChangeKind::removed) continue;
-      if (!sizes[a] || !sizes[r]) continue;
+  const std::vector<std::size_t> removed = sized(findings, sizes, ChangeKind::removed);
+  for (const std::size_t a : sized(findings, sizes, ChangeKind::added)) {
+    for (const std::size_t r : removed) {
       const double how_different = difference(*sizes[a], *sizes[r]);
       if (how_different <= 1.0) alike.push_back({how_different, a, r});
     }
   }
   std::ranges::stable_sort(alike, {}, &Pair::difference);
+  return alike;
+}
+
+}  // namespace
+
+void find_moved_things(std::vector<Finding>& findings, const Comparison& comparison,
+                       const Intrinsics& camera) {
   std::set<std::size_t> taken;
-  for (const Pair& pair : alike) {
+  for (const Pair& pair : pairs_alike(findings, sizes_of(findings, comparison, camera))) {
     Finding& added = findings[pair.added];
     if (added.moved_from || !taken.insert(pair.removed).second) continue;
     added.moved_from = findings[pair.removed].id;
