@@ -32,7 +32,7 @@ std::size_t holes(const DepthImage& image, const NoDepthValues& values, const De
 }
 
 TEST(NoDepthValues, TheLargestValueIsNone) {
-  const DepthImage image = slope_with(65535);
+  DepthImage image = slope_with(65535);
   const NoDepthValues values({}, 0.001);
   EXPECT_EQ(holes(image, values, image), 144U);
   EXPECT_THAT(values.notes([&] { return image; }),
@@ -43,7 +43,7 @@ TEST(NoDepthValues, TheLargestValueIsNone) {
 TEST(NoDepthValues, OthersAreRecognisedFarBeyondTheRest) {
   for (const std::uint16_t value :
        std::initializer_list<std::uint16_t>{10000, 4095, 8191, 32767, 55537, 65534}) {
-    const DepthImage image = slope_with(value);
+    DepthImage image = slope_with(value);
     EXPECT_EQ(holes(image, NoDepthValues({}, 0.001), image), 144U) << value;
   }
 }
@@ -60,7 +60,7 @@ TEST(NoDepthValues, DepthIsNotTakenForNone) {
 }
 
 TEST(NoDepthValues, StatedOnesCountWhateverTheyAre) {
-  const DepthImage image = slope_with(5123);
+  DepthImage image = slope_with(5123);
   EXPECT_EQ(holes(image, NoDepthValues({5123}, 0.001), image), 144U);
 }
 
@@ -73,7 +73,7 @@ TEST(NoDepthValues, ASaturatedPixelBesideHolesChangesNothingAboutThem) {
 }
 
 TEST(NoDepthValues, SayNothingWhereThereAreNone) {
-  const DepthImage image = slope_with(0);
+  DepthImage image = slope_with(0);
   EXPECT_THAT(NoDepthValues({}, 0.001).notes([&] { return image; }), IsEmpty());
 }
 
