@@ -192,7 +192,7 @@ class Run {
     return fuse(views);
   }
 
-  // Of a capture of a side in the first one's frame.
+  // Where a capture of a side stands, in the frame of the side's first capture.
   [[nodiscard]] Transform place(const std::vector<Seen>& side, std::size_t k, std::string_view name) const {
     // About as much as a pose within a twentieth of a degree, and twice what registration itself is off.
     constexpr double contradicted_px = 0.4;

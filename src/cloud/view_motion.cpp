@@ -224,7 +224,7 @@ MotionTerms terms_beside_drift(const Sample& sample,
   return sample.by_terms.head<motion_terms>() - as_drift.transpose() * sample.by_terms.tail<drift_terms>();
 }
 
-// Of tiles that touch each other, each with a tenth and more of what the best one contributes.
+// The number of groups of adjacent tiles that contribute a tenth or more of what the best tile contributes.
 int groups_of(const std::array<double, tile_columns * tile_rows>& held) {
   constexpr double much = 0.1;
   Mask informative(tile_columns, tile_rows);

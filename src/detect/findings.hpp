@@ -41,7 +41,7 @@ struct Finding {
   std::optional<double> height_mm;
   std::optional<double> score;  ///< larger is more suspicious; comparable within a method
   std::optional<double> p_value;
-  /// Of an added finding: the id of the removed finding that it has about the size of (moved_things.hpp).
+  /// The id of the removed finding that an added one has about the size of (moved_things.hpp).
   std::optional<int> moved_from;
 };
 

@@ -40,7 +40,7 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
   }
 }
 
-// Of statistics over one frame.
+// The depth image that statistics over a single frame were made of.
 DepthImage first_frame(const DepthStatistics& statistics) {
   DepthImage frame(statistics.width(), statistics.height());
   for (std::size_t i = 0; i < frame.size(); ++i) frame[i] = static_cast<std::uint16_t>(statistics.sum(i));

@@ -58,7 +58,7 @@ struct ReviewedFinding {
   Finding finding;                             ///< in its view
   std::optional<Eigen::Vector3d> in_foot_m{};  ///< in the frame of the robot's foot, which the map has
   std::optional<Decision> decision{};          ///< the last one
-  /// Of an added finding: the number of the removed one that it has about the size of, in the same view.
+  /// The number of the removed finding, in the same view, that an added one has about the size of.
   std::optional<int> moved_from{};
 };
 

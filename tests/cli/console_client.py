@@ -187,7 +187,7 @@ class Console:
                     self._hear(json.loads(payload))
                 elif kind == CLOSE:
                     raise ConnectionError(f'the server closed the WebSocket: {payload[2:].decode()}')
-        except Exception as error:  # whoever waits is told
+        except Exception as error:  # wait_for() raises it
             with self.changed:
                 self.ended = error
                 self.changed.notify_all()

@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return rva::parse_db3_image({bytes.begin(), bytes.end()}, "message");
   });
   if (image) {
-    const auto depth = rva::load_or_refuse([&] { return rva::depth_of(*image, "message"); });
+    const auto depth = rva::load_or_refuse([&] { return rva::depth_of(*image, 0.001, "message"); });
     rva::require(!depth || (depth->width() == image->width && depth->height() == image->height),
                  "a depth image is of the size that is stated");
     static_cast<void>(rva::load_or_refuse([&] { return rva::color_of(*image, "message"); }));

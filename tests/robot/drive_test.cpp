@@ -93,7 +93,7 @@ TEST_F(Driving, HeldSticksTurnTheJointsTheirWay) {
   EXPECT_NEAR(joints.pan_deg, -0.5 * joints.tilt_deg, 1e-9) << "half the deflection, half the way";
 }
 
-// Of a stick that rests beside its middle.
+// A worn stick rests beside its middle.
 TEST_F(Driving, ATinyDeflectionIsLettingGo) {
   ASSERT_TRUE(hold_until({1.0, 0.0}, [&] { return robot_.moves() > 2; }));
   drive_.halt();

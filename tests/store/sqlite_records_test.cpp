@@ -146,7 +146,7 @@ TEST_F(Kept, AThingThatWasMovedNamesWhereItWas) {
   EXPECT_FALSE(records_->find(id)->findings[1].moved_from);
 }
 
-// As the program wrote it before regions could be left out.
+// The program wrote such files before regions could be left out.
 TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   records_.reset();
   const std::filesystem::path old = folder_ / "old.db";
