@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -16,6 +18,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
+#include "core/path_text.hpp"
 #include "depth/image_file.hpp"
 #include "detect/drawing.hpp"
 #include "detect/ignored_regions.hpp"
@@ -43,7 +46,7 @@ struct DetectArguments {
   std::string method{name_of(DetectionMethod::automatic)};
   DetectOptions detection;
   std::vector<std::string> ignore;
-  std::vector<std::vector<int>> within;
+  std::vector<std::string> within;
   bool overwrite = false;
   bool json = false;
   bool fail_on_detection = false;
@@ -163,9 +166,21 @@ void check_sides(const DetectArguments& arguments) {
                      "give INITIAL FINAL, or --initial C ... --final C ... for several a side");
 }
 
-Box box_of(const std::vector<int>& numbers) {
-  if (numbers.size() != 4)
-    throw UsageError("--within", fmt::format("{} numbers are no rectangle", numbers.size()), "give x,y,w,h");
+// From "x,y,w,h", each within a million.
+Box box_from(const std::string& text) {
+  std::array<int, 4> numbers{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto [rest, failure] = std::from_chars(at, end, numbers.at(i));
+    const bool last = i + 1 == numbers.size();
+    constexpr int most = 1'000'000;
+    if (numbers.at(i) < -most || numbers.at(i) > most || failure != std::errc{} ||
+        (last ? rest != end : rest == end || *rest != ','))
+      throw UsageError("--within", fmt::format("{} is no rectangle", printable(text)),
+                       "give x,y,w,h in pixels");
+    at = rest + 1;
+  }
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
@@ -173,8 +188,8 @@ Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
   const int width = initial.depth.width;
   const int height = initial.depth.height;
   IgnoredRegions regions;
-  for (const std::vector<int>& numbers : arguments.within) {
-    const Box box = box_of(numbers);
+  for (const std::string& text : arguments.within) {
+    const Box box = box_from(text);
     if (box.width < 1 || box.height < 1 || box.x >= width || box.y >= height || box.x + box.width <= 0 ||
         box.y + box.height <= 0)
       throw UsageError("--within",
@@ -263,7 +278,8 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   command
       .add_option("--within", arguments->within, "leave out everything but this rectangle; may be repeated")
       ->type_name("x,y,w,h")
-      ->delimiter(',');
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_flags(command, arguments->detection);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");

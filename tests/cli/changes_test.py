@@ -99,7 +99,8 @@ class NoDepth(ChangesTest):
 
     def test_others_can_be_stated(self):
         pair = self.pair(4321)
-        self.check_nothing(self.detect(*pair, '--no-depth', 4321))
+        self.succeed('detect', '--no-depth', 4321, *pair, '--out', self.out)
+        self.check_nothing(json.loads((self.out / 'detections.json').read_text()))
         stated = self.pair(4322, depth={'no_depth': [4322]})
         self.check_nothing(self.detect(*stated, out=self.folder / 'stated'))
         self.assertNotEqual(self.detect(*pair, out=self.folder / 'unstated')['detections'], [])
@@ -142,7 +143,7 @@ class LeftOut(ChangesTest):
                                            1200 / 19200)
 
     def test_a_small_part_alone_is_judged_as_within_the_whole(self):
-        done = self.succeed('detect', self.before, self.after, '--within', '105,65,24,22', '--out', self.out)
+        done = self.succeed('detect', '--within', '105,65,24,22', self.before, self.after, '--out', self.out)
         self.check_one_is_left(json.loads((self.out / 'detections.json').read_text()), 1 - 24 * 22 / 19200)
         self.assertIn('left out as asked 97.2 %', done.stdout)
         both = self.detect(self.before, self.after, '--within', '105,65,24,22', '--within', '25,25,24,22',
@@ -156,7 +157,7 @@ class LeftOut(ChangesTest):
         for name in ('small.png', 'regions.json', 'text', 'none.png'):
             self.check_fails('detect', self.before, self.after, '--ignore', self.folder / name, '--out', self.out,
                              names=[name])
-        for box in ('1,2,3', '1,2,0,4', '500,2,3,4', 'a,b,c,d', '1,2,3,4,5'):
+        for box in ('1,2,3', '1,2,0,4', '500,2,3,4', 'a,b,c,d', '1,2,3,4,5', '1,2,3,4,', '1;2;3;4', '1,2,3,2147483647000'):
             self.assertEqual(self.rva('detect', self.before, self.after, '--within', box, '--out', self.out).returncode, 2,
                              box)
 
