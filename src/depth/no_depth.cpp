@@ -66,8 +66,7 @@ void NoDepthValues::learn(const std::function<DepthImage()>& first_frame) const 
     const Histogram histogram = histogram_of(frame);
     for (const std::uint16_t value : recognised(histogram, frame.size(), unit_m_)) values_.push_back(value);
     std::ranges::sort(values_);
-    const auto repeated = std::ranges::unique(values_);
-    values_.erase(repeated.begin(), repeated.end());
+    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
     for (const std::uint16_t value : values_) {
       if (value == no_depth || histogram[value] == 0) continue;
       notes_.push_back(fmt::format("depth {} stands for no measurement ({:.1f} % of the first frame)", value,
