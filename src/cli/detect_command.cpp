@@ -274,11 +274,13 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
           "leave out what a mask or a file of polygons shows, in pixels of the first initial depth image")
       ->type_name("MASK.png|REGIONS.json")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       .add_option("--within", arguments->within, "leave out everything but this rectangle; may be repeated")
       ->type_name("x,y,w,h")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_flags(command, arguments->detection);
   arguments->captures.add_to(command);

@@ -64,6 +64,7 @@ struct CaptureFlags {
                     "a value of depth that means no measurement, besides 0 and 65535; may be repeated")
         ->type_name("VALUE")
         ->expected(1)
+        ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->check(number_within<int>(0, 65535));
     command.add_option("--intrinsics", intrinsics, "the depth camera of a capture that carries none (TUM)")
