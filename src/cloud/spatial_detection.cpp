@@ -147,11 +147,18 @@ class Run {
                                 const std::vector<std::size_t>& returns) {
     const CaptureInfo& first = final.front().info;
     const double disparity_by_depth = disparity_m_px(first) / first.depth_unit_m;
+    // A lens that bends rays leaves nothing to check a pose by: planes are none then.
+    const std::optional<DepthView> first_view =
+        first.depth.distortion == Distortion::none ? std::optional(final.front().view()) : std::nullopt;
+    const auto placed = [&](const Seen& seen) {
+      return first_view ? place(*first_view, seen.view(), first, seen.info, "final")
+                        : known_transform(first, seen.info).value_or(Transform::Identity());
+    };
     std::vector<PlacedChange> changes;
     for (std::size_t k = 0; k < final.size(); ++k) {
       const Seen& before = initial[returns[k]];
       changes.push_back({disparity_change(before.statistics, final[k].statistics, disparity_by_depth),
-                         place(final, k, "final")});
+                         k == 0 ? Transform::Identity() : placed(final[k])});
       if (!before.marks_no_depth_by_zero || !final[k].marks_no_depth_by_zero)
         forget_losses(changes.back().change);
     }
@@ -188,18 +195,23 @@ class Run {
   // All captures of a side as one view, in the first one's camera.
   [[nodiscard]] DepthView fused(const std::vector<Seen>& side, std::string_view name) const {
     std::vector<PlacedView> views;
-    for (std::size_t k = 0; k < side.size(); ++k) views.push_back({side[k].view(), place(side, k, name)});
+    for (std::size_t k = 0; k < side.size(); ++k) {
+      DepthView view = side[k].view();
+      const Transform first_from_view =
+          k == 0 ? Transform::Identity()
+                 : place(views.front().view, view, side.front().info, side[k].info, name);
+      views.push_back({std::move(view), first_from_view});
+    }
     return fuse(views);
   }
 
   // Where a capture of a side stands, in the frame of the side's first capture.
-  [[nodiscard]] Transform place(const std::vector<Seen>& side, std::size_t k, std::string_view name) const {
+  [[nodiscard]] static Transform place(const DepthView& first, const DepthView& view,
+                                       const CaptureInfo& first_info, const CaptureInfo& info,
+                                       std::string_view name) {
     // About as much as a pose within a twentieth of a degree, and twice what registration itself is off.
     constexpr double contradicted_px = 0.4;
-    if (k == 0) return Transform::Identity();
-    const DepthView first = side.front().view();
-    const DepthView view = side[k].view();
-    if (const auto known = known_transform(side.front().info, side[k].info)) {
+    if (const auto known = known_transform(first_info, info)) {
       const Registration nearby = register_views(first, view, {*known, true});
       if (!nearby.trusted() || displacement_px(view, *known, nearby.initial_from_final) < contradicted_px)
         return *known;

@@ -263,7 +263,7 @@ void measure_support(const std::vector<Sample>& samples, const Fit& fit, ViewMot
 
 bool ViewMotion::noticed() const {
   // Captures of one pose show up to 0.12 px and 2.9 standard errors, those of poses 0.05 degrees apart 0.19
-  // px and 8 of them or more (docs/spatial.md).
+  // px and 7 of them or more (docs/spatial.md).
   constexpr double least_px = 0.12;
   constexpr double least_deviations = 3.5;
   if (displacement_px < least_px || displacement_px < least_deviations * uncertainty_px) return false;
