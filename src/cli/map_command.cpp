@@ -94,12 +94,12 @@ MapView load_view(const fs::path& folder) {
   }
 }
 
-std::vector<MapView> load_views(const MapFiles& files, std::size_t count) {
+// By the names that they have once the map is in its place.
+std::vector<MapView> load_views(const MapFiles& files, const fs::path& taken_in, std::size_t count) {
   const Progress progress = terminal_progress();
   std::vector<MapView> views;
   for (std::size_t i = 0; i < count; ++i) {
-    const fs::path folder = files.views / view_name(i);
-    views.push_back(load_view(folder));
+    views.push_back(load_view(taken_in / view_name(i)));
     views.back().name = printable(files.views.filename() / view_name(i));
     if (progress) progress("reading", i + 1, count);
   }
@@ -158,6 +158,7 @@ void map_bay(const MapArguments& arguments) {
   const MapFiles files = map_files(arguments.out);
   const std::vector<PanTilt> waypoints = waypoints_of(arguments);
   const PanTiltChain chain = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
+  finish_map(files);
   require_replaceable(files, arguments.overwrite);
   const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   check_waypoints(waypoints, rig.robot->limits());
@@ -165,7 +166,7 @@ void map_bay(const MapArguments& arguments) {
   const std::string base = base_of(arguments, *rig.camera);
   take_views({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, folder.path(), arguments.capture,
              terminal_progress());
-  const std::vector<MapView> views = load_views(files, waypoints.size());
+  const std::vector<MapView> views = load_views(files, folder.path(), waypoints.size());
   const Stopwatch start;
   const MapPoses map{base,
                      chain,
@@ -177,10 +178,9 @@ void map_bay(const MapArguments& arguments) {
   const double refined_and_joined_ms = start.ms();
   if (points.empty())
     throw Error(printable(files.ply), "would have no point: nothing was measured within --near and --far",
-                "look at the views in " + printable(files.views));
+                "look at the views in " + printable(folder.path()));
   throw_if_interrupted();
   write_map(files, points, views, map);
-  folder.done();
   print_summary(files, views, map, points.size(), refined_and_joined_ms, arguments.json);
 }
 

@@ -64,8 +64,12 @@ void record_capture(const CLI::App& command, const RecordArguments& arguments) {
     throw UsageError("--seed", "has no say in " + printable(arguments.camera),
                      "leave it out; it is for sim:SCENE");
   const CaptureOptions recording = arguments.recording.options();
-  OutputFolder out(arguments.out, capture_files(),
-                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  OutputFolder out(arguments.out, capture_files(), arguments.overwrite ? Existing::replace : Existing::refuse,
+                   is_device(arguments.camera) ? Remains::keep : Remains::remove);
+  for (const std::filesystem::path& remains : out.remains())
+    fmt::print(stderr,
+               "rva: {} holds an unfinished recording of a program that was killed; keep or remove it\n",
+               printable(remains));
   const std::unique_ptr<Camera> camera =
       open_camera(arguments.camera, arguments.seed, recording, arguments.realsense);
   const CaptureInfo info = camera->info();

@@ -11,8 +11,10 @@
 #include <system_error>
 #include <utility>
 
+#include "core/durability.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
+#include "core/remains.hpp"
 
 namespace rva {
 namespace {
@@ -159,6 +161,16 @@ void replace_file(const std::filesystem::path& path, std::string_view text) {
 }
 
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const std::filesystem::path place = std::filesystem::absolute(path);
+  recover_remains(place, [](const std::filesystem::path& remains) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(std::filesystem::symlink_status(remains, ignored));
+  });
+  put_file(path, bytes);
+  sync_folder(place.parent_path());
+}
+
+void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   const std::filesystem::path partial = path.native() + fmt::format(".partial-{}", ::getpid());
   std::error_code ignored;
   try {

@@ -51,10 +51,14 @@ class OpenFile {
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// The same by way of a file beside it that takes its place: it is there whole, or as it was before.
+/// The same by way of a file beside it that takes its place: it is there whole, or as it was before, and
+/// stays so through a power cut. Files beside it that killed programs left are removed.
 /// @throws Error when the disk is full or refuses
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void replace_file(const std::filesystem::path& path, std::string_view text);
+
+/// As replace_file(), for one of many files of a folder that is made durable as a whole (OutputFolder).
+void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// Adds to the end of a file, and makes the file where there is none. When it returns, the system has the
 /// text, the disk perhaps not yet.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 namespace rva {
 
@@ -15,7 +16,12 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// @return null when another program holds it, it cannot be opened, or it has been removed in the meantime
+  [[nodiscard]] static std::unique_ptr<FolderLock> try_lock(const std::filesystem::path& folder);
+
  private:
+  explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
+
   int descriptor_;
 };
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <fnmatch.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <system_error>
 #include <utility>
 
+#include "core/durability.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 
@@ -81,28 +81,37 @@ fs::path highest_missing(fs::path folder) {
   return highest;
 }
 
-// A folder beside `target` under a name that nobody else has.
-fs::path make_beside(const fs::path& target) {
+// Only what such a result may hold, complete or not: nothing of anybody else's.
+bool holds_only(const fs::path& folder, const std::vector<std::string>& files) {
   std::error_code failure;
-  for (int attempt = 0;; ++attempt) {
-    fs::path name = target.native() + fmt::format(".partial-{}-{}", ::getpid(), attempt);
-    if (fs::create_directory(name, failure)) return name;
-    if (failure) {
-      throw Error(printable(target), fmt::format("cannot be made ({})", failure.message()),
-                  "check the permissions and the free space there, or choose another place");
-    }
+  if (!fs::is_directory(fs::symlink_status(folder, failure))) return false;
+  for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const bool under_way = entry->is_regular_file(failure) && is_name_of_remains(entry->path());
+    if (!under_way && !is_part(*entry, folder, files)) return false;
   }
+  return !failure;
+}
+
+void sync_made_folders(const fs::path& from, const fs::path& highest) {
+  if (highest.empty()) return;
+  for (fs::path folder = from; folder != highest.parent_path(); folder = folder.parent_path())
+    sync_folder(folder.parent_path());
 }
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> files, Existing existing)
+OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> files, Existing existing,
+                           Remains remains)
     : files_(std::move(files)), existing_(existing) {
   if (target.empty()) throw Error(printable(target), "no folder for the result", "name one");
   require_utf8(target);
   std::error_code failure;
   target_ = fs::absolute(target, failure).lexically_normal();
   if (!target_.has_filename()) target_ = target_.parent_path();  // "OUT/" means OUT
+  remains_ = recover_remains(target_, [&](const fs::path& folder) {
+    return remains == Remains::remove && holds_only(folder, files_);
+  });
   require_free_target(target_, files_, existing_);
   highest_made_ = highest_missing(target_.parent_path());
   fs::create_directories(target_.parent_path(), failure);
@@ -112,7 +121,7 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> file
                 "check the permissions there or choose another place");
   }
   try {
-    staging_ = make_beside(target_);
+    staging_.emplace(target_);
   } catch (const Error&) {
     remove_made_parents();
     throw;
@@ -122,7 +131,7 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> file
 OutputFolder::~OutputFolder() {
   if (stays_) return;
   std::error_code ignored;
-  fs::remove_all(staging_, ignored);
+  fs::remove_all(staging_->path(), ignored);
   remove_made_parents();
 }
 
@@ -137,34 +146,23 @@ void OutputFolder::remove_made_parents() const {
 
 fs::path OutputFolder::keep_partial() {
   stays_ = true;
-  return staging_;
+  return staging_->path();
 }
 
 void OutputFolder::commit() {
   require_free_target(target_, files_, existing_);
-  std::error_code failure;
+  sync_tree(staging_->path());
+  sync_made_folders(target_.parent_path(), highest_made_);
   std::error_code ignored;
   if (!fs::exists(target_, ignored) || is_empty_folder(target_)) {
-    // Fails, rather than replaces, if somebody has put something there since.
-    fs::rename(staging_, target_, failure);
-  } else {
-    // An earlier result steps aside first, and comes back if the new one cannot take its place.
-    const fs::path aside = staging_.native() + "-replaced";
-    fs::rename(target_, aside, failure);
-    if (!failure) {
-      fs::rename(staging_, target_, failure);
-      if (failure) {
-        fs::rename(aside, target_, ignored);
-      } else {
-        fs::remove_all(aside, ignored);
-      }
-    }
+    move_into_place(staging_->path(), target_);
+    stays_ = true;
+    return;
   }
-  if (failure) {
-    throw Error(printable(target_), fmt::format("cannot be put in place ({})", failure.message()),
-                "check the permissions there or choose another place");
-  }
+  exchange(staging_->path(), target_);
   stays_ = true;
+  // The earlier result, unless somebody has put something of theirs there since.
+  if (holds_only(staging_->path(), files_)) fs::remove_all(staging_->path(), ignored);
 }
 
 }  // namespace rva

@@ -69,7 +69,7 @@ template <typename Pixel>
 void write_image(const fs::path& file, const Image<Pixel>& image) {
   std::error_code ignored;  // where the folder is missing in the end, write_file() says why
   fs::create_directory(file.parent_path(), ignored);
-  replace_file(file, encode_png(image));
+  put_file(file, encode_png(image));
 }
 
 }  // namespace

@@ -3,17 +3,21 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
+#include "core/durability.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/folder_lock.hpp"
 #include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "map/point_files.hpp"
+#include "map/view_folder.hpp"
 
 namespace fs = std::filesystem;
 
@@ -67,6 +71,50 @@ bool describes_a_map(const fs::path& poses) {
   }
 }
 
+// The parts of MAP.commit.
+constexpr const char* ply_part = "ply";
+constexpr const char* pcd_part = "pcd";
+constexpr const char* poses_part = "json";
+constexpr const char* earlier_views_part = "earlier.views";
+
+bool is_commit(const fs::path& folder) {
+  std::error_code failure;
+  if (!fs::is_directory(fs::symlink_status(folder, failure))) return false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    const fs::path name = entry.path().filename();
+    if (name != ply_part && name != pcd_part && name != poses_part && name != earlier_views_part)
+      return false;  // somebody else's folder of that name
+  }
+  return !failure;
+}
+
+void move(const fs::path& from, const fs::path& to) {
+  std::error_code failure;
+  fs::rename(from, to, failure);
+  if (failure)
+    throw Error(printable(to), fmt::format("cannot be put in place ({})", failure.message()),
+                "check the permissions there, and give the same command again: it is completed then");
+}
+
+// Each step can be repeated after a kill: what was moved is no longer where it was.
+void put_in_place(const MapFiles& files) {
+  std::error_code ignored;
+  const auto is_there = [&](const fs::path& path) { return fs::exists(fs::symlink_status(path, ignored)); };
+  const fs::path next = next_views(files.views);
+  const fs::path earlier = files.commit / earlier_views_part;
+  if (is_there(next)) {
+    if (is_there(files.views) && !is_there(earlier)) move(files.views, earlier);
+    move(next, files.views);
+  }
+  // The poses first: they tell a map from what is none, and when the .ply is there, all is.
+  for (const auto& [part, file] :
+       {std::pair{poses_part, files.poses}, {pcd_part, files.pcd}, {ply_part, files.ply}}) {
+    if (is_there(files.commit / part)) move(files.commit / part, file);
+  }
+  sync_folder(fs::absolute(files.ply).parent_path());
+  fs::remove_all(files.commit, ignored);
+}
+
 }  // namespace
 
 MapFiles map_files(const fs::path& ply) {
@@ -74,7 +122,8 @@ MapFiles map_files(const fs::path& ply) {
     throw UsageError(printable(ply), "is no name of a map", "give one that ends in .ply");
   fs::path stem = ply;
   stem.replace_extension();
-  return {ply, stem.native() + ".pcd", stem.native() + ".json", stem.native() + ".views"};
+  return {ply, stem.native() + ".pcd", stem.native() + ".json", stem.native() + ".views",
+          stem.native() + ".commit"};
 }
 
 void require_replaceable(const MapFiles& files, bool overwrite) {
@@ -86,29 +135,31 @@ void require_replaceable(const MapFiles& files, bool overwrite) {
   for (const fs::path& file : {files.ply, files.pcd, files.poses}) {
     if (!is_there(file)) continue;
     if (!overwrite)
-      throw Error(printable(file), "is there already", "choose another name, or give --overwrite");
+      throw Error(printable(file), "is there already",
+                  is_there(next_views(files.views))
+                      ? "give --resume --overwrite to go on with the map that was to take its place, "
+                        "--overwrite alone to begin that anew, or choose another name"
+                      : "choose another name, or give --overwrite");
     if (!is_file(file) || !is_file(files.poses) || !describes_a_map(files.poses))
       throw Error(printable(file), "is not of an earlier map, so it is not replaced", "choose another name");
   }
 }
 
+void finish_map(const MapFiles& files) {
+  if (!is_commit(files.commit)) return;
+  const std::unique_ptr<FolderLock> lock = FolderLock::try_lock(files.commit);
+  if (lock != nullptr) put_in_place(files);
+}
+
 void write_map(const MapFiles& files, std::span<const MapPoint> points, std::span<const MapView> views,
                const MapPoses& poses) {
   assert(views.size() == poses.poses.size());
-  fs::path beside = files.ply;
-  beside.replace_extension(".files");
-  const OutputFolder staging(beside, {}, Existing::refuse);  // never put in place itself
-  write_ply(staging.path("ply"), points, PointFrame::robot_foot);
-  write_pcd(staging.path("pcd"), points, PointFrame::robot_foot);
-  write_file(staging.path("json"), poses_json(points, views, poses));
-  // The poses first: they tell a map from what is none, and when the .ply is there, all is.
-  for (const auto& [name, file] : {std::pair{"json", files.poses}, {"pcd", files.pcd}, {"ply", files.ply}}) {
-    std::error_code failure;
-    fs::rename(staging.path(name), file, failure);
-    if (failure)
-      throw Error(printable(file), fmt::format("cannot be put in place ({})", failure.message()),
-                  "check the permissions there or choose another place");
-  }
+  OutputFolder out(files.commit, {ply_part, pcd_part, poses_part}, Existing::refuse);
+  write_ply(out.path(ply_part), points, PointFrame::robot_foot);
+  write_pcd(out.path(pcd_part), points, PointFrame::robot_foot);
+  write_file(out.path(poses_part), poses_json(points, views, poses));
+  out.commit();
+  put_in_place(files);
 }
 
 }  // namespace rva

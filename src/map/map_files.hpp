@@ -28,6 +28,9 @@ struct MapFiles {
   std::filesystem::path pcd;
   std::filesystem::path poses;
   std::filesystem::path views;  ///< the folder of the captures
+  /// A complete map that is being put in its place, whole in this folder before any file of an earlier map is
+  /// touched.
+  std::filesystem::path commit;
 };
 
 /// @throws UsageError when the path does not end in .ply
@@ -36,9 +39,16 @@ struct MapFiles {
 /// @throws Error when one of the three is there and `overwrite` is false, or is not of an earlier map
 void require_replaceable(const MapFiles& files, bool overwrite);
 
-/// Writes all three beside, then puts them in their places, the .ply last.
+/// Completes what a killed program had begun to put in place; call it before anything else. Does nothing
+/// where there is nothing to complete, or another program is at it.
+/// @throws Error when the disk refuses
+void finish_map(const MapFiles& files);
+
+/// Writes all three into MAP.commit, then puts them in their places, with the captures of VIEWS.next where
+/// there are any, in place of an earlier map's.
 /// @param views of the map, with their names in the folder of captures
-/// @throws Error when they cannot be written; nothing has been replaced then, unless putting in place failed
+/// @throws Error when they cannot be written; nothing has been replaced then, unless putting in place failed,
+///         which finish_map() completes
 void write_map(const MapFiles& files, std::span<const MapPoint> points, std::span<const MapView> views,
                const MapPoses& poses);
 

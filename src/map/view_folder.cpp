@@ -1,11 +1,9 @@
 #include "map/view_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
+#include "core/remains.hpp"
 #include "depth/capture_writer.hpp"
 #include "map/view_capture.hpp"
 
@@ -22,102 +21,120 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-bool holds_something(const fs::path& path) {
-  std::error_code failure;
-  const bool there = fs::exists(fs::symlink_status(path, failure));
-  return there &&
-         !(fs::is_directory(fs::symlink_status(path, failure)) && fs::is_empty(path, failure) && !failure);
-}
-
-// What an earlier map's folder may hold, views whose program was killed included.
 std::vector<std::string> view_files() {
   std::vector<std::string> files{"000/capture.json"};
-  for (const char* const folder : {"[0-9][0-9][0-9]/", "[0-9][0-9][0-9].partial-*/"}) {
-    for (const std::string& file : capture_files()) files.push_back(folder + file);
-  }
+  for (const std::string& file : capture_files()) files.push_back("[0-9][0-9][0-9]/" + file);
   return files;
 }
 
-Error cannot_be_made(const fs::path& path, const std::error_code& failure) {
-  return {printable(path), fmt::format("cannot be made ({})", failure.message()),
+bool is_view_number(const std::string& name) {
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// Of a view whose program was killed.
+bool is_remains_of_view(const fs::path& path) {
+  const std::string name = path.filename();
+  return name.size() > 3 && is_view_number(name.substr(0, 3)) && name[3] == '.' && is_name_of_remains(path);
+}
+
+std::vector<fs::path> entries(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
+    paths.push_back(entry.path());
+  return paths;
+}
+
+bool holds_something(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(folder, ignored))) return false;
+  return !fs::is_directory(folder, ignored) || !std::ranges::all_of(entries(folder), is_remains_of_view);
+}
+
+void remove_remains(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::path& path : entries(folder)) {
+    if (is_remains_of_view(path)) fs::remove_all(path, ignored);
+  }
+}
+
+void require_number_of_views(const fs::path& folder, std::size_t count) {
+  for (const fs::path& path : entries(folder)) {
+    const std::string name = path.filename();
+    if (is_view_number(name) && (name.size() > 3 || std::stoul(name) >= count))
+      throw Error(printable(path), fmt::format("is more than the {} views of these waypoints", count),
+                  "resume with the same waypoints, or move it away");
+  }
+}
+
+// Throws where the folder holds anything else than views.
+void require_only_views(const fs::path& folder) {
+  const OutputFolder replaceable(folder, view_files(), Existing::replace);
+}
+
+Error cannot_be_made(const fs::path& path, const std::string& reason) {
+  return {printable(path), fmt::format("cannot be made ({})", reason),
           "check the permissions there or choose another place"};
+}
+
+void make(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw cannot_be_made(folder, failure.message());
 }
 
 }  // namespace
 
-ViewFolder::ViewFolder(fs::path path, Start start, std::size_t views)
-    : path_(std::move(path)), aside_(path_.native() + ".replaced") {
-  require_utf8(path_);
-  const bool filled = holds_something(path_);
-  if (filled && start == Start::anew)
-    throw Error(printable(path_), "holds the views of a map",
-                "give --resume to go on with it, --overwrite to begin anew, or another name");
+fs::path next_views(const fs::path& views) { return views.native() + ".next"; }
+
+ViewFolder::ViewFolder(fs::path views, Start start, std::size_t count)
+    : views_(std::move(views)), path_(views_) {
+  require_utf8(views_);
+  make(views_);
+  lock_ = FolderLock::try_lock(views_);
+  if (lock_ == nullptr) {
+    if (::access(views_.c_str(), R_OK | X_OK) != 0) throw cannot_be_made(views_, "it may not be read");
+    throw Error(printable(views_), "is being filled by another program",
+                "wait for it, or choose another name");
+  }
   try {
-    make_and_lock();
-    if (filled && start == Start::replace) {
-      set_aside();
-      make_and_lock();
-    }
-    remove_remains(views);
+    choose(start);
+    make(path_);
+    remove_remains(path_);
+    require_number_of_views(path_, count);
   } catch (const Error&) {
-    give_back();
+    remove_empty();
     throw;
   }
 }
 
-ViewFolder::~ViewFolder() { give_back(); }
+ViewFolder::~ViewFolder() { remove_empty(); }
 
-void ViewFolder::make_and_lock() {
-  std::error_code failure;
-  fs::create_directories(path_, failure);
-  if (failure) throw cannot_be_made(path_, failure);
-  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) throw cannot_be_made(path_, std::error_code(errno, std::generic_category()));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-  ::close(lock_);
-  lock_ = -1;
-  throw Error(printable(path_), "is being filled by another program", "wait for it, or choose another name");
-}
-
-void ViewFolder::set_aside() {
-  const OutputFolder replaceable(path_, view_files(), Existing::replace);  // throws where it is not
-  std::error_code failure;
-  if (fs::exists(aside_, failure))
-    fs::remove_all(path_, failure);  // of an attempt that came to nothing; the earlier views wait already
-  else
-    fs::rename(path_, aside_, failure);
-  if (failure) throw cannot_be_made(aside_, failure);
-  ::close(lock_);
-  lock_ = -1;
-}
-
-void ViewFolder::remove_remains(std::size_t views) const {
-  std::error_code failure;
-  std::vector<fs::path> remains;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_, failure)) {
-    const std::string name = entry.path().filename();
-    const std::size_t digits = name.find_first_not_of("0123456789");
-    if (digits == 3 && name.substr(digits).starts_with(".partial-")) remains.push_back(entry.path());
-    if (digits == std::string::npos && (name.size() > 3 || std::stoul(name) >= views))
-      throw Error(printable(entry.path()), fmt::format("is more than the {} views of these waypoints", views),
-                  "resume with the same waypoints, or move it away");
+void ViewFolder::choose(Start start) {
+  const fs::path next = next_views(views_);
+  const bool earlier = holds_something(views_);
+  const bool begun = holds_something(next);
+  if (start == Start::anew && (earlier || begun))
+    throw Error(printable(earlier ? views_ : next), "holds the views of a map",
+                "give --resume to go on with it, --overwrite to begin anew, or another name");
+  if (start == Start::resume && begun) path_ = next;
+  if (start != Start::replace || !earlier) return;
+  remove_remains(views_);
+  require_only_views(views_);
+  if (begun) {
+    remove_remains(next);
+    require_only_views(next);
+    std::error_code failure;
+    fs::remove_all(next, failure);
+    if (failure) throw cannot_be_made(next, failure.message());
   }
-  for (const fs::path& path : remains) fs::remove_all(path, failure);
+  path_ = next;
 }
 
-void ViewFolder::give_back() {
-  std::error_code ignored;
-  if (lock_ >= 0) {
-    ::rmdir(path_.c_str());  // fails, as it should, where it is not empty
-    ::close(lock_);
-    lock_ = -1;
-  }
-  if (!fs::exists(path_, ignored) && fs::exists(aside_, ignored)) fs::rename(aside_, path_, ignored);
-}
-
-void ViewFolder::done() {
-  std::error_code ignored;
-  fs::remove_all(aside_, ignored);
+// Fails, as it should, where a folder is not empty.
+void ViewFolder::remove_empty() const {
+  ::rmdir(next_views(views_).c_str());
+  ::rmdir(views_.c_str());
 }
 
 }  // namespace rva

@@ -3,40 +3,43 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+
+#include "core/folder_lock.hpp"
 
 namespace rva {
 
-/// Nobody else can fill the folder meanwhile. Destroyed before done(), it leaves what was taken, for whoever
-/// resumes; where nothing was, an empty folder goes, and earlier views that were to be replaced come back.
+/// Captures of an earlier map stay where they are while those that shall replace them are taken beside them,
+/// in VIEWS.next. Nobody else can fill either folder meanwhile. Destroyed, it leaves what was taken, for
+/// whoever resumes; an empty folder goes.
 class ViewFolder {
  public:
   enum class Start {
-    anew,     ///< refuses a folder that holds anything
-    resume,   ///< goes on with the views that are there
-    replace,  ///< sets an earlier map's views aside, if there is nothing else in the folder
+    anew,     ///< refuses folders that hold views
+    resume,   ///< goes on with the views that are there; with VIEWS.next where there is one
+    replace,  ///< begins VIEWS.next where VIEWS holds an earlier map's views and nothing else
   };
 
-  /// @param views how many there will be; removes what is left of views whose program was killed
+  /// @param count how many views there will be; removes what is left of views whose program was killed
   /// @throws Error the folder is in use, holds what it must not (see Start) or more views, or cannot be made
-  ViewFolder(std::filesystem::path path, Start start, std::size_t views);
+  ViewFolder(std::filesystem::path views, Start start, std::size_t count);
   ~ViewFolder();
   ViewFolder(const ViewFolder&) = delete;
   ViewFolder& operator=(const ViewFolder&) = delete;
 
+  /// Where the captures are to be taken.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// The new map is in its place: earlier views that were set aside go.
-  void done();
-
  private:
-  void make_and_lock();
-  void set_aside();
-  void remove_remains(std::size_t views) const;
-  void give_back();
+  void choose(Start start);
+  void remove_empty() const;
 
+  std::filesystem::path views_;
   std::filesystem::path path_;
-  std::filesystem::path aside_;  // where earlier views wait
-  int lock_ = -1;
+  std::unique_ptr<FolderLock> lock_;  // of `views_`, for both
 };
+
+/// VIEWS.next
+[[nodiscard]] std::filesystem::path next_views(const std::filesystem::path& views);
 
 }  // namespace rva

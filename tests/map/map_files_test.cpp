@@ -11,8 +11,11 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "map/view_folder.hpp"
 #include "tests/map/box_bay.hpp"
 #include "tests/temporary_folder.hpp"
+
+namespace fs = std::filesystem;
 
 namespace rva {
 namespace {
@@ -92,6 +95,42 @@ TEST_F(MapFilesTest, LeaveNothingBeside) {
   write();  // in the place of the first
   const std::filesystem::directory_iterator files(folder_.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 3);
+}
+
+// Every state that a kill between two steps can leave.
+TEST_F(MapFilesTest, AreCompletedAfterAKillAtAnyStep) {
+  write();
+  const MapFiles files = map_files(folder_ / "map.ply");
+  const fs::path earlier = files.commit / "earlier.views";
+  for (int done = 0; done <= 5; ++done) {
+    fs::create_directories(files.commit);
+    fs::create_directories(done >= 1 ? earlier : files.views);
+    fs::create_directories(done >= 2 ? files.views : next_views(files.views));
+    write_file((done >= 2 ? files.views : next_views(files.views)) / "new", "");
+    const std::vector<std::pair<const char*, fs::path>> parts{
+        {"json", files.poses}, {"pcd", files.pcd}, {"ply", files.ply}};
+    for (int i = 0; i < 3; ++i) {
+      const auto& [part, file] = parts[static_cast<std::size_t>(i)];
+      write_file(file, done >= 3 + i ? "new" : "old");
+      if (done < 3 + i) write_file(files.commit / part, "new");
+    }
+    finish_map(files);
+    EXPECT_TRUE(fs::exists(files.views / "new")) << done;
+    for (const auto& [part, file] : parts) EXPECT_EQ(read_text_file(file), "new") << done;
+    EXPECT_FALSE(fs::exists(files.commit)) << done;
+    EXPECT_FALSE(fs::exists(next_views(files.views))) << done;
+    fs::remove_all(files.views);
+  }
+}
+
+TEST_F(MapFilesTest, AFolderOfSomebodyElseIsNotTakenForAMap) {
+  const MapFiles files = map_files(folder_ / "map.ply");
+  fs::create_directories(files.commit);
+  write_file(files.commit / "ply", "");
+  write_file(files.commit / "notes.txt", "");
+  finish_map(files);
+  EXPECT_TRUE(fs::exists(files.commit / "ply"));
+  EXPECT_THROW(write(), Error);
 }
 
 TEST_F(MapFilesTest, OnlyAnEarlierMapIsReplaced) {

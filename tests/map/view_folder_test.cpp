@@ -53,31 +53,37 @@ TEST_F(ViewFolderTest, IsForOneAtATime) {
   EXPECT_TRUE(fs::exists(views_ / "000" / "capture.json"));
 }
 
-TEST_F(ViewFolderTest, EarlierViewsComeBackUnlessNewOnesWereTaken) {
+TEST_F(ViewFolderTest, EarlierViewsStayWhereTheyAreWhileOthersAreTaken) {
   put("000/capture.json");
   put("001/depth/000000.png");
-  opening(Start::replace)();
-  EXPECT_TRUE(fs::exists(views_ / "001" / "depth" / "000000.png"));
   {
-    ViewFolder folder(views_, Start::replace, 6);
-    EXPECT_TRUE(fs::is_empty(views_));
-    put("000/capture.json");
-    folder.done();
+    const ViewFolder folder(views_, Start::replace, 6);
+    EXPECT_EQ(folder.path(), next_views(views_));
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+    EXPECT_TRUE(fs::exists(views_ / "001" / "depth" / "000000.png"));
   }
-  EXPECT_TRUE(fs::exists(views_ / "000" / "capture.json"));
-  EXPECT_FALSE(fs::exists(views_ / "001"));
-  EXPECT_FALSE(fs::exists(folder_ / "map.views.replaced"));
+  EXPECT_FALSE(fs::exists(next_views(views_))) << "nothing was taken";
+  EXPECT_TRUE(fs::exists(views_ / "001" / "depth" / "000000.png"));
 }
 
-TEST_F(ViewFolderTest, EarlierViewsOutliveSeveralAttempts) {
+TEST_F(ViewFolderTest, ResumesWhatWasToReplaceEarlierViews) {
   put("000/capture.json");
-  put("001/capture.json");
   {
     const ViewFolder interrupted(views_, Start::replace, 6);
-    put("000/capture.json");
+    fs::create_directories(interrupted.path() / "000");
+    write_file(interrupted.path() / "000" / "capture.json", "new");
   }
+  EXPECT_EQ(ViewFolder(views_, Start::resume, 6).path(), next_views(views_));
+  EXPECT_EQ(read_text_file(next_views(views_) / "000" / "capture.json"), "new");
   opening(Start::replace)();
-  EXPECT_TRUE(fs::exists(views_ / "001"));
+  EXPECT_FALSE(fs::exists(next_views(views_))) << "begun anew, and nothing was taken";
+  EXPECT_TRUE(fs::exists(views_ / "000" / "capture.json"));
+}
+
+TEST_F(ViewFolderTest, WhatAKilledProgramLeftIsNoView) {
+  put("000.partial-17-0/capture.json");
+  opening(Start::replace)();
+  EXPECT_FALSE(fs::exists(views_));
 }
 
 TEST_F(ViewFolderTest, ALinkIsLeftAlone) {

@@ -1,0 +1,91 @@
+#include "core/durability.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>  // renameat2()
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+void sync(const fs::path& path, int kind) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | kind);
+  const bool opened = descriptor >= 0;
+  const bool synced = opened && ::fsync(descriptor) == 0;
+  const int failure = errno;
+  if (opened) ::close(descriptor);
+  // EINVAL: the file system knows no such thing for folders.
+  if (synced || (opened && failure == EINVAL)) return;
+  throw Error(printable(path),
+              fmt::format("cannot be kept on the disk ({})", std::generic_category().message(failure)),
+              "check the disk and the permissions there");
+}
+
+Error cannot_be_placed(const fs::path& place, const std::error_code& failure) {
+  return {printable(place), fmt::format("cannot be put in place ({})", failure.message()),
+          "check the permissions there or choose another place"};
+}
+
+// For file systems that cannot exchange two names: the earlier folder steps aside, and comes back if the new
+// one cannot take its place. A program that is killed in between leaves it under the name that
+// recover_remains() knows.
+void exchange_in_steps(const fs::path& complete, const fs::path& place) {
+  const fs::path aside = complete.native() + "-replaced";
+  std::error_code failure;
+  std::error_code ignored;
+  fs::rename(place, aside, failure);
+  if (failure) throw cannot_be_placed(place, failure);
+  fs::rename(complete, place, failure);
+  fs::rename(aside, failure ? place : complete, ignored);
+  if (failure) throw cannot_be_placed(place, failure);
+}
+
+}  // namespace
+
+void sync_folder(const fs::path& folder) {
+  // A folder that the user named by a link is the one that the link leads to.
+  std::error_code failure;
+  const fs::path real = fs::canonical(folder, failure);
+  sync(failure ? folder : real, O_DIRECTORY);
+}
+
+void sync_tree(const fs::path& folder) {
+  try {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+      const fs::file_type type = entry.symlink_status().type();
+      if (type == fs::file_type::regular) sync(entry.path(), 0);
+      if (type == fs::file_type::directory) sync(entry.path(), O_DIRECTORY);
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw Error(printable(folder), fmt::format("cannot be read ({})", error.code().message()),
+                "check its permissions");
+  }
+  sync_folder(folder);
+}
+
+void move_into_place(const fs::path& complete, const fs::path& place) {
+  std::error_code failure;
+  fs::rename(complete, place, failure);  // fails, rather than replaces, where somebody has put something
+  if (failure) throw cannot_be_placed(place, failure);
+  sync_folder(place.parent_path());
+}
+
+void exchange(const fs::path& complete, const fs::path& place) {
+  if (::renameat2(AT_FDCWD, complete.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) != 0) {
+    const int failure = errno;
+    if (failure != EINVAL && failure != ENOSYS)
+      throw cannot_be_placed(place, std::error_code(failure, std::generic_category()));
+    exchange_in_steps(complete, place);
+  }
+  sync_folder(place.parent_path());
+}
+
+}  // namespace rva
