@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 
 namespace rva {
@@ -18,6 +20,11 @@ void require_within(double angle_deg, const AxisLimits& limits, const char* axis
 void RobotLimits::check(const PanTilt& target) const {
   require_within(target.pan_deg, pan, "pan");
   require_within(target.tilt_deg, tilt, "tilt");
+}
+
+PanTilt RobotLimits::nearest(const PanTilt& joints) const {
+  return {std::clamp(joints.pan_deg, pan.min_deg, pan.max_deg),
+          std::clamp(joints.tilt_deg, tilt.min_deg, tilt.max_deg)};
 }
 
 }  // namespace rva

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
 #include <charconv>
 #include <vector>
@@ -26,62 +28,114 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
+bool holds_only(std::string_view word, std::string_view characters) {
+  return !word.empty() && word.find_first_not_of(characters) == std::string_view::npos;
+}
+
+constexpr std::string_view digits = "0123456789";
+constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+// Digits alone, up to `most`.
 template <typename Number>
-bool parse(std::string_view word, Number& number) {
+bool parse_count(std::string_view word, Number& number, Number most) {
+  if (!holds_only(word, digits)) return false;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc() && end == word.data() + word.size();
+  return error == std::errc() && number <= most;
+}
+
+// Up to two decimals, as the protocol has it: no exponent, no infinity, nothing that is not a number.
+bool parse_decimal(std::string_view word, double& number, double least, double most) {
+  const std::string_view magnitude = word.substr(word.starts_with('-') ? 1 : 0);
+  const std::size_t point = std::min(magnitude.find('.'), magnitude.size());
+  const std::string_view decimals = magnitude.substr(point);
+  constexpr std::size_t most_decimals = 2;
+  if (!holds_only(magnitude.substr(0, point), digits) || decimals.size() > most_decimals + 1 ||
+      (!decimals.empty() && !holds_only(decimals.substr(1), digits)))
+    return false;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc() && number >= least && number <= most;
+}
+
+// A servo can be turned beyond the limits of its moves by hand, but not beyond this.
+constexpr double most_measured_deg = 180.0;
+
+bool parse_limits(std::string_view min, std::string_view max, const AxisLimits& allowed, AxisLimits& limits) {
+  return parse_decimal(min, limits.min_deg, allowed.min_deg, allowed.max_deg) &&
+         parse_decimal(max, limits.max_deg, allowed.min_deg, allowed.max_deg) &&
+         limits.min_deg < limits.max_deg;
 }
 
 using Words = std::vector<std::string_view>;
 
+// A robot that claims to turn farther than any of ours is none of ours.
 std::optional<RobotLine> parse_ready(const Words& words) {
+  constexpr RobotLimits allowed;
+  constexpr int most_protocol = 1000;
+  constexpr double most_speed_deg_s = 90.0;
   ReadyLine ready;
-  double speed = 0.0;
-  if (words.size() != 8 || !parse(words[1], ready.protocol)) return std::nullopt;
+  double speed_deg_s = 0.0;
+  if (words.size() != 8 || !parse_count(words[1], ready.protocol, most_protocol)) return std::nullopt;
   ready.firmware = words[2];
-  AxisLimits& pan = ready.limits.pan;
-  AxisLimits& tilt = ready.limits.tilt;
-  const bool sound = parse(words[3], pan.min_deg) && parse(words[4], pan.max_deg) &&
-                     parse(words[5], tilt.min_deg) && parse(words[6], tilt.max_deg) && parse(words[7], speed);
+  const bool sound = parse_limits(words[3], words[4], allowed.pan, ready.limits.pan) &&
+                     parse_limits(words[5], words[6], allowed.tilt, ready.limits.tilt) &&
+                     parse_decimal(words[7], speed_deg_s, 1.0, most_speed_deg_s);
   if (!sound) return std::nullopt;
   return ready;
 }
 
 std::optional<RobotLine> parse_answer(const Words& words) {
+  constexpr int most_number = 255;
   AnswerLine answer;
   const bool refused = words[0] == "NAK";
-  if (words.size() != (refused ? 3U : 2U) || !parse(words[1], answer.number)) return std::nullopt;
-  if (refused) answer.refusal = words[2];
+  if (words.size() != (refused ? 3U : 2U) || !parse_count(words[1], answer.number, most_number))
+    return std::nullopt;
+  if (!refused) return answer;
+  if (!holds_only(words[2], capitals)) return std::nullopt;
+  answer.refusal = words[2];
   return answer;
 }
 
 bool parse_position(std::string_view angle, std::string_view age, std::optional<JointPosition>& position) {
   if (angle == "-" && age == "-") return true;
+  constexpr int most_age_ms = 250;
   JointPosition told;
-  double age_ms = 0.0;
-  if (!parse(angle, told.deg) || !parse(age, age_ms)) return false;
+  int age_ms = 0;
+  if (!parse_decimal(angle, told.deg, -most_measured_deg, most_measured_deg) ||
+      !parse_count(age, age_ms, most_age_ms))
+    return false;
   told.age_s = age_ms / 1000.0;
   position = told;
   return true;
 }
 
 std::optional<RobotLine> parse_positions(const Words& words) {
+  constexpr std::array states{"START", "HOLD", "MOVE", "LOST", "FAULT"};
   PositionsLine positions;
-  if (words.size() != 7 || !parse_position(words[2], words[3], positions.pan) ||
-      !parse_position(words[4], words[5], positions.tilt))
+  std::uint64_t time_ms = 0;
+  if (words.size() != 7 || !parse_count(words[1], time_ms, std::uint64_t{0xFFFFFFFF}) ||
+      !parse_position(words[2], words[3], positions.pan) ||
+      !parse_position(words[4], words[5], positions.tilt) ||
+      std::ranges::find(states, words[6]) == states.end())
     return std::nullopt;
   positions.state = words[6];
   return positions;
 }
 
 std::optional<RobotLine> parse_status(std::string_view text, const Words& words) {
-  if (words.size() != 6) return std::nullopt;
+  if (words.size() != 6 || (words[1] != "PAN" && words[1] != "TILT")) return std::nullopt;
   return StatusLine{std::string(words[1]), std::string(text.substr(words[0].size() + words[1].size() + 2))};
+}
+
+bool is_printable(std::string_view text) {
+  return std::ranges::all_of(text, [](char character) { return character >= ' ' && character <= '~'; });
 }
 
 std::optional<RobotLine> parse_frame(std::string_view frame) {
   constexpr std::size_t check_length = 5;  // * and four digits
-  if (frame.size() <= check_length || frame[frame.size() - check_length] != '*') return std::nullopt;
+  constexpr std::size_t most_length = 64;
+  if (frame.size() <= check_length || frame.size() > most_length || !is_printable(frame) ||
+      frame[frame.size() - check_length] != '*')
+    return std::nullopt;
   const std::string_view text = frame.substr(0, frame.size() - check_length);
   if (frame.substr(text.size() + 1) != fmt::format("{:04X}", checksum(text))) return std::nullopt;
   const Words words = words_of(text);
@@ -100,7 +154,8 @@ std::optional<RobotLine> parse_bare(std::string_view line) {
   for (const auto& [text, deg] : {std::pair{line.substr(0, cross), &positions.joints.pan_deg},
                                   std::pair{line.substr(cross + 1), &positions.joints.tilt_deg}}) {
     const std::size_t point = text.find('.');
-    if (point == std::string_view::npos || text.size() != point + 3 || !parse(text, *deg))
+    if (point == std::string_view::npos || text.size() != point + 3 ||
+        !parse_decimal(text, *deg, -most_measured_deg, most_measured_deg))
       return std::nullopt;
   }
   return positions;

@@ -55,6 +55,8 @@ struct BarePositionsLine {
 
 using RobotLine = std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, BarePositionsLine>;
 
+/// Takes what docs/protocol.md allows and nothing else: limits beyond those of RobotLimits, angles that are
+/// no numbers or beyond 180 degrees, and ages of more than 250 ms make a line no line of a robot.
 /// @param line without its end
 /// @return what it says; empty where it is damaged, or no line of a robot
 [[nodiscard]] std::optional<RobotLine> parse_robot_line(std::string_view line);

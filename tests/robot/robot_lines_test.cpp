@@ -1,7 +1,9 @@
 #include "robot/robot_lines.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <boost/crc.hpp>
 #include <string>
 #include <vector>
 
@@ -60,6 +62,53 @@ TEST(RobotLines, DamagedFramesSayNothing) {
       EXPECT_FALSE(parse_robot_line(golden.substr(0, i))) << i;
     }
   }
+}
+
+std::string framed(const std::string& body) {
+  boost::crc_optimal<16, 0x1021, 0xFFFF, 0, false, false> crc;
+  crc.process_bytes(body.data(), body.size());
+  return fmt::format("${}*{:04X}", body, crc.checksum());
+}
+
+TEST(RobotLines, WhatTheProtocolDoesNotAllowSaysNothingWhateverItsChecksum) {
+  ASSERT_TRUE(parse_robot_line(framed("POS 5 -89.95 250 179.99 0 HOLD")));
+  ASSERT_TRUE(parse_robot_line(framed("READY 1 1.0.0 -45 45.5 -90 9 90")));
+  for (const char* const body : {"POS 5 nan 3 0.00 3 HOLD",
+                                 "POS 5 inf 3 0.00 3 HOLD",
+                                 "POS 5 1e308 3 0.00 3 HOLD",
+                                 "POS 5 1e1 3 0.00 3 HOLD",
+                                 "POS 5 180.01 3 0.00 3 HOLD",
+                                 "POS 5 0x10 3 0.00 3 HOLD",
+                                 "POS 5 +1.00 3 0.00 3 HOLD",
+                                 "POS 5 1.000 3 0.00 3 HOLD",
+                                 "POS 5 . 3 0.00 3 HOLD",
+                                 "POS 5 - 3 0.00 3 HOLD",
+                                 "POS 5 1.00 -3 0.00 3 HOLD",
+                                 "POS 5 1.00 -1e8 0.00 3 HOLD",
+                                 "POS 5 1.00 251 0.00 3 HOLD",
+                                 "POS 5 1.00 nan 0.00 3 HOLD",
+                                 "POS 4294967296 1.00 3 0.00 3 HOLD",
+                                 "POS x 1.00 3 0.00 3 HOLD",
+                                 "POS 5 1.00 3 0.00 3 DANCE",
+                                 "READY 1 1.0.0 -1000000 1000000 -90 9 90",
+                                 "READY 1 1.0.0 -inf inf -90 9 90",
+                                 "READY 1 1.0.0 nan nan -90 9 90",
+                                 "READY 1 1.0.0 -90 90 -90 9.01 90",
+                                 "READY 1 1.0.0 90 -90 -90 9 90",
+                                 "READY 1 1.0.0 10 10 -90 9 90",
+                                 "READY 1 1.0.0 -90 90 -90 9 1e3",
+                                 "READY -1 1.0.0 -90 90 -90 9 90",
+                                 "ACK 256",
+                                 "ACK -1",
+                                 "ACK 1e1",
+                                 "NAK 7 \x1b[2J",
+                                 "NAK 7 limit",
+                                 "NAK 7 \xff",
+                                 "STAT ROLL 00 42 12.0 140"})
+    EXPECT_FALSE(parse_robot_line(framed(body))) << body;
+  EXPECT_FALSE(parse_robot_line(framed("NAK 7 " + std::string(60, 'A')))) << "longer than a frame";
+  for (const char* const line : {"1e9x-29.90", "999.99x0.00", "-inf.00x0.00"})
+    EXPECT_FALSE(parse_robot_line(line)) << line;
 }
 
 TEST(RobotLines, PositionsOfTheThesisFirmwareAreUnderstoodWholeOrNotAtAll) {
