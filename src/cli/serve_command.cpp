@@ -14,6 +14,7 @@
 #include "core/folder_lock.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "inspect/inspector.hpp"
+#include "inspect/recovery.hpp"
 #include "server/web_server.hpp"
 #include "store/sqlite_records.hpp"
 
@@ -49,6 +50,8 @@ void serve(ServeArguments arguments) {
   std::filesystem::create_directories(arguments.data, failure);
   const FolderLock lock(arguments.data);
   SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
+  const auto log = [](const std::string& line) { fmt::print(stderr, "rva: {}\n", line); };
+  for (const std::string& line : recover_data(arguments.data, records)) log(line);
   LiveCamera camera(std::move(rig.camera));
   const std::unique_ptr<Drive> drive =
       rig.robot ? std::make_unique<Drive>(*rig.robot, arguments.drive) : nullptr;
@@ -56,7 +59,7 @@ void serve(ServeArguments arguments) {
   Sessions sessions(records);
   Lease lease;
   WebServer server(arguments.server, {camera, drive.get(), inspector, sessions, lease, rig.simulated_work},
-                   [](const std::string& line) { fmt::print(stderr, "rva: {}\n", line); });
+                   log);
   print("{}\n", server.address());
   static_cast<void>(std::fflush(stdout));
   server.run();

@@ -52,9 +52,22 @@ std::optional<double> least_judged(const Inspection& inspection) {
 
 Stage stage_of(const Inspection& inspection) {
   if (!inspection.initial) return Stage::baseline;
-  if (inspection.compared_at.empty() || !least_judged(inspection)) return Stage::work;
+  if (!inspection.comparison || !least_judged(inspection)) return Stage::work;
   const bool settled = std::ranges::all_of(inspection.findings, is_settled);
   return settled ? Stage::done : Stage::review;
+}
+
+InspectionSummary summary_of(const Inspection& inspection) {
+  const auto settled = std::ranges::count_if(inspection.findings, is_settled);
+  return {inspection.id,
+          inspection.order,
+          inspection.created_at,
+          stage_of(inspection),
+          inspection.findings.size(),
+          inspection.findings.size() - static_cast<std::size_t>(settled),
+          inspection.initial,
+          inspection.final,
+          inspection.comparison};
 }
 
 }  // namespace rva

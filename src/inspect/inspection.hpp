@@ -29,11 +29,27 @@ enum class Side {
 [[nodiscard]] std::string_view name_of(Side side);
 [[nodiscard]] std::optional<Side> side_from_name(std::string_view name);
 
-/// One side of an inspection, complete: a capture of every view.
+/// One round of captures of a side: nothing that was captured is replaced, so that a side that is taken again
+/// is another round of it.
+struct BegunSide {
+  int round = 1;
+  std::string person;  ///< who takes it
+  std::string base;    ///< where the robot's foot stands
+};
+
+/// One round of a side, complete: a capture of every view.
 struct TakenSide {
   std::string taken_at;  ///< ISO 8601, when the last view was
   std::string person;    ///< who took it
   std::string base;      ///< where the robot's foot stood
+  int round = 1;
+};
+
+/// One comparison of the two sides.
+struct RecordedComparison {
+  int number = 0;           ///< from 1 within its inspection
+  std::string compared_at;  ///< ISO 8601, for people: a clock may stand or step back
+  std::string folder;       ///< of its results, within the inspection's
 };
 
 /// What a person says of a finding who has looked at it.
@@ -81,9 +97,12 @@ struct Inspection {
   int dither = 1;  ///< captures of each view, a few servo steps apart
   /// By view: what is left out of the comparison, in pixels of its first initial depth image.
   std::map<int, std::vector<Polygon>> ignored;
-  std::optional<TakenSide> initial;
+  std::optional<TakenSide> initial;  ///< the last round that is complete
   std::optional<TakenSide> final;
-  std::string compared_at;  ///< ISO 8601; empty before
+  std::map<Side, BegunSide> begun;  ///< a later round that is under way
+  std::optional<RecordedComparison>
+      comparison;       ///< that holds; empty before, and when a side was taken since
+  int comparisons = 0;  ///< made so far, those that hold no more included
   std::vector<ComparedView> compared;
   std::vector<ReviewedFinding> findings;
 };
@@ -99,5 +118,19 @@ struct Inspection {
 enum class Stage { baseline, work, review, done };
 [[nodiscard]] std::string_view name_of(Stage stage);
 [[nodiscard]] Stage stage_of(const Inspection& inspection);
+
+/// What a list of inspections shows of one.
+struct InspectionSummary {
+  std::int64_t id = 0;
+  InspectionOrder order;
+  std::string created_at;  ///< ISO 8601
+  Stage stage = Stage::baseline;
+  std::size_t findings = 0;   ///< of the comparison that holds
+  std::size_t undecided = 0;  ///< of them
+  std::optional<TakenSide> initial;
+  std::optional<TakenSide> final;
+  std::optional<RecordedComparison> comparison;
+};
+[[nodiscard]] InspectionSummary summary_of(const Inspection& inspection);
 
 }  // namespace rva

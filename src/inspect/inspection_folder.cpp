@@ -2,21 +2,67 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/path_text.hpp"
 #include "map/view_capture.hpp"
 
+namespace fs = std::filesystem;
+
 namespace rva {
+namespace {
 
-InspectionFolder::InspectionFolder(const std::filesystem::path& data, std::int64_t id)
-    : path_(data / "inspections" / fmt::format("{:06}", id)) {}
-
-std::filesystem::path InspectionFolder::capture(Side side, const Inspection& inspection, int view,
-                                                int dither) const {
-  const int number = view * inspection.dither + dither;
-  return this->side(side) / view_name(static_cast<std::size_t>(number));
+int round_of(const Inspection& inspection, Side side) {
+  const std::optional<TakenSide>& taken = side == Side::initial ? inspection.initial : inspection.final;
+  if (taken) return taken->round;
+  const auto begun = inspection.begun.find(side);
+  return begun == inspection.begun.end() ? 1 : begun->second.round;
 }
 
-std::filesystem::path InspectionFolder::result(int view) const {
-  return path_ / "results" / view_name(static_cast<std::size_t>(view));
+}  // namespace
+
+InspectionFolder::InspectionFolder(const fs::path& data, std::int64_t id)
+    : path_(data / "inspections" / fmt::format("{:06}", id)) {}
+
+fs::path InspectionFolder::side(Side side, int round) const {
+  return path_ / (round == 1 ? std::string(name_of(side)) : fmt::format("{}-{}", name_of(side), round));
+}
+
+fs::path InspectionFolder::capture(Side side, const Inspection& inspection, int view, int dither) const {
+  const int number = view * inspection.dither + dither;
+  return this->side(side, round_of(inspection, side)) / view_name(static_cast<std::size_t>(number));
+}
+
+std::string InspectionFolder::comparison_name(int number) { return fmt::format("comparison-{}", number); }
+
+fs::path InspectionFolder::result_in(const fs::path& comparison, int view) {
+  return comparison / "results" / view_name(static_cast<std::size_t>(view));
+}
+
+fs::path InspectionFolder::result(const Inspection& inspection, int view) const {
+  return inspection.comparison ? result_in(path_ / inspection.comparison->folder, view) : fs::path();
+}
+
+fs::path InspectionFolder::map(const Inspection& inspection) const {
+  return in_comparison(inspection, "map.ply");
+}
+
+fs::path InspectionFolder::changes(const Inspection& inspection) const {
+  return in_comparison(inspection, "changes.ply");
+}
+
+fs::path InspectionFolder::in_comparison(const Inspection& inspection, const fs::path& name) const {
+  return inspection.comparison ? path_ / inspection.comparison->folder / name : fs::path();
+}
+
+void InspectionFolder::require_no_links(const fs::path& inside) const {
+  std::error_code ignored;
+  for (fs::path folder = inside; folder != path_.parent_path().parent_path(); folder = folder.parent_path()) {
+    if (fs::is_symlink(fs::symlink_status(folder, ignored)))
+      throw Error(printable(folder), "is a link, which would lead captures out of the data folder",
+                  "put a folder in its place, or give another --data folder");
+  }
 }
 
 }  // namespace rva

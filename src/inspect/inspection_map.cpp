@@ -2,10 +2,8 @@
 
 #include <filesystem>
 #include <memory>
-#include <system_error>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "map/map_cloud.hpp"
 #include "map/map_view.hpp"
@@ -19,8 +17,8 @@ Transform map_from_camera(const CaptureInfo& info, const PanTiltChain& chain) {
   return foot_from_camera(chain, {});
 }
 
-void write_inspection_map(const InspectionFolder& folder, const Inspection& inspection, bool moved,
-                          const PanTiltChain& chain) {
+void write_inspection_map(const std::filesystem::path& file, const InspectionFolder& folder,
+                          const Inspection& inspection, bool moved, const PanTiltChain& chain) {
   std::vector<MapView> loaded;
   std::vector<Transform> places;
   for (int i = 0; i < static_cast<int>(inspection.views.size()) * inspection.dither; ++i) {
@@ -35,7 +33,7 @@ void write_inspection_map(const InspectionFolder& folder, const Inspection& insp
     places.clear();
     for (const RefinedPose& pose : refine_poses(loaded, chain)) places.push_back(pose.foot_from_camera);
   }
-  write_points(folder.map(), join_views(loaded, places, {}));
+  write_ply(file, join_views(loaded, places, {}), PointFrame::robot_foot);
 }
 
 std::vector<MapPoint> changed_points(const Detection& detection, const ColorImage& picture,
@@ -53,14 +51,6 @@ std::vector<MapPoint> changed_points(const Detection& detection, const ColorImag
     }
   }
   return points;
-}
-
-void write_points(const std::filesystem::path& file, std::span<const MapPoint> points) {
-  const std::filesystem::path beside = file.string() + ".partial";
-  write_ply(beside, points, PointFrame::robot_foot);
-  std::error_code failure;
-  std::filesystem::rename(beside, file, failure);
-  if (failure) throw Error(printable(file), "cannot be written", "look at the disk and the folder's rights");
 }
 
 }  // namespace rva

@@ -62,10 +62,8 @@ std::int64_t Inspector::begin(const InspectionOrder& order) {
   require_person(order.person);
   const std::optional<PanTilt> joints = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints;
   if (!joints) throw Error("robot", "does not say where it stands", "see that it answers, then begin");
-  const std::int64_t id =
-      records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither);
-  records_.set_views(id, {*joints});
-  return id;
+  const PanTilt view = rig_.drive == nullptr ? *joints : rig_.drive->limits().nearest(*joints);
+  return records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither, {view});
 }
 
 Inspection Inspector::inspection(std::int64_t id) const {
@@ -87,12 +85,6 @@ std::vector<PanTilt> Inspector::waypoints_of(const Inspection& inspection) const
           {view.pan_deg + pan_sign * offset.pan_deg, view.tilt_deg + tilt_sign * offset.tilt_deg});
   }
   return waypoints;
-}
-
-// A side under way already has views of its own.
-bool Inspector::is_begun(std::int64_t id) const {
-  std::error_code ignored;
-  return std::filesystem::exists(folder(id).side(Side::initial), ignored);
 }
 
 // What was begun on a robot cannot go on without, nor the other way round.
@@ -126,7 +118,7 @@ void Inspector::require_baseline(const Inspection& inspection) const {
 
 void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
   const Inspection before = inspection(id);
-  if (before.initial || is_begun(id))
+  if (before.initial || before.begun.contains(Side::initial))
     throw Error(title(id), "its baseline has been begun", "begin another inspection for other views");
   if (views.empty() || views.size() > most_views)
     throw Error(title(id), fmt::format("cannot have {} views", views.size()),
@@ -241,25 +233,40 @@ void Inspector::capture(std::int64_t id, Side side, const std::string& person, b
     throw Error(title(id), "has no baseline that the robot could be put back for", "say so after the work");
   require_same_rig(before);
   if (side == Side::final) require_baseline(before);
-  const bool again =
-      side == Side::final && (before.final || replaced_before_final(before).value_or(replaced) != replaced);
+  const BegunSide round = round_for(before, side, person, base_of(id, replaced));
   const int captures = std::max(1, before.dither);
-  SideCapture wanted{waypoints_of(before), folder(id).side(side), base_of(id, replaced),
-                     static_cast<std::size_t>((options_.frames + captures - 1) / captures), again};
-  start({.kind = TaskKind::capture, .inspection = id, .side = side}, [this, id, side, person, wanted] {
+  SideCapture wanted{waypoints_of(before), folder(id).side(side, round.round), round.base,
+                     static_cast<std::size_t>((options_.frames + captures - 1) / captures)};
+  folder(id).require_no_links(wanted.folder);
+  start({.kind = TaskKind::capture, .inspection = id, .side = side}, [this, id, side, round, wanted] {
+    records_.begin_side(id, side, round);
     take_side(rig_, wanted, capture_events());
-    records_.set_side(id, side, {iso_8601_now(), person, wanted.base});
+    records_.set_side(id, side, {iso_8601_now(), round.person, round.base, round.round});
     if (side == Side::final) compare_now(inspection(id));
   });
 }
 
-std::optional<bool> Inspector::replaced_before_final(const Inspection& inspection) const {
-  const std::filesystem::path first = folder(inspection.id).capture(Side::final, inspection, 0, 0);
+// The round that is under way, if the robot has stood in the same place since; otherwise a new one, in a
+// folder that nothing has been captured into.
+BegunSide Inspector::round_for(const Inspection& inspection, Side side, const std::string& person,
+                               const std::string& base) const {
+  const auto begun = inspection.begun.find(side);
+  if (begun != inspection.begun.end() && begun->second.base == base)
+    return {begun->second.round, person, base};
+  const std::optional<TakenSide>& taken = side == Side::initial ? inspection.initial : inspection.final;
+  int round =
+      std::max(taken ? taken->round : 0, begun == inspection.begun.end() ? 0 : begun->second.round) + 1;
   std::error_code ignored;
-  if (inspection.final || !std::filesystem::exists(first / "capture.json", ignored)) return std::nullopt;
-  const std::optional<Pose> pose = open_capture(first)->info().pose;
-  if (!pose || !pose->base) return std::nullopt;  // a camera that stands still
-  return *pose->base == base_of(inspection.id, true);
+  while (std::filesystem::exists(
+      std::filesystem::symlink_status(folder(inspection.id).side(side, round), ignored)))
+    ++round;
+  return {round, person, base};
+}
+
+std::optional<bool> Inspector::replaced_before_final(const Inspection& inspection) const {
+  const auto begun = inspection.begun.find(Side::final);
+  if (rig_.drive == nullptr || begun == inspection.begun.end()) return std::nullopt;
+  return begun->second.base == base_of(inspection.id, true);
 }
 
 void Inspector::compare(std::int64_t id) {
@@ -273,9 +280,13 @@ void Inspector::compare(std::int64_t id) {
 
 void Inspector::compare_now(const Inspection& inspection) {
   update([](TaskState& task) { task.kind = TaskKind::comparison; });
+  const int number = inspection.comparisons + 1;
+  const std::string name = InspectionFolder::comparison_name(number);
+  const InspectionFolder folder = this->folder(inspection.id);
+  folder.require_no_links(folder.path() / name);
   const Compared compared =
-      compare_sides(folder(inspection.id), inspection, rig_.drive != nullptr, rig_.chain, counted_progress());
-  records_.set_comparison(inspection.id, iso_8601_now(), compared.views, compared.findings);
+      compare_sides(folder, inspection, number, rig_.drive != nullptr, rig_.chain, counted_progress());
+  records_.set_comparison(inspection.id, {number, iso_8601_now(), name}, compared.views, compared.findings);
 }
 
 void Inspector::cancel() { cancelled_ = true; }
@@ -295,13 +306,12 @@ std::optional<Readiness> Inspector::readiness() const {
   return readiness_;
 }
 
-void Inspector::decide(std::int64_t id, const std::string& compared_at, int finding,
-                       const Decision& decision) {
+void Inspector::decide(std::int64_t id, int comparison, int finding, const Decision& decision) {
   require_person(decision.person);
   const TaskState now = task();
   if (now.end == TaskEnd::running && now.kind != TaskKind::readiness && now.inspection == id)
     throw Error(title(id), "is captured or compared just now", "wait, and decide on what is found then");
-  records_.decide(id, compared_at, finding, decision);
+  records_.decide(id, comparison, finding, decision);
 }
 
 }  // namespace rva

@@ -52,6 +52,7 @@ class Inspector {
   [[nodiscard]] std::int64_t begin(const InspectionOrder& order);
   /// Newest first.
   [[nodiscard]] std::vector<std::int64_t> inspections() const { return records_.inspections(); }
+  [[nodiscard]] std::vector<InspectionSummary> summaries() const { return records_.summaries(); }
   [[nodiscard]] bool has(std::int64_t id) const { return records_.find(id).has_value(); }
   /// @throws Error when there is none of this id
   [[nodiscard]] Inspection inspection(std::int64_t id) const;
@@ -70,10 +71,10 @@ class Inspector {
   // ended, or when the inspection is not so far.
 
   void check_readiness();
-  /// Of every view; the final side is compared at once, and taken anew where it is there already. A complete
-  /// baseline is not: the work has been done on it.
-  /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
-  ///                 A final side under way for which this was said otherwise is begun anew.
+  /// Of every view; the final side is compared at once, and taken in another round where it is there already:
+  /// the earlier one stays where it is. A complete baseline is not taken again: the work has been done on it.
+  /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere.
+  ///                 A round under way is gone on with, unless this was said otherwise of it
   void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
 
   /// What was said of `replaced` for a final side that is under way; empty where there is none.
@@ -90,10 +91,10 @@ class Inspector {
   /// Of the last check; empty before.
   [[nodiscard]] std::optional<Readiness> readiness() const;
 
-  /// @param compared_at of the comparison whose findings the person saw
+  /// @param comparison number of the one whose findings the person saw
   /// @throws Error when there is no such finding, it was captured or compared anew since, or is just now, or
   ///         nobody's name is given
-  void decide(std::int64_t id, const std::string& compared_at, int finding, const Decision& decision);
+  void decide(std::int64_t id, int comparison, int finding, const Decision& decision);
 
  private:
   using Work = std::function<void()>;
@@ -105,7 +106,8 @@ class Inspector {
   [[nodiscard]] Progress counted_progress();
   [[nodiscard]] CaptureEvents capture_events();
   void compare_now(const Inspection& inspection);
-  [[nodiscard]] bool is_begun(std::int64_t id) const;
+  [[nodiscard]] BegunSide round_for(const Inspection& inspection, Side side, const std::string& person,
+                                    const std::string& base) const;
   void require_same_rig(const Inspection& inspection) const;
   void require_baseline(const Inspection& inspection) const;
   [[nodiscard]] std::vector<PanTilt> waypoints_of(const Inspection& inspection) const;

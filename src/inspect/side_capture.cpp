@@ -129,8 +129,7 @@ void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureE
     last = now;
     events.progress(now);
   };
-  ViewFolder folder(side.folder, side.replace ? ViewFolder::Start::replace : ViewFolder::Start::resume,
-                    side.views.size());
+  const ViewFolder folder(side.folder, ViewFolder::Start::resume, side.views.size());
   for (bool complete = false; !complete;) {
     try {
       take_once(rig, side, noted);
@@ -141,7 +140,6 @@ void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureE
       if (!waited_for_device(rig, events, last)) throw;
     }
   }
-  folder.done();
 }
 
 }  // namespace rva

@@ -41,7 +41,6 @@ struct SideCapture {
   std::filesystem::path folder;
   std::string base;         ///< name of the place where the robot's foot stands
   std::size_t frames = 40;  ///< of each view
-  bool replace = false;     ///< an earlier, complete side
 };
 
 /// Goes on where an earlier call was ended: views that are there are not taken again. A camera or a robot

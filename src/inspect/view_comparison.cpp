@@ -5,6 +5,8 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "cloud/detect.hpp"
@@ -15,6 +17,7 @@
 #include "detect/drawing.hpp"
 #include "inspect/inspection_map.hpp"
 #include "inspect/review_pictures.hpp"
+#include "map/point_files.hpp"
 
 namespace rva {
 namespace {
@@ -46,34 +49,40 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
   return result;
 }
 
-void write_picture(const OutputFolder& out, const char* name, const ColorImage& picture) {
-  if (!picture.empty()) write_file(out.path(name), encode_png(picture));
+std::vector<std::string> comparison_files() {
+  std::vector<std::string> files{"map.ply", "changes.ply"};
+  for (const char* const name :
+       {"detections.json", "changes.png", "depth_overlay.png", "level_of_detection.png",
+        "level_of_detection.json", "initial_color.png", "final_color.png", "initial_depth.png",
+        "final_depth.png", "changed.png", "not_inspected.png"})
+    files.push_back(std::string("results/[0-9][0-9][0-9]/") + name);
+  return files;
+}
+
+void write_picture(const std::filesystem::path& file, const ColorImage& picture) {
+  if (!picture.empty()) write_file(file, encode_png(picture));
 }
 
 // @return the picture of changes
 ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
   const Detection& detection = result.detection;
-  OutputFolder out(folder,
-                   {"detections.json", "changes.png", "depth_overlay.png", "level_of_detection.png",
-                    "level_of_detection.json", "initial_color.png", "final_color.png", "initial_depth.png",
-                    "final_depth.png", "changed.png", "not_inspected.png"},
-                   Existing::replace);
-  write_file(out.path("detections.json"), to_json(detection.findings));
-  write_file(out.path("changes.png"), encode_png(detection.changed));
-  write_picture(out, "depth_overlay.png",
+  std::error_code ignored;  // write_file() says what is wrong
+  std::filesystem::create_directories(folder, ignored);
+  write_file(folder / "detections.json", to_json(detection.findings));
+  write_file(folder / "changes.png", encode_png(detection.changed));
+  write_picture(folder / "depth_overlay.png",
                 draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out));
   if (const auto& level = detection.level_of_detection) {
-    write_picture(out, "level_of_detection.png", draw_level_of_detection(level->least_mm));
-    write_file(out.path("level_of_detection.json"), to_json(level->summary));
+    write_picture(folder / "level_of_detection.png", draw_level_of_detection(level->least_mm));
+    write_file(folder / "level_of_detection.json", to_json(level->summary));
   }
   ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), detection);
-  write_picture(out, "initial_color.png", pictures.initial_color);
-  write_picture(out, "final_color.png", pictures.final_color);
-  write_picture(out, "initial_depth.png", pictures.initial_depth);
-  write_picture(out, "final_depth.png", pictures.final_depth);
-  write_picture(out, "changed.png", pictures.changed);
-  write_picture(out, "not_inspected.png", pictures.not_inspected);
-  out.commit();
+  write_picture(folder / "initial_color.png", pictures.initial_color);
+  write_picture(folder / "final_color.png", pictures.final_color);
+  write_picture(folder / "initial_depth.png", pictures.initial_depth);
+  write_picture(folder / "final_depth.png", pictures.final_depth);
+  write_picture(folder / "changed.png", pictures.changed);
+  write_picture(folder / "not_inspected.png", pictures.not_inspected);
   return std::move(pictures.changed);
 }
 
@@ -138,8 +147,11 @@ std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double 
   return findings;
 }
 
-Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, bool moved,
+Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number, bool moved,
                        const PanTiltChain& chain, const Progress& progress) {
+  // A comparison of this number that is there already was never recorded: the program was killed before.
+  OutputFolder out(folder.path() / InspectionFolder::comparison_name(number), comparison_files(),
+                   Existing::replace);
   Compared compared;
   std::vector<ReviewedFinding> findings;
   std::vector<MapPoint> points;
@@ -147,15 +159,16 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     throw_if_interrupted();
     if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
     const ViewResult result = compare(folder, inspection, view);
-    const ColorImage changed = write(result, folder.result(view));
+    const ColorImage changed = write(result, InspectionFolder::result_in(out.path(""), view));
     const CaptureInfo& info = result.final.front()->info();
     std::ranges::move(changed_points(result.detection, changed, info.depth, map_from_camera(info, chain)),
                       std::back_inserter(points));
     compared.views.push_back(summary_of(result.detection, view));
     std::ranges::move(findings_of(result, view, chain), std::back_inserter(findings));
   }
-  write_inspection_map(folder, inspection, moved, chain);
-  write_points(folder.changes(), points);
+  write_inspection_map(out.path("map.ply"), folder, inspection, moved, chain);
+  write_ply(out.path("changes.ply"), points, PointFrame::robot_foot);
+  out.commit();
   compared.findings = rank(std::move(findings));
   return compared;
 }

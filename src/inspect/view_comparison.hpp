@@ -15,13 +15,14 @@ struct Compared {
   std::vector<ReviewedFinding> findings;  ///< of all views, most suspicious first
 };
 
-/// Compares each view's captures, by space that was seen through where a robot carried the camera and pixel
-/// by pixel where it stood still, and writes each view's result into its folder, whole or not at all.
+/// Compares each view's captures, and writes the results of all views with the map of the bay into a folder
+/// of their own (InspectionFolder), whole or not at all.
+/// @param number of the comparison, which no earlier one has
 /// @param moved a robot carried the camera
 /// @param chain where a camera is taken to be that does not say it
 /// @throws Error when a capture is missing or cannot be compared; Interrupted
-[[nodiscard]] Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, bool moved,
-                                     const PanTiltChain& chain, const Progress& progress);
+[[nodiscard]] Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number,
+                                     bool moved, const PanTiltChain& chain, const Progress& progress);
 
 /// Says of findings of several views which are the same thing: of one kind, and nearer to each other in the
 /// foot's frame than `reach_m`. Numbers and orders all of them.

@@ -25,12 +25,23 @@ std::vector<PanTilt> views_in(const Json& body) {
   return views;
 }
 
+// By its number; or by its time, as consoles of before there were numbers say it.
+int comparison_in(const Json& body, const Inspection& inspection) {
+  if (body.contains("comparison")) {
+    const double number = number_field(body, "comparison");
+    constexpr double most = 1e9;
+    return number >= 1.0 && number <= most ? static_cast<int>(number) : 0;
+  }
+  const std::string compared_at = text_field(body, "compared_at");
+  const bool same = inspection.comparison && inspection.comparison->compared_at == compared_at;
+  return same ? inspection.comparison->number : 0;
+}
+
 }  // namespace
 
 ApiResponse Api::list_inspections(const Call& /*call*/) const {
   Json list = Json::array();
-  for (const std::int64_t id : parts_.inspector.inspections())
-    list.push_back(summary_json(parts_.inspector.inspection(id)));
+  for (const InspectionSummary& summary : parts_.inspector.summaries()) list.push_back(json_of(summary));
   return json_answer({{"inspections", list}});
 }
 
@@ -104,7 +115,7 @@ ApiResponse Api::decide(const Call& call) const {
     throw ApiError(400, "bad-request", "verdict", "is none that there is",
                    "give debris-removed, installed-work, false-alarm or second-look");
   parts_.inspector.decide(
-      id, text_field(call.body, "compared_at"), number,
+      id, comparison_in(call.body, parts_.inspector.inspection(id)), number,
       {*verdict, text_field(call.body, "note", most_note_bytes), person_of(call), iso_8601_now()});
   return json_answer(json_of(parts_.inspector.inspection(id)));
 }

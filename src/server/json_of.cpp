@@ -23,7 +23,7 @@ Json list_of(const std::vector<Polygon>& polygons) {
 }
 
 Json json_of(const TakenSide& side) {
-  return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}};
+  return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}, {"round", side.round}};
 }
 
 Json json_of(const Decision& decision) {
@@ -69,26 +69,27 @@ Json json_of(const ReviewedFinding& reviewed) {
   return json;
 }
 
-Json summary_json(const Inspection& inspection) {
-  std::size_t undecided = 0;
-  for (const ReviewedFinding& finding : inspection.findings) undecided += is_settled(finding) ? 0U : 1U;
-  Json json{{"id", inspection.id},
-            {"aircraft", inspection.order.aircraft},
-            {"zone", inspection.order.zone},
-            {"work_order", inspection.order.work_order},
-            {"person", inspection.order.person},
-            {"created_at", inspection.created_at},
-            {"stage", name_of(stage_of(inspection))},
-            {"findings_count", inspection.findings.size()},
-            {"undecided_count", undecided}};
-  if (inspection.initial) json["initial"] = json_of(*inspection.initial);
-  if (inspection.final) json["final"] = json_of(*inspection.final);
-  if (!inspection.compared_at.empty()) json["compared_at"] = inspection.compared_at;
+Json json_of(const InspectionSummary& summary) {
+  Json json{{"id", summary.id},
+            {"aircraft", summary.order.aircraft},
+            {"zone", summary.order.zone},
+            {"work_order", summary.order.work_order},
+            {"person", summary.order.person},
+            {"created_at", summary.created_at},
+            {"stage", name_of(summary.stage)},
+            {"findings_count", summary.findings},
+            {"undecided_count", summary.undecided}};
+  if (summary.initial) json["initial"] = json_of(*summary.initial);
+  if (summary.final) json["final"] = json_of(*summary.final);
+  if (summary.comparison) {
+    json["comparison"] = summary.comparison->number;
+    json["compared_at"] = summary.comparison->compared_at;
+  }
   return json;
 }
 
 Json json_of(const Inspection& inspection) {
-  Json json = summary_json(inspection);
+  Json json = json_of(summary_of(inspection));
   json["views"] = Json::array();
   for (std::size_t view = 0; view < inspection.views.size(); ++view) {
     json["views"].push_back(json_of(inspection.views[view]));

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json json_of(const PanTilt& joints);
 /// Without findings: of the list.
-[[nodiscard]] Json summary_json(const Inspection& inspection);
+[[nodiscard]] Json json_of(const InspectionSummary& summary);
 [[nodiscard]] Json json_of(const Inspection& inspection);
 [[nodiscard]] Json json_of(const ReviewedFinding& finding);
 [[nodiscard]] Json json_of(const Readiness& readiness);

@@ -34,11 +34,11 @@ std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Results do not change under their address: consoles add when they were made.
+// Not kept by a browser, where it would outlive a sign-out.
 ApiResponse file_answer(const std::filesystem::path& path, const std::string& content_type) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) throw not_there();
-  return {200, content_type, text_of(read_file(path)), {{"Cache-Control", "private, max-age=86400"}}};
+  return {200, content_type, text_of(read_file(path))};
 }
 
 Json json_of(const std::optional<MeasuredPoint>& point) {
@@ -53,7 +53,8 @@ ApiResponse Api::get_picture(const Call& call) const {
   const std::string& name = call.places.at(2);
   const int view = view_number(call.places.at(1));
   if (std::ranges::find(pictures, name) == pictures.end()) throw not_there();
-  return file_answer(parts_.inspector.folder(inspection_id(call)).result(view) / name, "image/png");
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  return file_answer(parts_.inspector.folder(inspection.id).result(inspection, view) / name, "image/png");
 }
 
 ApiResponse Api::get_baseline_picture(const Call& call) const {
@@ -79,11 +80,13 @@ ApiResponse Api::get_findable(const Call& /*call*/) const {
 }
 
 ApiResponse Api::get_map(const Call& call) const {
-  return file_answer(parts_.inspector.folder(inspection_id(call)).map(), "application/octet-stream");
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  return file_answer(parts_.inspector.folder(inspection.id).map(inspection), "application/octet-stream");
 }
 
 ApiResponse Api::get_changes(const Call& call) const {
-  return file_answer(parts_.inspector.folder(inspection_id(call)).changes(), "application/octet-stream");
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  return file_answer(parts_.inspector.folder(inspection.id).changes(inspection), "application/octet-stream");
 }
 
 ApiResponse Api::measure_points(const Call& call) const {

@@ -42,7 +42,7 @@ Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& p
   failures_.erase({name, from});
   std::erase_if(sessions_, [&](const auto& entry) { return now_s - entry.second.since_s >= lifetime_s; });
   std::string token = random_token();
-  sessions_[token] = {name, now_s};
+  sessions_[token] = {name, known->generation, now_s};
   return {Answer::signed_in, std::move(token)};
 }
 
@@ -52,15 +52,16 @@ void Sessions::sign_out(const std::string& token) {
 }
 
 std::optional<Person> Sessions::person(const std::string& token, double now_s) const {
-  std::string name;
+  Session session;
   {
     const std::lock_guard lock(mutex_);
     const auto found = sessions_.find(token);
     if (found == sessions_.end() || now_s - found->second.since_s >= lifetime_s) return std::nullopt;
-    name = found->second.name;
+    session = found->second;
   }
-  const std::optional<Account> known = account(name);
-  return known ? std::optional(Person{known->name, known->role}) : std::nullopt;
+  const std::optional<Account> known = account(session.name);
+  if (!known || known->generation != session.generation) return std::nullopt;
+  return Person{known->name, known->role};
 }
 
 }  // namespace rva

@@ -43,7 +43,7 @@ class Sessions {
                                double now_s);
   void sign_out(const std::string& token);
 
-  /// Empty where the token is unknown or old, or the account is gone.
+  /// Empty where the token is unknown or old, or the account was removed or changed since the sign-in.
   [[nodiscard]] std::optional<Person> person(const std::string& token, double now_s) const;
 
   /// Where there is no account nobody can sign in, and nobody needs to. Where there was one once, it stays
@@ -62,6 +62,7 @@ class Sessions {
   using FailuresOf = std::map<std::pair<std::string, std::string>, Failures>;
   struct Session {
     std::string name;
+    std::string generation;  // of the account
     double since_s = 0.0;
   };
 

@@ -36,13 +36,13 @@ std::optional<Eigen::Vector3d> point(const SQLite::Column& column) {
   return list ? std::optional(Eigen::Vector3d(list->data())) : std::nullopt;
 }
 
-std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t inspection,
-                                      const std::string& compared_at, int finding) {
+std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t inspection, int comparison,
+                                      int finding) {
   SQLite::Statement query(database,
                           "select verdict, note, person, decided_at from decision where inspection = ? and "
-                          "compared_at = ? and finding = ? order by id desc limit 1");
+                          "comparison = ? and finding = ? order by id desc limit 1");
   query.bind(1, inspection);
-  query.bind(2, compared_at);
+  query.bind(2, comparison);
   query.bind(3, finding);
   if (!query.executeStep()) return std::nullopt;
   return Decision{verdict_from_name(query.getColumn(0).getString()).value_or(Verdict::second_look),
@@ -67,16 +67,16 @@ Finding finding_of(SQLite::Statement& row) {
 
 }  // namespace
 
-void insert_finding(SQLite::Database& database, std::int64_t inspection, const std::string& compared_at,
+void insert_finding(SQLite::Database& database, std::int64_t inspection, int comparison,
                     const ReviewedFinding& reviewed) {
   const Finding& finding = reviewed.finding;
   const Box& box = finding.box;
   SQLite::Statement insert(database,
-                           "insert into finding (inspection, compared_at, number, view, same_as, kind, box, "
+                           "insert into finding (inspection, comparison, number, view, same_as, kind, box, "
                            "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from) "
                            "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
-  insert.bind(2, compared_at);
+  insert.bind(2, comparison);
   insert.bind(3, reviewed.number);
   insert.bind(4, reviewed.view);
   insert.bind(5, reviewed.same_as);
@@ -94,11 +94,11 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, const s
 }
 
 std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_t inspection,
-                                         const std::string& compared_at) {
+                                         int comparison) {
   SQLite::Statement query(database,
-                          "select * from finding where inspection = ? and compared_at = ? order by number");
+                          "select * from finding where inspection = ? and comparison = ? order by number");
   query.bind(1, inspection);
-  query.bind(2, compared_at);
+  query.bind(2, comparison);
   std::vector<ReviewedFinding> findings;
   while (query.executeStep()) {
     ReviewedFinding finding;
@@ -109,7 +109,7 @@ std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_
     finding.in_foot_m = point(query.getColumn("in_foot_m"));
     if (const SQLite::Column moved_from = query.getColumn("moved_from"); !moved_from.isNull())
       finding.moved_from = moved_from.getInt();
-    finding.decision = last_decision(database, inspection, compared_at, finding.number);
+    finding.decision = last_decision(database, inspection, comparison, finding.number);
     findings.push_back(std::move(finding));
   }
   return findings;

@@ -11,11 +11,11 @@
 
 namespace rva {
 
-void insert_finding(SQLite::Database& database, std::int64_t inspection, const std::string& compared_at,
+void insert_finding(SQLite::Database& database, std::int64_t inspection, int comparison,
                     const ReviewedFinding& finding);
 
 /// Of one comparison, each with its last decision. Their pixels are not kept here.
 [[nodiscard]] std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_t inspection,
-                                                       const std::string& compared_at);
+                                                       int comparison);
 
 }  // namespace rva

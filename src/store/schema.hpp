@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// The tables of version 1. Lists within a row are JSON. `decision` only grows: the last one of a finding
 /// holds.
@@ -60,6 +60,66 @@ create table ignored_region (
 ) strict, without rowid;
 alter table compared_view add column left_out real;
 alter table finding add column moved_from integer;
+)sql";
+
+/// What version 3 has beyond version 2: sides are taken in rounds, comparisons have numbers, accounts
+/// generations. Findings and decisions belong to a comparison's number rather than to its time.
+inline constexpr const char* schema_3_from_2 = R"sql(
+create table comparison (
+  inspection integer not null references inspection, number integer not null,
+  compared_at text not null, folder text not null,
+  primary key (inspection, number)
+) strict, without rowid;
+insert into comparison
+  select inspection, row_number() over (partition by inspection order by compared_at), compared_at, ''
+  from (select inspection, compared_at from finding
+        union select id, compared_at from inspection where compared_at <> '');
+alter table inspection add column comparison integer not null default 0;
+update inspection set comparison = coalesce((select number from comparison c
+  where c.inspection = inspection.id and c.compared_at = inspection.compared_at), 0);
+
+create table finding_3 (
+  inspection integer not null, comparison integer not null, number integer not null,
+  view integer not null, same_as integer not null,
+  kind text not null check (kind in ('added', 'removed')),
+  box text not null, centroid text not null, position_m text, in_foot_m text, size_mm text,
+  height_mm real, score real, p_value real, moved_from integer,
+  primary key (inspection, comparison, number),
+  foreign key (inspection, comparison) references comparison
+) strict, without rowid;
+insert into finding_3
+  select f.inspection, c.number, f.number, view, same_as, kind, box, centroid, position_m, in_foot_m, size_mm,
+         height_mm, score, p_value, moved_from
+  from finding f join comparison c on c.inspection = f.inspection and c.compared_at = f.compared_at;
+create table decision_3 (
+  id integer primary key,
+  inspection integer not null, comparison integer not null, finding integer not null,
+  verdict text not null, note text not null, person text not null, decided_at text not null,
+  foreign key (inspection, comparison, finding) references finding
+) strict;
+insert into decision_3
+  select d.id, d.inspection, c.number, d.finding, verdict, note, person, decided_at
+  from decision d join comparison c on c.inspection = d.inspection and c.compared_at = d.compared_at;
+drop table decision;
+drop table finding;
+alter table finding_3 rename to finding;
+alter table decision_3 rename to decision;
+create index decision_of_finding on decision (inspection, comparison, finding);
+alter table inspection drop column compared_at;
+
+create table side_3 (
+  inspection integer not null references inspection, side text not null check (side in ('initial', 'final')),
+  round integer not null,
+  taken_at text, -- null while it is under way
+  person text not null, base text not null,
+  primary key (inspection, side, round)
+) strict, without rowid;
+insert into side_3 select inspection, side, 1, taken_at, person, base from side;
+drop table side;
+alter table side_3 rename to side;
+
+alter table account add column generation text not null default '';
+update account set generation = lower(hex(randomblob(16)));
 )sql";
 
 }  // namespace rva

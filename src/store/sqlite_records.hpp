@@ -18,16 +18,18 @@ class SqliteRecords : public Records {
   explicit SqliteRecords(const std::filesystem::path& file);
 
   [[nodiscard]] std::int64_t add_inspection(const InspectionOrder& order, const std::string& created_at,
-                                            int dither) override;
+                                            int dither, const std::vector<PanTilt>& views) override;
   [[nodiscard]] std::vector<std::int64_t> inspections() const override;
+  [[nodiscard]] std::vector<InspectionSummary> summaries() const override;
   [[nodiscard]] std::optional<Inspection> find(std::int64_t id) const override;
   void set_views(std::int64_t id, const std::vector<PanTilt>& views) override;
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) override;
+  void begin_side(std::int64_t id, Side side, const BegunSide& begun) override;
   void set_side(std::int64_t id, Side side, const TakenSide& taken) override;
-  void set_comparison(std::int64_t id, const std::string& compared_at, const std::vector<ComparedView>& views,
+  void set_comparison(std::int64_t id, const RecordedComparison& comparison,
+                      const std::vector<ComparedView>& views,
                       const std::vector<ReviewedFinding>& findings) override;
-  void decide(std::int64_t id, const std::string& compared_at, int finding,
-              const Decision& decision) override;
+  void decide(std::int64_t id, int comparison, int finding, const Decision& decision) override;
   void set_account(const Account& account) override;
   [[nodiscard]] std::vector<Account> accounts() const override;
   bool remove_account(const std::string& name) override;

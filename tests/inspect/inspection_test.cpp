@@ -18,7 +18,7 @@ TEST(InspectionStage, FollowsFromWhatIsThere) {
   EXPECT_EQ(stage_of(inspection), Stage::work);
   inspection.final = TakenSide{};
   EXPECT_EQ(stage_of(inspection), Stage::work) << "captured, but not compared";
-  inspection.compared_at = "t";
+  inspection.comparison = RecordedComparison{1, "t", "comparison-1"};
   EXPECT_EQ(stage_of(inspection), Stage::work) << "none of its views was compared";
   inspection.views = {{0, 0}, {10, 0}};
   inspection.compared = {{.view = 0, .method = "spatial", .coverage = {}, .judged = 0.7, .warnings = {}}};

@@ -61,11 +61,11 @@ TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
   EXPECT_NEAR(*inspection.findings[0].finding.height_mm, 12.0, 1.0);
   for (const char* const picture :
        {"initial_depth.png", "final_depth.png", "changed.png", "not_inspected.png"})
-    EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(0) / picture)) << picture;
-  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map()));
-  EXPECT_THROW(inspector_->decide(id, "another comparison", 1, {Verdict::false_alarm, "", "Ann", "t"}), Error)
+    EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(inspection, 0) / picture)) << picture;
+  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map(inspection)));
+  EXPECT_THROW(inspector_->decide(id, 2, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error)
       << "of findings that are shown no more";
-  inspector_->decide(id, inspection.compared_at, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
+  inspector_->decide(id, inspection.comparison->number, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
   EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
 }
 
@@ -116,6 +116,56 @@ TEST_F(Standing, AFinalCaptureThatWasNotComparedIsNotDone) {
   EXPECT_EQ(inspector_->inspection(id).findings.size(), 1U);
 }
 
+// A finding was removed, and the bay is looked at again.
+TEST_F(Standing, AFinalSideThatIsTakenAgainLeavesTheEarlierOneWhereItIs) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  plug_->bump_mm = 12;
+  take(id, Side::final);
+  const Inspection before = inspector_->inspection(id);
+  ASSERT_EQ(before.findings.size(), 1U);
+  const std::filesystem::path earlier = inspector_->folder(id).capture(Side::final, before, 0, 0);
+  const auto taken_at = std::filesystem::last_write_time(earlier / "capture.json");
+  plug_->bump_mm = 0;
+  EXPECT_EQ(take(id, Side::final).end, TaskEnd::done);
+  const Inspection after = inspector_->inspection(id);
+  EXPECT_TRUE(after.findings.empty());
+  EXPECT_EQ(after.final->round, 2);
+  EXPECT_NE(inspector_->folder(id).capture(Side::final, after, 0, 0), earlier);
+  EXPECT_EQ(std::filesystem::last_write_time(earlier / "capture.json"), taken_at);
+  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(before, 0) / "changed.png"))
+      << "what a person has decided on can be looked at again";
+}
+
+TEST_F(Standing, ARoundThatWasEndedIsGoneOnWithAndTheEarlierOneHoldsUntilThen) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  plug_->bump_mm = 12;
+  take(id, Side::final);
+  inspector_->capture(id, Side::final, "Ann", false);
+  inspector_->cancel();
+  ASSERT_EQ(wait().end, TaskEnd::cancelled);
+  restart();
+  EXPECT_EQ(inspector_->inspection(id).final->round, 1);
+  inspector_->compare(id);
+  EXPECT_EQ(wait().end, TaskEnd::done) << "with the earlier one";
+  EXPECT_EQ(take(id, Side::final).end, TaskEnd::done);
+  EXPECT_EQ(inspector_->inspection(id).final->round, 2);
+}
+
+TEST_F(Standing, NothingIsWrittenThroughALink) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  std::filesystem::create_directory(folder_ / "elsewhere");
+  std::filesystem::create_directories(inspector_->folder(id).path());
+  std::filesystem::create_directory_symlink(folder_ / "elsewhere",
+                                            inspector_->folder(id).side(Side::initial, 1));
+  static_cast<void>(take(id, Side::initial));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "elsewhere"));
+  std::filesystem::remove_all(folder_ / "inspections");
+  std::filesystem::create_directory_symlink(folder_ / "elsewhere", folder_ / "inspections");
+  EXPECT_THROW(inspector_->capture(id, Side::initial, "Ann", false), Error);
+}
+
 TEST_F(Standing, TheBaselineIsTakenOnceAndNeedsToBeThere) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   take(id, Side::initial);
@@ -148,7 +198,7 @@ TEST_F(Standing, StepsOutOfOrderAreRefused) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   EXPECT_THROW(inspector_->capture(id, Side::final, "Ann", false), Error) << "no baseline";
   EXPECT_THROW(inspector_->compare(id), Error);
-  EXPECT_THROW(inspector_->decide(id, "", 1, {Verdict::false_alarm, "", "Ann", "t"}), Error);
+  EXPECT_THROW(inspector_->decide(id, 1, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error);
   EXPECT_THROW(inspector_->set_views(id, {{0, 0}, {5, 5}}), Error) << "it stands still";
   EXPECT_THROW(inspector_->capture(id + 1, Side::initial, "Ann", false), Error) << "no such inspection";
   EXPECT_THROW(static_cast<void>(inspector_->begin({"", "", "", "  "})), Error) << "nobody";
@@ -197,6 +247,8 @@ TEST(WithRobot, AFinalSideForWhichAnotherThingIsSaidIsBegunAnew) {
   const Inspection inspection = inspector.inspection(1);
   ASSERT_TRUE(inspection.final);
   EXPECT_FALSE(inspector.replaced_before_final(inspection)) << "it is under way no more";
+  EXPECT_EQ(inspection.final->round, 2) << "what was taken from another place stays as it was";
+  EXPECT_TRUE(std::filesystem::exists(inspector.folder(1).side(Side::final, 1) / "000" / "capture.json"));
   for (int view = 0; view < 3; ++view) {
     const auto taken = open_capture(inspector.folder(1).capture(Side::final, inspection, view, 0));
     EXPECT_EQ(taken->info().pose->base, inspection.initial->base) << view;

@@ -64,7 +64,7 @@ class Side3Views : public testing::Test {
   LiveCamera camera_;
   PluggedRobot robot_;
   Drive drive_;
-  SideCapture side_{{{0, 0}, {5, -5}, {-5, -10}}, folder_ / "initial", "base", 12, false};
+  SideCapture side_{{{0, 0}, {5, -5}, {-5, -10}}, folder_ / "initial", "base", 12};
   double noise_ = 0.0;
   std::vector<std::string> waited_;
 };
@@ -140,7 +140,7 @@ TEST(StandingCamera, TakesItsOneViewOnce) {
   const test::TemporaryFolder folder;
   const auto plug = std::make_shared<test::Plug>();
   LiveCamera camera(std::make_unique<test::WavingCamera>(plug), 1000.0);
-  const SideCapture side{{{0, 0}}, folder / "initial", "base", 8, false};
+  const SideCapture side{{{0, 0}}, folder / "initial", "base", 8};
   std::size_t frames = 0;
   const CaptureEvents events{[&](const CaptureProgress&) { ++frames; }, [](const NoiseSoFar&) {},
                              [](const std::string&) {}};

@@ -136,13 +136,13 @@ TEST_F(Asked, RolesMayDoWhatIsTheirs) {
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
   EXPECT_EQ(code("POST", "/api/inspections", R"({"person":"Ann"})"), "not-allowed");
   EXPECT_EQ(code("POST", "/api/readiness", "{}"), "not-allowed");
-  served_.records.set_account({"ann", PersonRole::operator_, hash_password("correct horse")});
+  sign_in(PersonRole::operator_);
   EXPECT_EQ(ask("POST", "/api/inspections", R"({"person":"Bob"})").status, 201);
   EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1").body)["person"], "ann")
       << "an account cannot lend a name";
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
             "not-allowed");
-  served_.records.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
+  sign_in(PersonRole::inspector);
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision",
                  R"({"verdict":"false-alarm","compared_at":"t"})"),
             "refused");

@@ -49,9 +49,13 @@ TEST_F(SignIn, EndsWithSignOutAndWithTheAccount) {
   EXPECT_FALSE(sessions_.person(a, 1.0));
   EXPECT_TRUE(sessions_.person(b, 1.0));
   records_.set_account({"ann", PersonRole::operator_, hash_password("correct horse")});
-  EXPECT_EQ(sessions_.person(b, 1.0)->role, PersonRole::operator_) << "a new role holds at once";
+  EXPECT_FALSE(sessions_.person(b, 1.0)) << "a new password or role ends sign-ins";
+  const std::string c = sessions_.sign_in("ann", "correct horse", "here", 2.0).token;
+  EXPECT_EQ(sessions_.person(c, 3.0)->role, PersonRole::operator_);
   records_.remove_account("ann");
-  EXPECT_FALSE(sessions_.person(b, 1.0));
+  EXPECT_FALSE(sessions_.person(c, 3.0));
+  records_.set_account({"ann", PersonRole::operator_, hash_password("correct horse")});
+  EXPECT_FALSE(sessions_.person(c, 3.0)) << "an account of the same name is another one";
 }
 
 TEST_F(SignIn, GuessingIsSlowedDown) {

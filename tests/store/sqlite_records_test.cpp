@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "inspect/inspection_folder.hpp"
 #include "store/schema.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -30,12 +31,14 @@ class Kept : public testing::Test {
   }
   std::int64_t add() {
     return records_->add_inspection({"N1", "bay 3", "WO 7", "Ann O'Neil \"x\"; drop table view"},
-                                    "2026-01-01T00:00:00Z", 4);
+                                    "2026-01-01T00:00:00Z", 4, {{0, 0}});
   }
 
   test::TemporaryFolder folder_;
   std::unique_ptr<SqliteRecords> records_;
 };
+
+RecordedComparison comparison(int number) { return {number, "t", InspectionFolder::comparison_name(number)}; }
 
 ReviewedFinding finding(int number) {
   ReviewedFinding reviewed;
@@ -58,7 +61,7 @@ TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
   records_->set_views(id, {{-10.5, 3}, {12, -20.15}});
   records_->set_side(id, Side::initial, {"2026-01-01T01:00:00Z", "Ann", "base"});
   records_->set_side(id, Side::final, {"2026-01-01T02:00:00Z", "Bob", "other"});
-  records_->set_comparison(id, "2026-01-01T03:00:00Z",
+  records_->set_comparison(id, {1, "2026-01-01T03:00:00Z", "comparison-1"},
                            {{0, "spatial", {0.9, 0.06, 0.04, {}}, 0.8, {"a \"word\""}}},
                            {finding(1), finding(2)});
   open();
@@ -85,7 +88,7 @@ TEST_F(Kept, WhatAMethodCouldNotGiveStaysEmpty) {
   const std::int64_t id = add();
   ReviewedFinding bare;
   bare.number = bare.same_as = 1;
-  records_->set_comparison(id, "x", {}, {bare});
+  records_->set_comparison(id, comparison(1), {}, {bare});
   const ReviewedFinding back = records_->find(id)->findings.at(0);
   EXPECT_FALSE(back.finding.position_m || back.in_foot_m || back.finding.size_mm || back.finding.height_mm ||
                back.finding.score || back.finding.p_value || back.decision);
@@ -100,12 +103,12 @@ TEST_F(Kept, NewestInspectionsComeFirst) {
 
 TEST_F(Kept, TheLastDecisionHoldsAndANewComparisonBeginsAnew) {
   const std::int64_t id = add();
-  records_->set_comparison(id, "first", {}, {finding(1)});
-  records_->decide(id, "first", 1, {Verdict::second_look, "?", "Ann", "t1"});
-  records_->decide(id, "first", 1, {Verdict::debris_removed, "a collar", "Bob", "t2"});
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
+  records_->decide(id, 1, 1, {Verdict::second_look, "?", "Ann", "t1"});
+  records_->decide(id, 1, 1, {Verdict::debris_removed, "a collar", "Bob", "t2"});
   EXPECT_EQ(records_->find(id)->findings[0].decision->verdict, Verdict::debris_removed);
   EXPECT_EQ(records_->find(id)->findings[0].decision->person, "Bob");
-  records_->set_comparison(id, "second", {}, {finding(1)});
+  records_->set_comparison(id, comparison(2), {}, {finding(1)});
   EXPECT_FALSE(records_->find(id)->findings[0].decision);
   SQLite::Database file((folder_ / "rva.db").string());
   EXPECT_EQ(file.execAndGet("select count(*) from decision").getInt(), 2)
@@ -114,17 +117,18 @@ TEST_F(Kept, TheLastDecisionHoldsAndANewComparisonBeginsAnew) {
 
 TEST_F(Kept, WhatIsCapturedAnewIsNotCompared) {
   const std::int64_t id = add();
-  records_->set_comparison(id, "first", {}, {finding(1)});
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
   records_->set_side(id, Side::final, {"t", "Ann", "base"});
   const Inspection inspection = *records_->find(id);
-  EXPECT_EQ(inspection.compared_at, "");
+  EXPECT_FALSE(inspection.comparison);
   EXPECT_TRUE(inspection.findings.empty());
-  EXPECT_THROW(records_->decide(id, "first", 1, {}), Error);
+  EXPECT_THROW(records_->decide(id, 1, 1, {}), Error);
 }
 
 TEST_F(Kept, RegionsThatAreLeftOutComeBackAndEndTheComparison) {
   const std::int64_t id = add();
-  records_->set_comparison(id, "first", {{0, "spatial", {0.5, 0.1, 0.1, {}, 0.3}, 0.5, {}}}, {finding(1)});
+  records_->set_comparison(id, comparison(1), {{0, "spatial", {0.5, 0.1, 0.1, {}, 0.3}, 0.5, {}}},
+                           {finding(1)});
   EXPECT_EQ(records_->find(id)->compared.at(0).coverage.left_out, 0.3);
   const Polygon polygon{{0.5, 1}, {3, 1.25}, {2, 7}};
   records_->set_ignored(id, 1, {polygon, polygon});
@@ -132,7 +136,7 @@ TEST_F(Kept, RegionsThatAreLeftOutComeBackAndEndTheComparison) {
   open();
   const Inspection back = *records_->find(id);
   EXPECT_EQ(back.ignored, (std::map<int, std::vector<Polygon>>{{1, {polygon}}}));
-  EXPECT_EQ(back.compared_at, "") << "it was made without them";
+  EXPECT_FALSE(back.comparison) << "it was made without them";
   EXPECT_TRUE(back.findings.empty());
   EXPECT_THROW(records_->set_ignored(7, 0, {}), Error);
 }
@@ -141,7 +145,7 @@ TEST_F(Kept, AThingThatWasMovedNamesWhereItWas) {
   const std::int64_t id = add();
   ReviewedFinding moved = finding(1);
   moved.moved_from = 2;
-  records_->set_comparison(id, "first", {}, {moved, finding(2)});
+  records_->set_comparison(id, comparison(1), {}, {moved, finding(2)});
   EXPECT_EQ(records_->find(id)->findings[0].moved_from, 2);
   EXPECT_FALSE(records_->find(id)->findings[1].moved_from);
 }
@@ -157,6 +161,8 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
     file.exec("pragma user_version = 1");
     file.exec(
         "insert into inspection values (1, 'N1', 'bay', 'WO', 'Ann', 't0', 't1', 4);"
+        "insert into side values (1, 'final', 't0', 'Ann', 'base');"
+        "insert into account values ('ann', 'viewer', 'h');"
         "insert into compared_view values (1, 0, 'spatial', 0.9, 0.06, 0.04, 0.8, '[]');"
         "insert into finding values (1, 't1', 1, 0, 1, 'added', '[1,2,3,4]', '[2.5,4]', null, null, null, 7, "
         "9, null);"
@@ -166,26 +172,88 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   const Inspection back = *records.find(1);
   ASSERT_THAT(back.findings, SizeIs(1));
   EXPECT_EQ(back.findings[0].decision->note, "a bolt");
+  EXPECT_EQ(back.comparison->number, 1);
+  EXPECT_EQ(back.comparison->compared_at, "t1");
+  EXPECT_EQ(back.final->round, 1);
+  EXPECT_EQ(records.accounts().at(0).generation.size(), 32U);
+  EXPECT_NO_THROW(records.decide(1, 1, 1, {Verdict::false_alarm, "", "Ann", "t3"}));
+  EXPECT_NO_THROW(records.set_comparison(1, comparison(2), {}, {finding(1)}));
   EXPECT_FALSE(back.findings[0].moved_from || back.compared.at(0).coverage.left_out);
   EXPECT_TRUE(back.ignored.empty());
   EXPECT_NO_THROW(records.set_ignored(1, 0, {{{0, 0}, {1, 0}, {0, 1}}}));
   EXPECT_NO_THROW(SqliteRecords{old}) << "once";
 }
 
+// The clock of a computer without a battery stands at one time, or steps back.
+TEST_F(Kept, ComparisonsAreToldApartByNumbersWhateverTheClockSays) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, {1, "noon", "comparison-1"}, {}, {finding(1)});
+  records_->decide(id, 1, 1, {Verdict::false_alarm, "", "Ann", "noon"});
+  records_->set_comparison(id, {2, "noon", "comparison-2"}, {}, {finding(1)});
+  EXPECT_FALSE(records_->find(id)->findings[0].decision);
+  EXPECT_THROW(records_->decide(id, 1, 1, {Verdict::false_alarm, "", "Ann", "noon"}), Error);
+  EXPECT_EQ(records_->find(id)->comparisons, 2);
+}
+
+TEST_F(Kept, ARoundUnderWayIsKnownUntilItIsComplete) {
+  const std::int64_t id = add();
+  records_->begin_side(id, Side::final, {1, "Ann", "base"});
+  EXPECT_EQ(records_->find(id)->begun.at(Side::final).round, 1);
+  EXPECT_FALSE(records_->find(id)->final);
+  records_->set_side(id, Side::final, {"t1", "Ann", "base", 1});
+  EXPECT_TRUE(records_->find(id)->begun.empty());
+  records_->begin_side(id, Side::final, {2, "Bob", "other"});
+  open();
+  EXPECT_EQ(records_->find(id)->final->round, 1) << "the earlier round holds until then";
+  EXPECT_EQ(records_->find(id)->begun.at(Side::final).base, "other");
+  records_->set_side(id, Side::final, {"t2", "Bob", "other", 2});
+  EXPECT_EQ(records_->find(id)->final->person, "Bob");
+}
+
+TEST_F(Kept, TheListSaysOfEachWhatItsInspectionSays) {
+  const auto list = [this] {
+    std::vector<InspectionSummary> all = records_->summaries();
+    for (const InspectionSummary& summary : all) {
+      const InspectionSummary whole = summary_of(*records_->find(summary.id));
+      EXPECT_EQ(summary.stage, whole.stage) << summary.id;
+      EXPECT_EQ(summary.findings, whole.findings) << summary.id;
+      EXPECT_EQ(summary.undecided, whole.undecided) << summary.id;
+      EXPECT_EQ(summary.order.person, whole.order.person) << summary.id;
+      EXPECT_EQ(summary.final ? summary.final->round : 0, whole.final ? whole.final->round : 0) << summary.id;
+    }
+    return all;
+  };
+  const std::int64_t id = add();
+  add();
+  EXPECT_EQ(list().at(1).stage, Stage::baseline);
+  records_->set_side(id, Side::initial, {"t", "Ann", "base"});
+  EXPECT_EQ(list().at(1).stage, Stage::work);
+  records_->set_side(id, Side::final, {"t", "Ann", "base", 2});
+  records_->begin_side(id, Side::final, {3, "Ann", "base"});
+  records_->set_comparison(id, comparison(1), {{0, "static", {1, 0, 0, {}}, 1, {}}},
+                           {finding(1), finding(2)});
+  EXPECT_EQ(list().at(1).undecided, 2U);
+  records_->decide(id, 1, 1, {Verdict::false_alarm, "", "Ann", "t"});
+  records_->decide(id, 1, 2, {Verdict::false_alarm, "", "Ann", "t"});
+  EXPECT_EQ(list().at(1).stage, Stage::done);
+  records_->decide(id, 1, 2, {Verdict::second_look, "", "Ann", "t"});
+  EXPECT_EQ(list().at(1).stage, Stage::review);
+}
+
 TEST_F(Kept, WhatIsNotThereCannotBeChanged) {
   EXPECT_THROW(records_->set_views(7, {{0, 0}}), Error);
   EXPECT_THROW(records_->set_side(7, Side::initial, {}), Error);
-  EXPECT_THROW(records_->set_comparison(7, "t", {}, {}), Error);
+  EXPECT_THROW(records_->set_comparison(7, comparison(1), {}, {}), Error);
   const std::int64_t id = add();
-  EXPECT_THROW(records_->decide(id, "", 1, {}), Error);
+  EXPECT_THROW(records_->decide(id, 1, 1, {}), Error);
 }
 
 TEST_F(Kept, AFailedChangeLeavesAllAsItWas) {
   const std::int64_t id = add();
-  records_->set_comparison(id, "first", {}, {finding(1)});
-  EXPECT_THROW(records_->set_comparison(id, "second", {}, {finding(1), finding(1)}), Error)
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
+  EXPECT_THROW(records_->set_comparison(id, comparison(2), {}, {finding(1), finding(1)}), Error)
       << "a number twice";
-  EXPECT_EQ(records_->find(id)->compared_at, "first");
+  EXPECT_EQ(records_->find(id)->comparison->number, 1);
   EXPECT_THAT(records_->find(id)->findings, SizeIs(1));
 }
 
@@ -194,6 +262,9 @@ TEST_F(Kept, AccountsAreAddedReplacedAndRemoved) {
   records_->set_account({"ann", PersonRole::inspector, "h2"});
   ASSERT_THAT(records_->accounts(), SizeIs(1));
   EXPECT_EQ(records_->accounts()[0].role, PersonRole::inspector);
+  const std::string generation = records_->accounts()[0].generation;
+  records_->set_account({"ann", PersonRole::inspector, "h2"});
+  EXPECT_NE(records_->accounts()[0].generation, generation);
   EXPECT_TRUE(records_->remove_account("ann"));
   EXPECT_FALSE(records_->remove_account("ann"));
 }
@@ -204,7 +275,8 @@ TEST_F(Kept, WhatWasSaidToBeDoneSurvivesAKill) {
   const pid_t child = ::fork();
   if (child == 0) {
     SqliteRecords records(folder_ / "rva.db");
-    for (int i = 0; i < 3; ++i) static_cast<void>(records.add_inspection({"", "", "", "Ann"}, "t", 1));
+    for (int i = 0; i < 3; ++i)
+      static_cast<void>(records.add_inspection({"", "", "", "Ann"}, "t", 1, {{0, 0}}));
     ::kill(::getpid(), SIGKILL);
   }
   int status = 0;

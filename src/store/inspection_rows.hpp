@@ -1,0 +1,29 @@
+// Inspections as rows of SqliteRecords' tables.
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "inspect/inspection.hpp"
+
+namespace rva {
+
+/// Empty where there is none of this id.
+[[nodiscard]] std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64_t id);
+
+/// @throws Error where there is none of this id
+void require_inspection(SQLite::Database& database, std::int64_t id);
+
+/// Takes the place of the views that it had.
+void replace_views(SQLite::Database& database, std::int64_t id, const std::vector<PanTilt>& views);
+
+/// Takes the place of the coverage of an earlier comparison.
+void replace_compared_views(SQLite::Database& database, std::int64_t id,
+                            const std::vector<ComparedView>& views);
+
+/// The comparison holds no more; its findings and the decisions on them stay in the record.
+void forget_comparison(SQLite::Database& database, std::int64_t id);
+
+}  // namespace rva

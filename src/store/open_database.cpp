@@ -1,0 +1,73 @@
+#include "store/open_database.hpp"
+
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include "core/path_text.hpp"
+#include "store/schema.hpp"
+
+namespace rva {
+namespace {
+
+// Not the first four bytes of the file's header alone: another program's database is refused.
+constexpr int our_application = 0x52564131;  // "RVA1"
+constexpr int busy_limit_ms = 5000;
+
+void bring_up_to_date(SQLite::Database& database, int version) {
+  if (version == schema_version) return;
+  SQLite::Transaction transaction(database);
+  if (version < 1) database.exec(schema);
+  if (version < 2) database.exec(schema_2_from_1);
+  database.exec(schema_3_from_2);
+  database.exec(fmt::format("pragma application_id = {}", our_application));
+  database.exec(fmt::format("pragma user_version = {}", schema_version));
+  transaction.commit();
+}
+
+}  // namespace
+
+SQLite::Database open_database(const std::filesystem::path& file) {
+  const std::string place = printable(file);
+  try {
+    SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_limit_ms);
+    const int application = database.execAndGet("pragma application_id");
+    const int version = database.execAndGet("pragma user_version");
+    const int tables = database.execAndGet("select count(*) from sqlite_master");
+    if (application != our_application && (application != 0 || tables > 0))
+      throw Error(place, "is a database of another program", "give another --data folder");
+    if (version > schema_version)
+      throw Error(place, "was written by a newer version of this program", "use that one");
+    database.exec("pragma journal_mode = wal");
+    database.exec("pragma synchronous = full");
+    bring_up_to_date(database, version);
+    database.exec("pragma foreign_keys = on");  // not before: tables take the place of others
+    return database;
+  } catch (const SQLite::Exception& failure) {
+    throw database_error(place, failure);
+  }
+}
+
+Error database_error(const std::string& place, const SQLite::Exception& failure) {
+  switch (failure.getErrorCode()) {
+    case SQLITE_FULL:
+      return {place, "cannot be written: the disk is full", "free some space, and try again"};
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {place, "is in use by another program", "wait for it, and try again"};
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return {place, "cannot be opened or written", "look at the folder, and at the file's rights"};
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return {place, "is damaged, or no database", "restore it from a copy"};
+    case SQLITE_IOERR:
+      return {place, "cannot be read or written: the disk fails", "look at the disk"};
+    default:
+      return {place, fmt::format("refuses the change (database error {})", failure.getExtendedErrorCode()),
+              "try again, and report this number if it comes again"};
+  }
+}
+
+}  // namespace rva
