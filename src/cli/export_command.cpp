@@ -1,16 +1,15 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "depth/open3d_writer.hpp"
@@ -30,28 +29,15 @@ struct ExportArguments {
   bool overwrite = false;
 };
 
-void write_points(const fs::path& file, const std::string& to, std::span<const MapPoint> points) {
-  to == "ply" ? write_ply(file, points, PointFrame::depth_camera)
-              : write_pcd(file, points, PointFrame::depth_camera);
-}
-
 void export_points(const ExportArguments& arguments, const Capture& capture) {
   const fs::path file = arguments.out;
   std::error_code failure;
   if (fs::exists(file, failure) && (!arguments.overwrite || !fs::is_regular_file(file, failure)))
     throw Error(printable(file), "is there already",
                 "choose another name, or give --overwrite to replace a file");
-  const fs::path partial = file.native() + fmt::format(".partial-{}", ::getpid());
-  try {
-    write_points(partial, arguments.to, points_of(capture, terminal_progress()));
-    fs::rename(partial, file, failure);
-    if (failure)
-      throw Error(printable(file), fmt::format("cannot be put in place ({})", failure.message()),
-                  "check the permissions there or choose another place");
-  } catch (...) {
-    fs::remove(partial, failure);
-    throw;
-  }
+  const std::vector<MapPoint> points = points_of(capture, terminal_progress());
+  replace_file(file, arguments.to == "ply" ? encode_ply(points, PointFrame::depth_camera)
+                                           : encode_pcd(points, PointFrame::depth_camera));
 }
 
 void export_capture(const ExportArguments& arguments) {

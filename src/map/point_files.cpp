@@ -36,7 +36,7 @@ std::string_view name_of(PointFrame frame) {
 
 // Both formats are a few words and numbers. PCL's writers add a camera to the one that CloudCompare complains
 // about, and do not notice a full disk; its readers hold ours to what others expect (tests/map).
-void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame) {
+std::string encode_ply(std::span<const MapPoint> points, PointFrame frame) {
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment metres, in the frame of {}\nelement vertex {}\n"
       "property float x\nproperty float y\nproperty float z\n"
@@ -46,10 +46,10 @@ void write_ply(const std::filesystem::path& path, std::span<const MapPoint> poin
     append(point.position_m, bytes);
     for (const std::uint8_t shade : {point.color.r, point.color.g, point.color.b}) append(shade, bytes);
   }
-  write_file(path, bytes);
+  return bytes;
 }
 
-void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame) {
+std::string encode_pcd(std::span<const MapPoint> points, PointFrame frame) {
   std::string bytes = fmt::format(
       "# .PCD v0.7 - metres, in the frame of {1}\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\n"
       "TYPE F F F F\nCOUNT 1 1 1 1\nWIDTH {0}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {0}\nDATA binary\n",
@@ -59,7 +59,15 @@ void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> poin
     append((std::uint32_t{point.color.r} << 16U) | (std::uint32_t{point.color.g} << 8U) | point.color.b,
            bytes);
   }
-  write_file(path, bytes);
+  return bytes;
+}
+
+void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame) {
+  write_file(path, encode_ply(points, frame));
+}
+
+void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame) {
+  write_file(path, encode_pcd(points, frame));
 }
 
 }  // namespace rva

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "map/map_cloud.hpp"
 
@@ -15,6 +16,10 @@ enum class PointFrame {
 };
 
 // Binary, metres, with colour: what CloudCompare, MeshLab, Open3D (both) and PCL (both) open.
+[[nodiscard]] std::string encode_ply(std::span<const MapPoint> points, PointFrame frame);
+[[nodiscard]] std::string encode_pcd(std::span<const MapPoint> points, PointFrame frame);
+
+// The same as files.
 // @throws Error when it cannot be written; it may then be incomplete
 void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame);
 void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame);
