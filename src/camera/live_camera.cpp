@@ -13,13 +13,15 @@ namespace {
 constexpr std::size_t most_waiting = 30;
 constexpr std::chrono::milliseconds longest_silence{5000};
 constexpr std::chrono::milliseconds before_another_try{500};
+constexpr std::chrono::milliseconds between_questions{100};
 
 }  // namespace
 
 /// What one recorder has not taken yet; guarded by the camera's mutex.
 class LiveCamera::Reader : public Camera {
  public:
-  explicit Reader(LiveCamera& live) : live_(live), problems_(0) {
+  Reader(LiveCamera& live, std::function<void()> while_waiting)
+      : live_(live), while_waiting_(std::move(while_waiting)), problems_(0) {
     const std::lock_guard lock(live_.mutex_);
     problems_ = live_.problems_;
     last_ = live_.newest_;
@@ -40,7 +42,7 @@ class LiveCamera::Reader : public Camera {
 
   [[nodiscard]] CaptureInfo info() const override {
     std::unique_lock lock(live_.mutex_);
-    live_.changed_.wait_for(lock, longest_silence, [&] { return last_ || !waiting_.empty(); });
+    static_cast<void>(wait(lock, [&] { return last_ || !waiting_.empty(); }));
     if (last_) return last_->info;
     if (!waiting_.empty()) return waiting_.front()->info;
     throw silent();
@@ -48,9 +50,7 @@ class LiveCamera::Reader : public Camera {
 
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override {
     std::unique_lock lock(live_.mutex_);
-    const bool came = live_.changed_.wait_for(
-        lock, longest_silence, [&] { return !waiting_.empty() || problems_ != live_.problems_; });
-    throw_if_interrupted();
+    const bool came = wait(lock, [&] { return !waiting_.empty() || problems_ != live_.problems_; });
     if (waiting_.empty()) {
       if (!came) throw silent();
       problems_ = live_.problems_;
@@ -70,11 +70,30 @@ class LiveCamera::Reader : public Camera {
   }
 
  private:
+  // @return whether it came true before the camera counts as silent
+  template <typename Condition>
+  [[nodiscard]] bool wait(std::unique_lock<std::mutex>& lock, const Condition& condition) const {
+    const auto end = std::chrono::steady_clock::now() + longest_silence;
+    bool came = condition();
+    while (!came && std::chrono::steady_clock::now() < end) {
+      throw_if_interrupted();
+      if (while_waiting_) {
+        lock.unlock();
+        while_waiting_();
+        lock.lock();
+      }
+      came = live_.changed_.wait_for(lock, between_questions, condition);
+    }
+    throw_if_interrupted();
+    return came;
+  }
+
   [[nodiscard]] static Error silent() {
     return {"camera", "has given no frame for five seconds", "check its cable, or connect it again"};
   }
 
   LiveCamera& live_;
+  std::function<void()> while_waiting_;
   std::uint64_t problems_;
   std::deque<std::shared_ptr<const LiveFrame>> waiting_;
   std::shared_ptr<const LiveFrame> last_;
@@ -149,7 +168,9 @@ std::shared_ptr<const LiveFrame> LiveCamera::wait_for_other(const LiveFrame* see
   return newest_.get() == seen ? nullptr : newest_;
 }
 
-std::unique_ptr<Camera> LiveCamera::every_frame() { return std::make_unique<Reader>(*this); }
+std::unique_ptr<Camera> LiveCamera::every_frame(std::function<void()> while_waiting) {
+  return std::make_unique<Reader>(*this, std::move(while_waiting));
+}
 
 CameraHealth LiveCamera::health() const {
   const std::lock_guard lock(mutex_);

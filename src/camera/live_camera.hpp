@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -50,10 +51,12 @@ class LiveCamera {
   [[nodiscard]] std::shared_ptr<const LiveFrame> wait_for_other(const LiveFrame* seen,
                                                                 std::chrono::milliseconds limit) const;
 
-  /// The frames from now on, each once. It keeps the last second for a reader who is late, and drops the
-  /// oldest beyond, as a device does, which shows as a gap in the numbers. It fails when the camera does, or
-  /// is silent for five seconds. Must be closed before this object.
-  [[nodiscard]] std::unique_ptr<Camera> every_frame();
+  /// The frames from now on, each once. A signal that ends the program ends a wait (Interrupted). It keeps
+  /// the last second for a reader who is late, and drops the oldest beyond, as a device does, which shows as
+  /// a gap in the numbers. It fails when the camera does, or is silent for five seconds. Must be closed
+  /// before this object.
+  /// @param while_waiting called ten times a second while a frame is waited for; what it throws ends the wait
+  [[nodiscard]] std::unique_ptr<Camera> every_frame(std::function<void()> while_waiting = {});
 
   [[nodiscard]] CameraHealth health() const;
 

@@ -61,8 +61,9 @@ Clock clock_that_asks(const Witness& witness) {
           }};
 }
 
-void take_with_robot(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
-  const std::unique_ptr<Camera> frames = rig.camera.every_frame();
+void take_with_robot(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,
+                     const std::function<void()>& while_waiting) {
+  const std::unique_ptr<Camera> frames = rig.camera.every_frame(while_waiting);
   Witness witness(side, events, frames->info());
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
   const Clock clock = clock_that_asks(witness);
@@ -75,11 +76,12 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
              progress);
 }
 
-void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,
+                   const std::function<void()>& while_waiting) {
   const std::filesystem::path folder = side.folder / view_name(0);
   std::error_code ignored;
   if (std::filesystem::exists(folder, ignored)) return;
-  const std::unique_ptr<Camera> frames = rig.camera.every_frame();
+  const std::unique_ptr<Camera> frames = rig.camera.every_frame(while_waiting);
   Witness witness(side, events, frames->info());
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
   witness.begin_view(0);
@@ -88,11 +90,12 @@ void take_standing(const InspectionRig& rig, const SideCapture& side, const Capt
   out.commit();
 }
 
-void take_once(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+void take_once(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,
+               const std::function<void()>& while_waiting) {
   if (rig.drive != nullptr)
-    take_with_robot(rig, side, events);
+    take_with_robot(rig, side, events, while_waiting);
   else
-    take_standing(rig, side, events);
+    take_standing(rig, side, events, while_waiting);
 }
 
 // Why nothing can be taken just now; empty where everything answers.
@@ -129,10 +132,12 @@ void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureE
     last = now;
     events.progress(now);
   };
+  // Long waits for a frame end when the work is to end.
+  const std::function<void()> ask_whether_to_end = [&] { events.progress(last); };
   const ViewFolder folder(side.folder, ViewFolder::Start::resume, side.views.size());
   for (bool complete = false; !complete;) {
     try {
-      take_once(rig, side, noted);
+      take_once(rig, side, noted, ask_whether_to_end);
       complete = true;
     } catch (const UsageError&) {
       throw;

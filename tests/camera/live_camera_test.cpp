@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "tests/camera/scripted_camera.hpp"
 
 namespace rva {
@@ -67,6 +68,20 @@ TEST_F(Live, AReaderWhoIsLateLosesTheOldestFrames) {
   const auto reader = live_.every_frame();
   for (std::uint64_t number = 0; number < 50; ++number) give(number);
   EXPECT_THAT(numbers(*reader, 2), ElementsAre(20, 21)) << "thirty wait";
+}
+
+// A person who ends a capture does not wait until a camera counts as silent.
+TEST_F(Live, AWaitEndsWhenTheWorkIsToEnd) {
+  give(0);
+  int asked = 0;
+  const auto reader = live_.every_frame([&asked] {
+    if (++asked == 3) throw Interrupted(0);
+  });
+  EXPECT_THROW(static_cast<void>(reader->wait_for_frame()), Interrupted);
+  EXPECT_EQ(asked, 3);
+  give(1);
+  give(2);
+  EXPECT_THAT(numbers(*reader, 1), ElementsAre(2)) << "and the reader goes on";
 }
 
 TEST_F(Live, WhatWaitedIsForgottenOnRequest) {
