@@ -80,8 +80,8 @@ CameraInfo parse_camera(const JsonObject& object) {
 }
 
 // Refused before memory is taken for a single image of that size.
-void require_possible_size(const std::string& place, const Intrinsics& camera) {
-  if (camera.width <= max_image_pixels / camera.height) return;
+void require_possible_size(const std::string& place, const Intrinsics& camera, long most_pixels) {
+  if (camera.width <= most_pixels / camera.height) return;
   throw Error(place,
               fmt::format("states images of {}x{} pixels, larger than any camera of ours gives", camera.width,
                           camera.height),
@@ -167,8 +167,8 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const Captu
 }
 
 void require_possible(const CaptureInfo& info, const std::string& place) {
-  require_possible_size(place, info.depth);
-  if (info.color) require_possible_size(place, *info.color);
+  require_possible_size(place, info.depth, max_depth_pixels);
+  if (info.color) require_possible_size(place, *info.color, max_color_pixels);
   if (!(info.depth_unit_m >= 1e-7 && info.depth_unit_m <= 1.0)) {
     throw Error(place, fmt::format("a depth unit of {} m makes no sense", info.depth_unit_m),
                 "correct the description");

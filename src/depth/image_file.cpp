@@ -25,8 +25,8 @@ struct TurboJpegDelete {
 };
 using TurboJpeg = std::unique_ptr<void, TurboJpegDelete>;
 
-void require_reasonable_size(long width, long height, const std::string& place) {
-  if (width > 0 && height > 0 && width <= max_image_pixels / height) return;
+void require_reasonable_size(long width, long height, long most_pixels, const std::string& place) {
+  if (width > 0 && height > 0 && width <= most_pixels / height) return;
   throw Error(place,
               fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
               "check that the file is what it should be");
@@ -37,13 +37,13 @@ Error damaged(const std::string& place, std::string_view reason) {
 }
 
 // A decoder with the header read and judged, ready for spng_decode_image().
-Spng open_png(std::span<const std::byte> png, const std::string& place, spng_ihdr& header) {
+Spng open_png(std::span<const std::byte> png, long most_pixels, const std::string& place, spng_ihdr& header) {
   if (png.empty()) throw damaged(place, "the file is empty");
   Spng decoder(spng_ctx_new(0), spng_ctx_free);
   spng_set_chunk_limits(decoder.get(), 1U << 20U, 1U << 20U);
   spng_set_png_buffer(decoder.get(), png.data(), png.size());
   if (const int error = spng_get_ihdr(decoder.get(), &header)) throw damaged(place, spng_strerror(error));
-  require_reasonable_size(header.width, header.height, place);
+  require_reasonable_size(header.width, header.height, most_pixels, place);
   return decoder;
 }
 
@@ -56,7 +56,7 @@ void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, cons
 
 ColorImage decode_color_png(std::span<const std::byte> png, const std::string& place) {
   spng_ihdr header{};
-  const Spng decoder = open_png(png, place, header);
+  const Spng decoder = open_png(png, max_color_pixels, place, header);
   if (header.bit_depth > 8) throw Error(place, "a colour image of 16 bits a channel", "give one of 8 bits");
   ColorImage image(static_cast<int>(header.width), static_cast<int>(header.height));
   decode_png(decoder.get(), SPNG_FMT_RGB8, image.data(), image.size() * sizeof(Rgb), place);
@@ -74,7 +74,7 @@ ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place
       0) {
     throw damaged(place, tjGetErrorStr2(decoder.get()));
   }
-  require_reasonable_size(width, height, place);
+  require_reasonable_size(width, height, max_color_pixels, place);
   ColorImage image(width, height);
   // TJFLAG_STOPONWARNING: a JPEG that ends early is otherwise filled with grey and called sound.
   if (tjDecompress2(decoder.get(), bytes, jpeg.size(), reinterpret_cast<unsigned char*>(image.data()), width,
@@ -127,7 +127,7 @@ std::vector<std::byte> encode_jpeg(const unsigned char* pixels, int width, int h
 
 DepthImage decode_depth(std::span<const std::byte> png, const std::string& place) {
   spng_ihdr header{};
-  const Spng decoder = open_png(png, place, header);
+  const Spng decoder = open_png(png, max_depth_pixels, place, header);
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 16) {
     throw Error(
         place,
@@ -158,7 +158,7 @@ GrayImage read_gray(const std::filesystem::path& path) {
   const std::string place = printable(path);
   const std::vector<std::byte> png = read_file(path);
   spng_ihdr header{};
-  const Spng decoder = open_png(png, place, header);
+  const Spng decoder = open_png(png, max_depth_pixels, place, header);
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 8)
     throw Error(place, "not one channel of 8 bits", "record infrared as 8-bit grey PNG");
   GrayImage image(static_cast<int>(header.width), static_cast<int>(header.height));

@@ -11,8 +11,10 @@
 
 namespace rva {
 
-/// Images with more pixels are refused before any memory is taken for them; no depth camera comes near.
-inline constexpr long max_image_pixels = 32L << 20;
+/// Images with more pixels are refused before any memory is taken for them. The largest depth cameras give 5
+/// million pixels, and a comparison takes about 50 bytes for each.
+inline constexpr long max_depth_pixels = 8L << 20;
+inline constexpr long max_color_pixels = 32L << 20;
 
 /// @param png    a whole PNG file: one channel of 16 bits
 /// @param place  what to call it in an error

@@ -1,5 +1,6 @@
 #include "depth/image_file.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -76,6 +77,13 @@ TEST(ImageFile, ErrorsNameThePlace) {
   } catch (const Error& error) {
     EXPECT_EQ(error.place(), "depth/000003.png");
   }
+}
+
+// A file of 62 KB can state an image that takes gigabytes to compare.
+TEST(ImageFile, DepthLargerThanAnyCameraGivesIsRefused) {
+  EXPECT_EQ(decode_depth(encode_png(DepthImage(4096, 2048)), "x").size(), std::size_t{max_depth_pixels});
+  EXPECT_THAT([] { static_cast<void>(decode_depth(encode_png(DepthImage(4097, 2048)), "x")); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("larger than any camera")));
 }
 
 }  // namespace

@@ -57,20 +57,23 @@ ColorImage converted(const ImageMessage& image, int channels, int code, std::str
 }  // namespace
 
 int possible_side(std::uint32_t pixels, std::string_view place) {
-  if (pixels >= 1 && pixels <= max_image_pixels) return static_cast<int>(pixels);
+  if (pixels >= 1 && pixels <= max_color_pixels) return static_cast<int>(pixels);
   throw unsound(place, fmt::format("an image states a side of {} pixels", pixels));
 }
 
 void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, std::string_view place) {
   image.width = possible_side(width, place);
   image.height = possible_side(height, place);
-  if (image.width > max_image_pixels / image.height) {
+  if (image.width > max_color_pixels / image.height) {
     throw unsound(place, fmt::format("an image of {}x{} pixels, larger than any camera of ours gives",
                                      image.width, image.height));
   }
 }
 
 DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view place) {
+  if (image.width > max_depth_pixels / image.height)
+    throw unsound(place, fmt::format("a depth image of {}x{} pixels, larger than any camera of ours gives",
+                                     image.width, image.height));
   if (image.encoding == "32FC1") return depth_from_metres(copy_rows<float>(image, place), unit_m);
   if (image.encoding != "mono16" && image.encoding != "16UC1") throw unknown_encoding(image, "depth", place);
   return copy_rows<std::uint16_t>(image, place);
