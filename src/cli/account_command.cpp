@@ -10,6 +10,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
+#include "inspect/person_name.hpp"
 #include "server/password.hpp"
 #include "store/sqlite_records.hpp"
 
@@ -41,10 +42,16 @@ std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
 
 void add_account(const AccountArguments& arguments) {
   constexpr std::size_t most_name_bytes = 100;
-  if (arguments.name.empty() || arguments.name.size() > most_name_bytes || !is_utf8(arguments.name) ||
-      printable(arguments.name) != arguments.name)
-    throw UsageError("NAME", "is no name", fmt::format("give 1 to {} characters", most_name_bytes));
+  if (arguments.name.size() > most_name_bytes || !is_name_of_one_script(arguments.name))
+    throw UsageError(
+        "NAME", "is no name that everybody reads alike",
+        fmt::format("give up to {} letters, digits and single spaces of one script", most_name_bytes));
   const std::unique_ptr<SqliteRecords> records = open_records(arguments.data);
+  for (const Account& account : records->accounts()) {
+    if (account.name != arguments.name && look_alike(account.name, arguments.name))
+      throw Error(printable(arguments.name), "looks like the account " + printable(account.name),
+                  "give a name that nobody takes for it");
+  }
   records->set_account({arguments.name, *role_from_name(arguments.role), hash_password(read_password())});
   print("{} may sign in as {}\n", arguments.name, arguments.role);
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "depth/capture.hpp"
+#include "inspect/person_name.hpp"
 #include "inspect/view_comparison.hpp"
 #include "map/waypoints.hpp"
 #include "robot/dither.hpp"
@@ -25,15 +25,7 @@ constexpr double most_dither_deg = 2.3;
 std::string title(std::int64_t id) { return fmt::format("inspection {}", id); }
 
 void require_person(const std::string& person) {
-  // Blanks and marks of Unicode begin with these bytes; letters of all scripts but Latin's with other ones.
-  constexpr unsigned char general_punctuation = 0xE2;
-  const bool hidden =
-      std::ranges::any_of(person, [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; });
-  const bool legible = std::ranges::any_of(person, [](unsigned char byte) {
-    return std::isalnum(byte) != 0 || (byte >= 0xC3 && byte != general_punctuation);
-  });
-  if (hidden || !legible || person.find("\u202e") != std::string::npos)
-    throw Error("person", "nobody is named", "say who you are");
+  if (!is_legible_name(person)) throw Error("person", "nobody is named", "say who you are");
 }
 
 std::string base_of(std::int64_t id, bool replaced) {
@@ -96,7 +88,7 @@ void Inspector::require_same_rig(const Inspection& inspection) const {
   bool began_with_robot = inspection.dither > 1 || inspection.views.size() > 1;
   if (std::filesystem::exists(first / "capture.json", ignored)) {
     const std::optional<Pose> pose = open_capture(first)->info().pose;
-    began_with_robot = pose && pose->pan_deg;
+    began_with_robot = pose && pose->base == base_of(inspection.id, false);
   } else if (!began_with_robot) {
     return;  // nothing is there that could differ
   }
