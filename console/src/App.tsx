@@ -82,13 +82,13 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
   const inspection = useStore(openInspection);
   const ended = useStore(link.ended);
   const page = useStore(shownPage);
-  const compared_at = inspection?.compared_at;
+  const comparison = inspection?.comparison;
   // Findings that have come are looked at first.
   useEffect(() => {
     review.value = firstLook;
-    shownPage.value = compared_at ? 'review' : 'live';
+    shownPage.value = comparison ? 'review' : 'live';
     if (inspection?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
-  }, [inspection?.id, compared_at]);
+  }, [inspection?.id, comparison]);
 
   const drawing = page === 'regions' && inspection?.initial !== undefined;
 

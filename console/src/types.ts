@@ -160,6 +160,7 @@ export interface InspectionSummary {
   undecided_count: number;
   initial?: TakenSide;
   final?: TakenSide;
+  comparison?: number;
   compared_at?: string;
 }
 

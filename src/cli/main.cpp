@@ -65,10 +65,10 @@ int main(int argc, char** argv) {
   } catch (const rva::Interrupted& interrupted) {
     return 128 + interrupted.signal();
   } catch (const rva::UsageError& error) {
-    fmt::print(stderr, "rva: {}\n", error.what());
+    fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
     return rva::cli::status_usage;
   } catch (const rva::Error& error) {
-    fmt::print(stderr, "rva: {}\n", error.what());
+    fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
     return rva::cli::status_failed;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "rva: memory: not enough of it; close other programs or use fewer frames\n");

@@ -12,6 +12,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/folder_lock.hpp"
+#include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "inspect/inspector.hpp"
 #include "inspect/recovery.hpp"
@@ -50,7 +51,7 @@ void serve(ServeArguments arguments) {
   std::filesystem::create_directories(arguments.data, failure);
   const FolderLock lock(arguments.data);
   SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
-  const auto log = [](const std::string& line) { fmt::print(stderr, "rva: {}\n", line); };
+  const auto log = [](const std::string& line) { fmt::print(stderr, "rva: {}\n", printable(line)); };
   for (const std::string& line : recover_data(arguments.data, records)) log(line);
   LiveCamera camera(std::move(rig.camera));
   const std::unique_ptr<Drive> drive =

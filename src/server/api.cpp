@@ -4,6 +4,7 @@
 
 #include "core/clock.hpp"
 #include "core/path_text.hpp"
+#include "server/private_paths.hpp"
 #include "server/request_body.hpp"
 
 namespace rva {
@@ -73,13 +74,13 @@ ApiResponse Api::answer(const ApiRequest& request) const {
   try {
     return dispatch(request);
   } catch (const ApiError& error) {
-    return refusal(error.status(), error.code(), error.what());
+    return refusal(error.status(), error.code(), without_folders(error.what()));
   } catch (const UsageError& error) {
-    return refusal(400, "bad-request", error.what());
+    return refusal(400, "bad-request", without_folders(error.what()));
   } catch (const Error& error) {
-    return refusal(409, "refused", error.what());
+    return refusal(409, "refused", without_folders(error.what()));
   } catch (const std::exception& error) {
-    return refusal(500, "internal", "internal error: " + printable(error.what()));
+    return refusal(500, "internal", "internal error: " + without_folders(printable(error.what())));
   }
 }
 

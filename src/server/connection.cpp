@@ -7,6 +7,7 @@
 
 #include "core/clock.hpp"
 #include "server/http_answer.hpp"
+#include "server/private_paths.hpp"
 
 namespace rva {
 namespace {
@@ -200,7 +201,7 @@ asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& r
         try {
           co_return who_talks(request, caller);
         } catch (const Error& error) {
-          co_return refusal(503, "unavailable", error.what());
+          co_return refusal(503, "unavailable", without_folders(error.what()));
         }
       },
       asio::use_awaitable);

@@ -88,6 +88,7 @@ void Conversation::hear(std::string_view text, double now_s) {
     if (type == "lease") return lease(message, now_s);
     if (type == "stop") return stop();
   } catch (const ApiError& error) {
+    if (client_.empty()) throw ProtocolError(error.what());  // nothing is answered before a hello
     return refuse(error.code(), error.what());
   }
   throw ProtocolError("unknown message");
@@ -144,7 +145,7 @@ void Conversation::drive(const Json& message, double now_s) {
   const bool fresh = is_fresh(number_field(message, "stamp_ms") / 1000.0, now_s);
   const bool held = deflection != Deflection{};
   const auto holder = parts_.lease.holder(now_s);
-  if (!holder || holder->client != client_) {
+  if (person_.role < PersonRole::operator_ || !holder || holder->client != client_) {
     if (held) refuse("not-driving", "robot: you do not drive it; take the controls first");
     return;
   }

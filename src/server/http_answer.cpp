@@ -97,6 +97,7 @@ Response http_response(const ApiResponse& answer, bool keep_alive, bool tls) {
   response.set("X-Frame-Options", "DENY");
   response.set("Referrer-Policy", "no-referrer");
   response.set("Cross-Origin-Opener-Policy", "same-origin");
+  response.set("Cross-Origin-Resource-Policy", "same-origin");
   response.set("Content-Security-Policy",
                "default-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; "
                "form-action 'none'; frame-ancestors 'none'");

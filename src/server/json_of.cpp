@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "server/private_paths.hpp"
+
 namespace rva {
 namespace {
 
@@ -38,11 +40,13 @@ Json json_of(const ComparedView& view) {
                 {"unseen", view.coverage.unseen},
                 {"invalid", view.coverage.invalid}};
   if (view.coverage.left_out) coverage["left_out"] = *view.coverage.left_out;
+  Json warnings = Json::array();
+  for (const std::string& warning : view.warnings) warnings.push_back(without_folders(warning));
   return {{"view", view.view},
           {"method", view.method},
           {"coverage", coverage},
           {"judged", view.judged},
-          {"warnings", view.warnings}};
+          {"warnings", warnings}};
 }
 
 }  // namespace
@@ -107,7 +111,7 @@ Json json_of(const Inspection& inspection) {
 Json json_of(const Readiness& readiness) {
   Json items = Json::array();
   for (const ReadinessItem& item : readiness.items)
-    items.push_back({{"name", item.name}, {"ready", item.ready}, {"says", item.says}});
+    items.push_back({{"name", item.name}, {"ready", item.ready}, {"says", without_folders(item.says)}});
   return {{"ready", readiness.ready()}, {"checked_at", readiness.checked_at}, {"items", items}};
 }
 
@@ -131,8 +135,8 @@ Json json_of(const TaskState& task) {
   json["frames"] = task.progress.frames;
   json["done"] = task.done;
   json["total"] = task.total;
-  if (!task.waiting.empty()) json["waiting"] = task.waiting;
-  if (!task.problem.empty()) json["problem"] = task.problem;
+  if (!task.waiting.empty()) json["waiting"] = without_folders(task.waiting);
+  if (!task.problem.empty()) json["problem"] = without_folders(task.problem);
   if (task.noise)
     json["noise"] = {{"frames", task.noise->frames},
                      {"measured", task.noise->measured},
@@ -148,7 +152,7 @@ Json json_of(const DriveState& state, const RobotLimits& limits) {
     json["pan_deg"] = rounded(state.joints->pan_deg, 2);
     json["tilt_deg"] = rounded(state.joints->tilt_deg, 2);
   }
-  if (!state.problem.empty()) json["problem"] = state.problem;
+  if (!state.problem.empty()) json["problem"] = without_folders(state.problem);
   json["limits"] = {{"pan_deg", {limits.pan.min_deg, limits.pan.max_deg}},
                     {"tilt_deg", {limits.tilt.min_deg, limits.tilt.max_deg}}};
   return json;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "server/json_of.hpp"
+#include "server/private_paths.hpp"
 
 namespace rva {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 Json camera_json(const LiveCamera& camera, const LivePictures& pictures) {
   const CameraHealth health = camera.health();
   Json json{{"rate_hz", std::round(10.0 * health.rate_hz) / 10.0}, {"lost", health.lost}};
-  if (!health.problem.empty()) json["problem"] = health.problem;
+  if (!health.problem.empty()) json["problem"] = without_folders(health.problem);
   json["streams"] = Json::array();
   for (const Stream stream : pictures.streams()) json["streams"].push_back(name_of(stream));
   if (const auto live = camera.newest()) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <system_error>
+
 #include "core/path_text.hpp"
 #include "store/schema.hpp"
 
@@ -29,6 +31,10 @@ void bring_up_to_date(SQLite::Database& database, int version) {
 
 SQLite::Database open_database(const std::filesystem::path& file) {
   const std::string place = printable(file);
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, ignored)))
+    throw Error(place, "is a link, which would lead records out of the data folder",
+                "put the file in its place, or give another --data folder");
   try {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_limit_ms);
     const int application = database.execAndGet("pragma application_id");

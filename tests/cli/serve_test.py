@@ -126,7 +126,7 @@ class Capturing(WithARobot):
         self.console.wait_for(lambda status: status['task'].get('view', 0) >= 1)
         self.line.unplug()
         status = self.console.wait_for(lambda status: status['task'].get('waiting'))
-        self.assertIn(str(self.line.link), status['task']['waiting'])
+        self.assertIn(self.line.link.name, status['task']['waiting'])
         self.assertEqual(status['task']['end'], 'running')
         kept = sorted((self.folder / 'data').glob('**/depth/*.png'))
         self.line.plug_in()

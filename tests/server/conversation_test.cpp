@@ -59,6 +59,9 @@ TEST_F(Talk, BeginsWithAHelloOfThisVersion) {
         R"({"type":"hello"})", R"({"type":"hello","protocol":1})",
         R"({"type":"hello","protocol":1,"client":"short"})", "", "[]", "x", "{}"})
     EXPECT_THROW(talk()->hear(first, now_s()), ProtocolError) << first;
+  const std::string too_long =
+      Json{{"type", "hello"}, {"protocol", 1}, {"client", std::string(201, 'c')}}.dump();
+  EXPECT_THROW(talk()->hear(too_long, now_s()), ProtocolError) << "who has not greeted gets no other answer";
   const auto conversation = talk();
   conversation->offer(std::make_shared<const std::string>("status"));
   EXPECT_TRUE(all(*conversation).empty()) << "nothing is told to who has not greeted";
@@ -181,6 +184,15 @@ TEST_F(Talk, WhoMayNoLongerDriveDoesNot) {
   conversation->set_role(PersonRole::viewer);
   EXPECT_FALSE(served_.lease.holder(now_s()));
   EXPECT_TRUE(eventually([&] { return !served_.drive.state().driving; }));
+}
+
+TEST_F(Talk, TheControlsAloneDoNotMakeAViewerDrive) {
+  const auto viewer = talk(PersonRole::viewer);
+  viewer->hear(hello, now_s());
+  served_.lease.take({"0123456789abcdef", "Ann"}, false, now_s());
+  viewer->hear(drive(1.0, 1000.0), now_s());
+  EXPECT_THAT(all(*viewer).front().bytes, HasSubstr("not-driving"));
+  EXPECT_FALSE(served_.drive.state_after_asking().driving);
 }
 
 TEST_F(Talk, TheLeaseIsTakenOverWhenAskedAndNotByAViewer) {

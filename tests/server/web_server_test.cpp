@@ -242,6 +242,13 @@ TEST_F(Web, AccountsKeepStrangersOut) {
   EXPECT_THAT(get("/"), HasSubstr("200 OK")) << "the page itself asks who they are";
 }
 
+TEST_F(Web, WhatAPersonMaySeeIsKeptByNoBrowserAndNoOtherPage) {
+  for (const char* const path : {"/api/session", "/api/inspections", "/api/findable.png"}) {
+    EXPECT_THAT(get(path), HasSubstr("Cache-Control: no-store")) << path;
+    EXPECT_THAT(get(path), HasSubstr("Cross-Origin-Resource-Policy: same-origin")) << path;
+  }
+}
+
 TEST_F(Web, APortThatIsTakenIsSaid) {
   ServerOptions options;
   options.port = server_->port();

@@ -62,8 +62,8 @@ export const api = {
     call<object>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
   compare: (id: number) => call<object>('POST', `/api/inspections/${id}/compare`, {}),
   /** Of the findings that were seen: who decides on others that came meanwhile is refused. */
-  decide: ({ id, compared_at }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
-    call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { compared_at, verdict, note, person }),
+  decide: ({ id, comparison }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
+    call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { comparison, verdict, note, person }),
   checkReadiness: () => call<object>('POST', '/api/readiness', {}),
   cancel: () => call<object>('POST', '/api/cancel', {}),
   measure: (stream: Stream, points: { u: number; v: number }[]) =>
@@ -73,7 +73,7 @@ export const api = {
 
 /** A picture of a view's comparison; `version` changes when it was made anew. */
 export function pictureAddress(inspection: Inspection, view: number, name: string): string {
-  return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${encodeURIComponent(inspection.compared_at ?? '')}`;
+  return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${inspection.comparison ?? 0}`;
 }
 
 /** The first picture that the baseline has of a view; colour may be missing. */

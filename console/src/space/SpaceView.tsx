@@ -23,8 +23,7 @@ interface Stage {
 }
 
 async function load(inspection: Inspection, name: 'map' | 'changes', signal: AbortSignal): Promise<ArrayBuffer> {
-  const version = encodeURIComponent(inspection.compared_at ?? '');
-  const response = await fetch(`/api/inspections/${inspection.id}/${name}?v=${version}`, { signal });
+  const response = await fetch(`/api/inspections/${inspection.id}/${name}?v=${inspection.comparison ?? 0}`, { signal });
   if (!response.ok) throw new Error('There is no map of this inspection.');
   return response.arrayBuffer();
 }
@@ -72,7 +71,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
       scene.dispose();
       stage.current = null;
     };
-  }, [inspection.id, inspection.compared_at]);
+  }, [inspection.id, inspection.comparison]);
 
   useEffect(() => {
     const now = stage.current;
