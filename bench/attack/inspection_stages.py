@@ -1,0 +1,200 @@
+"""The server is killed at each step of an inspection, and started again: nothing acknowledged is lost, and the inspection
+goes on to its end."""
+import copy
+import dataclasses
+import random
+import shutil
+import threading
+import time
+
+from checks import check_captures, check_restarted, check_stopped
+from inspection_steps import PASSWORD, Steps
+from killing import Moment, Unkilled, draw_moment
+from ledger import Ledger
+from server import BROKEN_OFF, Refused, Server
+from setting import CAMERA, STUCK, Attempt, Problem, Unusable
+
+
+@dataclasses.dataclass(frozen=True)
+class Step:
+    """One that is attacked: its name, the member of Steps that does it, and how often it is killed with and without a robot."""
+    name: str
+    act: str
+    weight_with_robot: int
+    weight_without: int
+
+
+STORY = (Step('begin', 'begin', 1, 2), Step('views', 'views', 1, 0), Step('initial', 'initial', 2, 3),
+         Step('regions', 'regions', 0, 2), Step('final', 'final', 2, 4), Step('compare', 'compare', 1, 4),
+         Step('decide', 'decide', 1, 3), Step('retake', 'final', 3, 4), Step('decide-again', 'decide', 0, 1),
+         Step('retake-again', 'final', 2, 3), Step('accounts', 'accounts', 0, 2))
+WORK_BEGINS = 'final'  # from this step on, the bay is as after the work
+
+
+class WithRobot:
+    name = 'robot'
+
+    def arguments(self, setting, work_done):
+        return '--camera', CAMERA, '--robot', 'sim'
+
+    def begin(self, server, work_done):
+        server.ask('POST', 'simulation', {'done': work_done})
+
+
+class WithoutRobot:
+    """A recording takes the camera's place, since a simulated camera says where the robot has it."""
+    name = 'none'
+
+    def arguments(self, setting, work_done):
+        return '--camera', f'replay:{setting.input("standing-after" if work_done else "standing-before")}', '--robot', 'none'
+
+    def begin(self, server, work_done):
+        pass
+
+
+class Story:
+    """An inspection that nobody kills. Before each step, its data folder and its ledger are kept for those that are killed."""
+
+    def __init__(self, rig):
+        self.rig = rig
+        self.steps = [step for step in STORY if step.name != 'views' or isinstance(rig, WithRobot)]
+        self.kept = {}  # by step: data folder, ledger, Unkilled
+        self.data, self.ledger = None, Ledger()
+
+    def before(self, setting, step):
+        """Goes on until the step is done."""
+        while step.name not in self.kept:
+            self._advance(setting, self.steps[len(self.kept)])
+        return self.kept[step.name]
+
+    def work_done(self, step):
+        names = [each.name for each in self.steps]
+        return names.index(step.name) >= names.index(WORK_BEGINS)
+
+    def _advance(self, setting, step):
+        if self.data is None:
+            self.data = setting.fresh(f'story-{self.rig.name}')
+            self._begin_another(setting)
+        kept = setting.fresh(f'story-{self.rig.name}-{step.name}')
+        shutil.copytree(self.data, kept, dirs_exist_ok=True)
+        ledger = copy.deepcopy(self.ledger)
+        control = setting.killer.control()
+        server = start(setting, self.rig, self.data, setting.folder / 'story.log', self.work_done(step), self.ledger,
+                       setting.killer.environment(control))
+        try:
+            steps = Steps(setting, server, self.ledger, self.data)
+            control.arm()
+            began = time.monotonic()
+            getattr(steps, step.act)()
+            unkilled = Unkilled(time.monotonic() - began, control.calls())
+            steps.look()
+        finally:
+            server.stop()
+            control.close()
+        self.kept[step.name] = kept, ledger, unkilled
+
+    def _begin_another(self, setting):
+        """An inspection on which nothing is done, and which must stay as it is."""
+        server = start(setting, self.rig, self.data, setting.folder / 'story.log', False, self.ledger)
+        try:
+            Steps(setting, server, self.ledger, self.data).begin()
+            self.ledger.current = None
+        finally:
+            server.stop()
+
+
+def start(setting, rig, data, log, work_done, ledger, environment=None):
+    server = Server(setting, data, rig.arguments(setting, work_done), log, environment, ('ann', PASSWORD))
+    try:
+        rig.begin(server, work_done)
+    except BaseException:
+        server.kill()
+        raise
+    return server
+
+
+class InspectionStage:
+    def __init__(self, rig, story, step, weight):
+        self.name, self.rig, self.story, self.step, self.weight = f'serve-{rig.name}-{step.name}', rig, story, step, weight
+
+    def attempt(self, setting, number, seed, evidence):
+        """Kills the server once at this step. What is seen lies in the folder `evidence` afterwards."""
+        try:
+            kept, ledger, unkilled = self.story.before(setting, self.step)
+        except (Refused, *BROKEN_OFF) as error:
+            raise Unusable(f'without a kill: {error}') from error
+        moment = draw_moment(random.Random(f'{seed} {self.name} {number}'), unkilled)
+        data = evidence / 'data'
+        shutil.copytree(kept, data)
+        ledger = copy.deepcopy(ledger)
+        moment, problems = self._kill(setting, data, ledger, moment, evidence)
+        ledger.note_captures(data, acknowledged=bool(ledger.owed))
+        shutil.copytree(data, evidence / 'after-kill')
+        problems += check_captures(ledger, data, 'just after the kill')
+        problems += self._go_on(setting, data, ledger, evidence)
+        return Attempt(self.name, number, moment, True, list(dict.fromkeys(problems)))
+
+    def _kill(self, setting, data, ledger, moment, evidence):
+        """A step that is done before its moment comes is killed afterwards: it has been acknowledged then.
+
+        Returns when it was killed, and problems."""
+        control = setting.killer.control()
+        server = start(setting, self.rig, data, evidence / 'killed.log', self.story.work_done(self.step), ledger,
+                       setting.killer.environment(control, moment))
+        timer = threading.Timer(moment.seconds or 0.0, server.process.kill)
+        problems = []
+        began = time.monotonic()
+        control.arm()
+        if not moment.at_call:
+            timer.start()
+        try:
+            getattr(Steps(setting, server, ledger, data), self.step.act)()
+        except BROKEN_OFF as error:
+            if not server.is_dead():
+                problems = [Problem(STUCK, f'not killed, and yet: {error!r}')]
+        except Refused as refused:
+            problems = [Problem(STUCK, f'not killed, and yet: {refused}')]
+        finally:
+            timer.cancel()
+            server.kill()
+        if moment.at_call and not control.struck():
+            moment = Moment(seconds=time.monotonic() - began)
+        control.close()
+        return moment, problems
+
+    def _go_on(self, setting, data, ledger, evidence):
+        """The server is started again, and what is missing is done; then the final side is taken once more."""
+        problems, logs = [], []
+
+        def started(work_done):
+            logs.append(evidence / f'restarted-{len(logs)}.log')
+            return start(setting, self.rig, data, logs[-1], work_done, ledger)
+
+        try:
+            work_done = self.story.work_done(self.step)
+            server = started(work_done)
+            try:
+                problems += check_restarted(setting, server, ledger, data)
+                steps = Steps(setting, server, ledger, data)
+                if not work_done:
+                    steps.to_the_work()
+                    server.stop()
+                    server = steps.server = started(True)
+                steps.to_the_end()
+            finally:
+                if not server.stop():
+                    problems.append(Problem(STUCK, 'the server does not end'))
+        except (Refused, *BROKEN_OFF) as error:
+            return [*problems, Problem(STUCK, f'cannot be carried to its end: {error!r}')]
+        if ledger.known()['stage'] != 'done':
+            problems.append(Problem(STUCK, f'all is decided, but its stage is {ledger.known()["stage"]}'))
+        said = ''.join(log.read_text(errors='replace') for log in logs)
+        return problems + check_captures(ledger, data, 'at the end') + check_stopped(ledger, data, said)
+
+
+def inspection_stages():
+    stages = []
+    for rig, weight_of in ((WithRobot(), lambda step: step.weight_with_robot), (WithoutRobot(), lambda step: step.weight_without)):
+        story = Story(rig)
+        stages += [InspectionStage(rig, story, step, weight_of(step)) for step in story.steps if weight_of(step) > 0]
+    return stages

@@ -1,0 +1,112 @@
+"""An inspection, step by step, as a person carries it out. Every answer goes into the ledger."""
+from killing import run
+from setting import Unusable
+
+PASSWORD = 'correct horse'
+VIEWS = [{'pan_deg': pan, 'tilt_deg': -20.0} for pan in (0.0, 6.0)]
+REGION = [[[0.0, 0.0], [60.0, 0.0], [60.0, 60.0]]]
+
+
+class Steps:
+    def __init__(self, setting, server, ledger, data):
+        self.setting, self.server, self.ledger, self.data = setting, server, ledger, data
+
+    def begin(self):
+        with self.ledger.asking('begin'):
+            answer = self.server.ask('POST', 'inspections', {'aircraft': 'A1', 'zone': 'wing', 'work_order': '7',
+                                                             'person': self.server.person})
+            self.ledger.note(answer)
+            self.ledger.current = answer['id']
+
+    def views(self):
+        with self.ledger.asking('views', VIEWS):
+            self.ledger.note(self.server.ask('PUT', self._path('views'), {'views': VIEWS}))
+
+    def initial(self):
+        self._capture('initial')
+        self.ledger.owed.add('initial')
+
+    def regions(self):
+        views = [dict(view) for view in self.ledger.known()['views']]
+        views[0]['ignore'] = REGION
+        with self.ledger.asking('regions', views):
+            self.ledger.note(self.server.ask('PUT', self._path('regions'), {'view': 0, 'ignore': REGION}))
+
+    def final(self):
+        """Also one that takes the place of an earlier final side."""
+        self._capture('final')
+        self.ledger.owed |= {'final', 'comparison'}
+
+    def compare(self):
+        with self.ledger.asking('comparison'):
+            self.server.do(self._path('compare'), {})
+        self.ledger.owed.add('comparison')
+
+    def decide(self):
+        """On all findings of the last comparison on which nobody has decided."""
+        inspection = self.ledger.known()
+        for finding in inspection['findings']:
+            if 'decision' in finding:
+                continue
+            note = f'note {len(self.ledger.notes)}'
+            with self.ledger.asking('decide'):
+                answer = self.server.ask('POST', self._path(f'findings/{finding["number"]}/decision'),
+                                         {'compared_at': inspection['compared_at'], 'verdict': 'false-alarm', 'note': note,
+                                          'person': self.server.person})
+                self.ledger.notes.append(note)
+                self.ledger.note(answer)
+
+    def accounts(self):
+        """By the command line, while the server runs."""
+        self._account('add', 'ann', '--role', 'inspector')
+        self.ledger.accounts['ann'] = 'inspector'
+        self.server.sign_in('ann', PASSWORD)
+        self._account('add', 'bob', '--role', 'viewer')
+        self.ledger.accounts['bob'] = 'viewer'
+        self._account('remove', 'bob')
+        del self.ledger.accounts['bob']
+
+    def look(self):
+        self.ledger.look(self.server, self.data)
+
+    def to_the_work(self):
+        """Whatever of it is missing after a kill, up to the initial side."""
+        if self.ledger.current is None:
+            self.begin()
+        self._ask_again()
+        if 'initial' not in self.ledger.known():
+            self.initial()
+            self.look()
+
+    def to_the_end(self):
+        """Whatever is missing after a kill, then the final side once more, all decided."""
+        self._ask_again()
+        if 'final' not in self.ledger.known():
+            self.final()
+        elif 'compared_at' not in self.ledger.known():
+            self.compare()
+        self.look()
+        self.decide()
+        self.final()
+        self.look()
+        self.decide()
+        self.look()
+
+    def _ask_again(self):
+        """After a kill: what there is now counts, and nothing is pending any more."""
+        self.ledger.note(self.server.ask('GET', f'inspections/{self.ledger.current}'))
+        self.ledger.pending = self.ledger.wanted_views = None
+        self.ledger.owed.clear()
+
+    def _capture(self, side):
+        with self.ledger.asking(side):
+            self.server.do(self._path('capture'), {'side': side, 'person': self.server.person, 'replaced': False})
+
+    def _account(self, *arguments):
+        """Not killed itself: what it says that it did counts."""
+        ended = run([self.setting.rva, 'account', *arguments, '--data', self.data], self.data, PASSWORD + '\n')
+        if ended.status != 0:
+            raise Unusable(f'rva account {" ".join(arguments)}: {ended.last_line()}')
+
+    def _path(self, what):
+        return f'inspections/{self.ledger.current}/{what}'

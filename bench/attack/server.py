@@ -1,0 +1,125 @@
+"""`rva serve` under attack, and a console that asks it."""
+import http.client
+import select
+import signal
+import subprocess
+import sys
+import urllib.error
+import urllib.request
+
+from setting import ROOT
+
+sys.path.insert(0, str(ROOT / 'tests' / 'cli'))
+
+from console_client import Console, ask  # noqa: E402
+
+START_LIMIT_S = 30
+TASK_LIMIT_S = 180
+STOP_LIMIT_S = 60
+# As a killed server shows itself to who asks; TimeoutError and what urllib raises are among them.
+BROKEN_OFF = (OSError, http.client.HTTPException, ValueError)
+
+
+class Refused(Exception):
+    """The server answers, but not as it should."""
+
+
+class Server:
+    """
+    arguments:   of rva serve, beside those that every server here has
+    log:         a file for what it says on stderr
+    environment: of kill_at.c, or nothing
+    account:     (name, password) of who signs in, where there are accounts
+    """
+
+    def __init__(self, setting, data, arguments, log, environment=None, account=None):
+        console = ('--console', setting.console) if setting.console else ()
+        self.log, self.console, self.cookie, self.person = log, None, '', 'Ann'
+        with log.open('wb') as opened:
+            self.process = subprocess.Popen(
+                [str(argument) for argument in (setting.rva, 'serve', '--data', data, '--port', 0, '--frames', 4, '--dither', 1,
+                                                '--least-free', 0, *console, *arguments)],
+                env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=opened)
+        try:
+            self.address = self._read_address()
+            if account and self.ask('GET', 'session')['sign_in_needed']:
+                self.sign_in(*account)
+            self.open_console()
+        except BaseException:
+            self.kill()
+            raise
+
+    def ask(self, method, path, body=None):
+        client = self.console.client if self.console else ''
+        status, answer = ask(self.address, method, '/api/' + path, body, client=client, cookie=self.cookie)
+        if status >= 300:
+            raise Refused(f'{method} {path}: {status}, {answer["error"]["message"]}')
+        return answer
+
+    def download(self, path):
+        request = urllib.request.Request(f'{self.address}/api/{path}', headers={'Cookie': self.cookie})
+        try:
+            with urllib.request.urlopen(request, timeout=STOP_LIMIT_S) as answer:
+                return answer.read()
+        except urllib.error.HTTPError as error:
+            raise Refused(f'GET {path}: {error.code}') from error
+
+    def do(self, path, body):
+        """Starts a task, and waits until the status says that it is done."""
+        last = self.console.status['task']['number']
+        self.ask('POST', path, body)
+        status = self.console.wait_for(lambda status: status['task']['number'] > last and status['task']['end'] != 'running',
+                                       TASK_LIMIT_S)
+        if status['task']['end'] != 'done':
+            raise Refused(f'POST {path}: {status["task"]["end"]}, {status["task"].get("problem", "no reason given")}')
+
+    def sign_in(self, name, password):
+        headers = {}
+        status, answer = ask(self.address, 'POST', '/api/sign-in', {'name': name, 'password': password}, headers=headers)
+        if status != 200:
+            raise Refused(f'{name} cannot sign in: {answer["error"]["message"]}')
+        self.cookie, self.person = headers['Set-Cookie'].split(';')[0], name
+
+    def open_console(self):
+        self.console = Console(self.address, name=self.person, cookie=self.cookie)
+        self.console.wait_for(lambda status: status['camera']['streams'] and
+                              ('robot' not in status or 'pan_deg' in status['robot']), START_LIMIT_S)
+
+    def is_dead(self):
+        """Whether it has been killed; a moment is left for the signal to reach it."""
+        try:
+            return self.process.wait(5) is not None
+        except subprocess.TimeoutExpired:
+            return False
+
+    def kill(self):
+        self.process.kill()
+        self._end(STOP_LIMIT_S)
+
+    def stop(self):
+        """As a person ends it. Returns whether it ended by itself."""
+        self.process.send_signal(signal.SIGTERM)
+        try:
+            self._end(STOP_LIMIT_S)
+            return True
+        except subprocess.TimeoutExpired:
+            self.kill()
+            return False
+
+    def said(self):
+        return self.log.read_text(errors='replace')
+
+    def _end(self, limit_s):
+        self.process.wait(limit_s)
+        self.process.stdout.close()
+        if self.console:
+            self.console.close()
+            self.console = None
+
+    def _read_address(self):
+        ready, _, _ = select.select([self.process.stdout], [], [], START_LIMIT_S)
+        address = self.process.stdout.readline().decode().strip() if ready else ''
+        if not address.startswith('http'):
+            lines = self.said().strip().splitlines()
+            raise Refused('does not start: ' + (lines[-1] if lines else 'says no address'))
+        return address
