@@ -10,6 +10,12 @@ if(RVA_SANITIZE)
                                              -fno-omit-frame-pointer)
   target_link_options(rva_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(RVA_SANITIZE_THREADS)
+  # GCC 12 takes what it instruments here for uninitialised.
+  target_compile_options(rva_flags INTERFACE -fsanitize=thread -O1 -fno-omit-frame-pointer
+                                             -Wno-maybe-uninitialized)
+  target_link_options(rva_flags INTERFACE -fsanitize=thread)
+endif()
 if(RVA_FUZZ)
   target_compile_options(rva_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()

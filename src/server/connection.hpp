@@ -24,6 +24,7 @@ struct Place {
   const ConsoleFiles& files;
   Complaints& complaints;
   asio::thread_pool::executor_type pool;
+  asio::thread_pool::executor_type lists;  ///< one thread: long lists hold up each other, and nobody else
   bool tls = false;
   bool loopback = true;
   std::list<OpenConnection> open;

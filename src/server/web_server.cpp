@@ -93,14 +93,16 @@ class WebServer::Implementation {
         api_(parts_, tls_ != nullptr),
         acceptor_(listen(context_, address_, options.port)),
         hub_(context_, parts_),
-        place_{api_, hub_, files_, complaints_, pool_.get_executor(), tls_ != nullptr, address_.is_loopback(),
+        place_{api_, hub_, files_, complaints_, pool_.get_executor(), lists_.get_executor(), tls_ != nullptr, address_.is_loopback(),
                {}} {
     require_safe(address_, tls_ != nullptr, parts.sessions.needed());
   }
 
   ~Implementation() {
-    pool_.stop();
-    pool_.join();
+    for (asio::thread_pool* const pool : {&pool_, &lists_}) {
+      pool->stop();
+      pool->join();
+    }
   }
 
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -198,6 +200,7 @@ class WebServer::Implementation {
   tcp::acceptor acceptor_;
   LiveHub hub_;
   asio::thread_pool pool_{2};
+  asio::thread_pool lists_{1};
   bool stopping_ = false;
   Place place_;
 };

@@ -1,0 +1,89 @@
+"""How long other requests wait while several consoles ask for the list of many inspections.
+
+usage: lists_bench.py RVA [--inspections 5000] [--lists 6]
+"""
+import argparse
+import pathlib
+import sqlite3
+import subprocess
+import tempfile
+import threading
+import time
+import urllib.request
+
+SCENE = pathlib.Path(__file__).resolve().parents[1] / 'data' / 'scenes' / 'three-tools.yaml'
+VIEWS, FINDINGS = 4, 5
+
+
+class Server:
+    def __init__(self, rva, folder):
+        console = folder / 'console'
+        console.mkdir(exist_ok=True)
+        (console / 'index.html').write_text('<title>RVA</title>')
+        self.process = subprocess.Popen([rva, 'serve', '--camera', f'sim:{SCENE}', '--data', folder / 'data', '--port', '0',
+                                         '--console', console], stdout=subprocess.PIPE, encoding='utf-8')
+        self.address = self.process.stdout.readline().strip()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait(60)
+        self.process.stdout.close()
+
+    def seconds(self, path):
+        start = time.monotonic()
+        with urllib.request.urlopen(self.address + path, timeout=120) as answer:
+            answer.read()
+        return time.monotonic() - start
+
+
+def fill(database, inspections):
+    """Inspections that have been compared and decided on, written as the program writes them."""
+    with sqlite3.connect(database) as rows:
+        for i in range(1, inspections + 1):
+            rows.execute('insert into inspection (id, aircraft, zone, work_order, person, created_at, dither, comparison) '
+                         "values (?, 'N1', 'bay', 'WO', 'Ann', 't', 4, 1)", (i,))
+            rows.execute("insert into comparison values (?, 1, 't', 'comparison-1')", (i,))
+            rows.executemany("insert into side values (?, ?, 1, 't', 'Ann', 'base')", [(i, 'initial'), (i, 'final')])
+            rows.executemany('insert into view values (?, ?, 0, 0)', [(i, view) for view in range(VIEWS)])
+            rows.executemany('insert into compared_view (inspection, view, method, compared, unseen, invalid, judged, warnings) '
+                             "values (?, ?, 'spatial', 1, 0, 0, 1, '[]')", [(i, view) for view in range(VIEWS)])
+            for finding in range(1, FINDINGS + 1):
+                rows.execute('insert into finding (inspection, comparison, number, view, same_as, kind, box, centroid) '
+                             "values (?, 1, ?, 0, ?, 'added', '[1,2,3,4]', '[1,2]')", (i, finding, finding))
+                rows.execute('insert into decision (inspection, comparison, finding, verdict, note, person, decided_at) '
+                             "values (?, 1, ?, 'false-alarm', '', 'Ann', 't')", (i, finding))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('rva')
+    parser.add_argument('--inspections', type=int, default=5000)
+    parser.add_argument('--lists', type=int, default=6)
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix='rva-lists-') as name:
+        folder = pathlib.Path(name)
+        with Server(arguments.rva, folder):
+            pass  # makes the tables
+        fill(folder / 'data' / 'rva.db', arguments.inspections)
+        with Server(arguments.rva, folder) as server:
+            time.sleep(2)  # the camera's first view is rendered
+            alone = server.seconds('/api/inspections')
+            lists = []
+            threads = [threading.Thread(target=lambda: lists.append(server.seconds('/api/inspections')))
+                       for _ in range(arguments.lists)]
+            for thread in threads:
+                thread.start()
+            others = []
+            while any(thread.is_alive() for thread in threads):
+                others.append(server.seconds('/api/inspections/7'))
+            for thread in threads:
+                thread.join()
+    print(f'one list {alone:.2f} s; {arguments.lists} at a time, the last after {max(lists):.2f} s; '
+          f'meanwhile {len(others)} other requests, the longest {max(others):.3f} s')
+
+
+if __name__ == '__main__':
+    main()
