@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,17 +17,21 @@
 #include "core/path_text.hpp"
 #include "evaluate/evaluation_json.hpp"
 #include "evaluate/moved_report.hpp"
+#include "evaluate/recorded_study.hpp"
 #include "sim/scene/scene_file.hpp"
 
 namespace rva::cli {
 namespace {
 
-const std::map<std::string, CameraReturn> returns{
-    {"elsewhere", CameraReturn::elsewhere}, {"near", CameraReturn::near}, {"exact", CameraReturn::exact}};
+const std::map<std::string, CameraReturn> returns{{"elsewhere", CameraReturn::elsewhere},
+                                                  {"near", CameraReturn::near},
+                                                  {"exact", CameraReturn::exact},
+                                                  {"rest", CameraReturn::rest}};
 
 struct EvaluateArguments {
   std::string out;
   std::string scene;
+  std::string recorded;
   StudyOptions study;
   bool moved = false;
   bool octree = false;
@@ -62,6 +69,13 @@ void evaluate(const EvaluateArguments& arguments) {
   print("{}{}\n", to_table(tally(inspections)), arguments.out);
 }
 
+std::vector<MovedInspection> earlier_moved(const EvaluateArguments& arguments,
+                                           const std::string& begun_with) {
+  const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
+  if (!arguments.resume || !std::filesystem::exists(file)) return {};
+  return moved_inspections_from_json(read_text_file(file), printable(file), begun_with);
+}
+
 void evaluate_moved(const EvaluateArguments& arguments) {
   check_options(arguments.study);
   MovedStudyOptions options;
@@ -70,15 +84,28 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.captures = arguments.captures;
   options.how = returns.at(arguments.how);
   options.octree = arguments.octree;
-  Existing existing = arguments.overwrite ? Existing::replace : Existing::refuse;
+  const std::string begun_with =
+      fmt::format("return {}, first seed {}, captures {}{}", arguments.how, options.first_seed,
+                  fmt::join(options.captures, ","), options.octree ? ", octree" : "");
+  Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
     OutputFolder out(arguments.out, {file_name}, existing);
-    write_file(out.path(file_name), to_json(inspections));
+    write_file(out.path(file_name), to_json(inspections, begun_with));
     out.commit();
     existing = Existing::replace;
   };
-  const std::vector<MovedInspection> inspections = run_moved_study(options, terminal_progress(), keep);
+  const std::vector<MovedInspection> inspections =
+      run_moved_study(options, earlier_moved(arguments, begun_with), terminal_progress(), keep);
+  print("{}{}\n", to_table(inspections), arguments.out);
+}
+
+void evaluate_recorded(const EvaluateArguments& arguments) {
+  OutputFolder out(arguments.out, {file_name}, arguments.overwrite ? Existing::replace : Existing::refuse);
+  const std::vector<RecordedInspection> inspections =
+      run_recorded_study(arguments.recorded, terminal_progress());
+  write_file(out.path(file_name), to_json(inspections));
+  out.commit();
   print("{}{}\n", to_table(inspections), arguments.out);
 }
 
@@ -108,8 +135,7 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
                                            "spatial, with a camera that came back, instead of the "
                                            "static methods; 10 frames a capture")
                                  ->excludes(frames)
-                                 ->excludes(scene)
-                                 ->excludes(resume);
+                                 ->excludes(scene);
   command.add_option("--captures", arguments->captures, "--moved: dithered captures a side, ascending")
       ->delimiter(',')
       ->type_name("M,M...")
@@ -119,14 +145,25 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
       .add_option(
           "--return", arguments->how,
           "--moved: where the camera came back to: elsewhere (the robot was lifted out), near (one or "
-          "two servo steps off), exact")
+          "two servo steps off), exact, rest (as the console's robot: within half a step)")
       ->check(CLI::IsMember(returns))
       ->type_name("WHERE")
       ->capture_default_str()
       ->needs(moved);
   command.add_flag("--with-octree", arguments->octree, "--moved: the thesis' pipeline too, a minute a pair")
       ->needs(moved);
-  command.callback([arguments] { arguments->moved ? evaluate_moved(*arguments) : evaluate(*arguments); });
+  command
+      .add_option("--recorded", arguments->recorded,
+                  "captures of any camera with the truth beside them, instead of simulated inspections")
+      ->type_name("FOLDER")
+      ->excludes(frames)
+      ->excludes(scene)
+      ->excludes(resume)
+      ->excludes(moved);
+  command.callback([arguments] {
+    if (!arguments->recorded.empty()) return evaluate_recorded(*arguments);
+    arguments->moved ? evaluate_moved(*arguments) : evaluate(*arguments);
+  });
 }
 
 }  // namespace rva::cli

@@ -8,8 +8,12 @@
 
 namespace rva {
 
-DitheredSide::DitheredSide(Scene scene, std::uint64_t seed, int frames)
-    : scene_(std::move(scene)), seed_(seed), frames_(frames), offsets_(dither_offsets(most_dithers)) {}
+DitheredSide::DitheredSide(Scene scene, const StereoSensorOptions& sensor, std::uint64_t seed, int frames)
+    : scene_(std::move(scene)),
+      sensor_(sensor),
+      seed_(seed),
+      frames_(frames),
+      offsets_(dither_offsets(most_dithers)) {}
 
 void DitheredSide::up_to(int captures) {
   while (views_.size() < static_cast<std::size_t>(captures)) take();
@@ -28,7 +32,7 @@ SimulatedCamera DitheredSide::camera(std::size_t number) const {
   Scene scene = scene_;
   scene.stand.pan_deg += offsets_[number].pan_deg;
   scene.stand.tilt_deg += offsets_[number].tilt_deg;
-  return {std::move(scene), StereoSensorOptions{}, mix(seed_, number), ColorFrames::none};
+  return {std::move(scene), sensor_, mix(seed_, number), ColorFrames::none};
 }
 
 void DitheredSide::take() {

@@ -18,7 +18,7 @@ namespace rva {
 class DitheredSide {
  public:
   /// @param frames of each capture, above 0
-  DitheredSide(Scene scene, std::uint64_t seed, int frames);
+  DitheredSide(Scene scene, const StereoSensorOptions& sensor, std::uint64_t seed, int frames);
 
   /// Takes captures until there are so many, `most_dithers` at most.
   void up_to(int captures);
@@ -44,6 +44,7 @@ class DitheredSide {
   void take();
 
   Scene scene_;
+  StereoSensorOptions sensor_;
   std::uint64_t seed_;
   int frames_;
   std::vector<PanTilt> offsets_;

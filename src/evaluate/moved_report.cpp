@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,8 @@
 #include <utility>
 
 #include "cloud/octree_detection.hpp"
+#include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "core/quantile.hpp"
 #include "detect/calibrated/calibrated.hpp"
 #include "evaluate/intervals.hpp"
@@ -76,16 +79,27 @@ bool is_usual(const MovedResult& result) {
          (result.method == "octree" ? OctreeOptions{}.cell_m : CalibratedOptions{}.false_findings);
 }
 
-/// By kind of debris, method and captures a side.
+// "0.4 to 0.6 m"
+std::string distance_of(const MovedTarget& target) {
+  constexpr double step_m = 0.2;
+  const double from_m = step_m * std::floor(target.target.distance_m / step_m);
+  return fmt::format("at {:.1f} to {:.1f} m", from_m, from_m + step_m);
+}
+
+/// By what a row is about (kind of debris, distance, light), method and captures a side.
 using Shares = std::map<std::tuple<std::string, std::string, int>, Share>;
 
 void add(const MovedInspection& inspection, const MovedResult& result, Shares& shares) {
   for (std::size_t i = 0; i < inspection.targets.size(); ++i) {
     const MovedTarget& target = inspection.targets[i];
     if (!target.counts()) continue;
-    Share& share = shares[{target.target.kind, result.method, result.captures}];
-    share.found += result.found[i] ? 1 : 0;
-    ++share.all;
+    const std::string size = target.big ? "big" : "small";
+    for (const std::string& row : {target.target.kind, fmt::format("{}, {}", size, distance_of(target)),
+                                   fmt::format("{}, light {:g}", size, inspection.ambient)}) {
+      Share& share = shares[{row, result.method, result.captures}];
+      share.found += result.found[i] ? 1 : 0;
+      ++share.all;
+    }
   }
 }
 
@@ -120,7 +134,8 @@ Json to_json_value(const MovedTally& of) {
 }
 
 Json to_json_value(const MovedInspection& inspection) {
-  Json json{{"seed", inspection.seed}, {"move_m", inspection.move_m}, {"turn_deg", inspection.turn_deg}};
+  Json json{{"seed", inspection.seed},       {"move_m", inspection.move_m}, {"turn_deg", inspection.turn_deg},
+            {"ambient", inspection.ambient}, {"targets", Json::array()},    {"results", Json::array()}};
   for (const MovedTarget& of : inspection.targets)
     json["targets"].push_back(Json{{"kind", of.target.kind},
                                    {"visible_px", of.target.visible_px},
@@ -142,6 +157,34 @@ Json to_json_value(const MovedInspection& inspection) {
                                    {"false_with_debris", of.false_with_debris},
                                    {"found", of.found}});
   return json;
+}
+
+MovedInspection inspection_from(const nlohmann::json& json) {
+  MovedInspection inspection;
+  json.at("seed").get_to(inspection.seed);
+  json.at("move_m").get_to(inspection.move_m);
+  json.at("turn_deg").get_to(inspection.turn_deg);
+  json.at("ambient").get_to(inspection.ambient);
+  for (const nlohmann::json& of : json.at("targets")) {
+    MovedTarget target;
+    of.at("kind").get_to(target.target.kind);
+    of.at("visible_px").get_to(target.target.visible_px);
+    of.at("unhidden_px").get_to(target.target.unhidden_px);
+    of.at("distance_m").get_to(target.target.distance_m);
+    of.at("big").get_to(target.big);
+    of.at("seen_free").get_to(target.seen_free);
+    inspection.targets.push_back(std::move(target));
+  }
+  for (const nlohmann::json& of : json.value("registrations", nlohmann::json::array()))
+    inspection.registrations.push_back(
+        {of.at("method"), of.at("captures"), of.at("error_mm"), of.at("error_deg"), of.at("doubt")});
+  for (const nlohmann::json& of : json.at("results")) {
+    inspection.results.push_back({of.at("method"), of.at("captures"), of.at("setting"),
+                                  of.at("false_when_clean"), of.at("false_with_debris"), of.at("found")});
+    if (inspection.results.back().found.size() != inspection.targets.size())
+      throw nlohmann::json::other_error::create(0, "found and targets differ in number", &of);
+  }
+  return inspection;
 }
 
 }  // namespace
@@ -185,20 +228,36 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
   }
   for (const auto& [key, share] : shares_at_usual_setting(inspections)) {
     const auto& [kind, method, captures] = key;
-    fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:20} {}\n", method, captures, kind,
+    fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:26} {}\n", method, captures, kind,
                    stated_share(share.found, share.all));
   }
   return table;
 }
 
-std::string to_json(const std::vector<MovedInspection>& inspections) {
-  Json json{{"format", "rva-evaluation-moved"}, {"version", 2}};
+std::string to_json(const std::vector<MovedInspection>& inspections, const std::string& arguments) {
+  Json json{{"format", "rva-evaluation-moved"}, {"version", 2}, {"arguments", arguments}};
   json["tallies"] = Json::array();
   for (const MovedTally& of : tally(inspections)) json["tallies"].push_back(to_json_value(of));
   json["inspections"] = Json::array();
   for (const MovedInspection& inspection : inspections)
     json["inspections"].push_back(to_json_value(inspection));
   return json.dump(1) + "\n";
+}
+
+std::vector<MovedInspection> moved_inspections_from_json(const std::string& text, const std::string& place,
+                                                         const std::string& arguments) {
+  const nlohmann::json json = parse_json(text, place);
+  try {
+    if (json.at("arguments").get<std::string>() != arguments)
+      throw UsageError("--resume", "the evaluation that is there was begun with other options",
+                       "give the options that it was begun with, or another --out");
+    std::vector<MovedInspection> inspections;
+    for (const nlohmann::json& one : json.at("inspections")) inspections.push_back(inspection_from(one));
+    return inspections;
+  } catch (const nlohmann::json::exception& exception) {
+    throw Error(place, std::string("is no evaluation to go on with: ") + exception.what(),
+                "give another --out");
+  }
 }
 
 }  // namespace rva

@@ -32,6 +32,14 @@ struct MovedTally {
 [[nodiscard]] std::string to_table(const std::vector<MovedInspection>& inspections);
 
 /// `evaluation.json` of a study of moved cameras (docs/spatial.md).
-[[nodiscard]] std::string to_json(const std::vector<MovedInspection>& inspections);
+/// @param arguments what the study was begun with, to go on with it
+[[nodiscard]] std::string to_json(const std::vector<MovedInspection>& inspections,
+                                  const std::string& arguments);
+
+/// The inspections that are there, for a study that goes on; the pixels of their targets are not.
+/// @throws Error when the text is no such evaluation; UsageError when it was begun with other arguments
+[[nodiscard]] std::vector<MovedInspection> moved_inspections_from_json(const std::string& text,
+                                                                       const std::string& place,
+                                                                       const std::string& arguments);
 
 }  // namespace rva

@@ -13,6 +13,7 @@
 #include "core/random.hpp"
 #include "detect/findings.hpp"
 #include "evaluate/dithered_side.hpp"
+#include "evaluate/robot_study.hpp"
 
 namespace rva {
 namespace {
@@ -23,55 +24,6 @@ constexpr std::array cells_m{0.02, 0.05, 0.1, 0.2};  // the thesis has 5 cm
 
 Transform initial_from_final(const DitheredSide& initial, const DitheredSide& final) {
   return initial.world_from_camera().inverse() * final.world_from_camera();
-}
-
-bool is_big(const Scene& scene, const std::string& kind) {
-  const auto object = std::ranges::find_if(scene.objects, [&](const SceneObject& candidate) {
-    return candidate.role == Role::debris && candidate.kind == kind;
-  });
-  if (object == scene.objects.end()) return false;
-  Eigen::Vector3d sides_m = size_m(*object);
-  std::sort(sides_m.begin(), sides_m.end());
-  return sides_m[0] >= 0.010 && sides_m[1] >= 0.015;
-}
-
-// Half of its pixels lie where the initial view has a surface, and before it.
-bool is_seen_free(const Target& target, const DitheredSide& initial, const DitheredSide& final) {
-  const Transform initial_from_here = initial_from_final(initial, final);
-  const DepthView& view = initial.first();
-  std::size_t free = 0;
-  for (const std::uint32_t i : target.pixels) {
-    const auto width = static_cast<std::uint32_t>(view.camera.width);
-    const Eigen::Vector3d point =
-        initial_from_here * final.first().camera.deproject({i % width, i / width}, target.distance_m);
-    if (point.z() <= 0.0) continue;
-    const Eigen::Vector2d pixel = view.camera.project(point);
-    if (!view.camera.contains(pixel)) continue;
-    const float seen_px =
-        view.disparity_px(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
-    constexpr double tolerance_px = 0.5;
-    free += seen_px > 0.0F && static_cast<double>(seen_px) < view.disparity_m_px / point.z() + tolerance_px
-                ? 1
-                : 0;
-  }
-  return 2 * free >= target.pixels.size();
-}
-
-std::vector<MovedTarget> targets_of(const MovedWing& wing, const DitheredSide& initial,
-                                    const DitheredSide& final) {
-  std::vector<MovedTarget> targets;
-  for (Target& target : visible_targets(final.camera(0))) {
-    const bool big = is_big(wing.after, target.kind);
-    const bool seen_free = is_seen_free(target, initial, final);
-    targets.push_back({std::move(target), big, seen_free});
-  }
-  return targets;
-}
-
-std::vector<Target> plain(const std::vector<MovedTarget>& targets) {
-  std::vector<Target> result;
-  for (const MovedTarget& target : targets) result.push_back(target.target);
-  return result;
 }
 
 MovedRegistration outcome_of(std::string method, int captures, const Transform& off, std::string doubt) {
@@ -156,21 +108,25 @@ void inspect_by_octree(const DitheredSide& before, const DitheredSide& unchanged
 }
 
 MovedInspection inspect(const MovedStudyOptions& options, std::uint64_t seed) {
+  if (options.how == CameraReturn::rest) return inspect_by_robot(options, seed);
   const MovedWing wing = random_moved_wing(seed, options.how);
+  const StereoSensorOptions sensor = options.sensor(seed);
   Scene clean = wing.after;
   std::erase_if(clean.objects, [](const SceneObject& object) { return object.role == Role::debris; });
-  DitheredSide before(wing.before, mix(seed, 1), options.frames);
-  DitheredSide unchanged(clean, mix(seed, 2), options.frames);
-  DitheredSide changed(wing.after, mix(seed, 3), options.frames);
+  DitheredSide before(wing.before, sensor, mix(seed, 1), options.frames);
+  DitheredSide unchanged(clean, sensor, mix(seed, 2), options.frames);
+  DitheredSide changed(wing.after, sensor, mix(seed, 3), options.frames);
   MovedInspection inspection;
   inspection.seed = seed;
+  inspection.ambient = wing.after.lighting.ambient;
   for (const int captures : options.captures) {
     for (DitheredSide* side : {&before, &unchanged, &changed}) side->up_to(captures);
     if (inspection.targets.empty()) {
       const Transform move = initial_from_final(before, changed);
       inspection.move_m = move.translation().norm();
       inspection.turn_deg = Eigen::AngleAxisd(move.linear()).angle() * 180.0 / std::numbers::pi;
-      inspection.targets = targets_of(wing, before, changed);
+      inspection.targets =
+          moved_targets(changed.camera(0), before.first(), initial_from_final(before, changed));
     }
     inspect(options.how, captures, before, unchanged, changed, inspection);
   }
@@ -190,12 +146,13 @@ void check(const MovedStudyOptions& options) {
 }  // namespace
 
 std::vector<MovedInspection> run_moved_study(
-    const MovedStudyOptions& options, const Progress& progress,
+    const MovedStudyOptions& options, std::vector<MovedInspection> earlier, const Progress& progress,
     const std::function<void(const std::vector<MovedInspection>&)>& keep) {
   check(options);
-  std::vector<MovedInspection> done;
+  std::vector<MovedInspection> done = std::move(earlier);
   const auto total = static_cast<std::size_t>(options.inspections);
-  for (std::size_t i = 0; i < total; ++i) {
+  if (done.size() > total) done.resize(total);
+  for (std::size_t i = done.size(); i < total; ++i) {
     done.push_back(inspect(options, options.first_seed + i));
     if (keep) keep(done);
     if (progress) progress("inspections", i + 1, total);

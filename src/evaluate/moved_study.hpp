@@ -8,8 +8,9 @@
 
 #include "core/options.hpp"
 #include "core/progress.hpp"
-#include "evaluate/judgement.hpp"
+#include "evaluate/moved_targets.hpp"
 #include "evaluate/moved_wing.hpp"
+#include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva {
 
@@ -20,18 +21,9 @@ struct MovedStudyOptions {
   std::vector<int> captures{1, 4, 8};  ///< a side, dithered; ascending
   int frames = 10;                     ///< of each capture
   bool octree = false;                 ///< the thesis' pipeline too, on one frame a side: a minute each time
-};
-
-/// What one detection must find.
-struct MovedTarget {
-  Target target;
-  /// 15 mm across, 10 mm high, the smaller two of its sides.
-  bool big = false;
-  /// Half of it lies in space that the first initial capture saw through.
-  bool seen_free = false;
-
-  /// Visible, within 1 m, where there was free space.
-  [[nodiscard]] bool counts() const { return target.is_visible() && target.distance_m <= 1.0 && seen_free; }
+  /// Of the inspection of a seed, all of its sides alike.
+  std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
+      [](std::uint64_t) { return StereoSensorOptions{}; }};
 };
 
 /// How the views of one inspection were laid over each other.
@@ -45,7 +37,7 @@ struct MovedRegistration {
 
 /// One setting with so many captures a side.
 struct MovedResult {
-  std::string method;  ///< "spatial", "octree"
+  std::string method;  ///< "spatial", "octree"; "auto" of a robot that rests within half a step
   int captures = 1;
   double setting = 0.0;               ///< false findings allowed; edge of a cell, in metres
   std::size_t false_when_clean = 0;   ///< findings where nothing changed
@@ -57,6 +49,7 @@ struct MovedInspection {
   std::uint64_t seed = 0;
   double move_m = 0.0;
   double turn_deg = 0.0;
+  double ambient = 0.0;  ///< light, relative to the projector's mean at one metre
   std::vector<MovedTarget> targets;
   /// Without debris and with it, for each number of captures. None where the camera came back exactly.
   std::vector<MovedRegistration> registrations;
@@ -65,10 +58,11 @@ struct MovedInspection {
 
 /// Runs one inspection after the other: dithered captures before, others after it in which nothing changed,
 /// and others with debris (random_moved_wing()).
-/// @param keep called after each
+/// @param earlier those of a study that was interrupted, which is gone on with
+/// @param keep    called after each
 /// @throws UsageError for options out of range; Interrupted
 [[nodiscard]] std::vector<MovedInspection> run_moved_study(
-    const MovedStudyOptions& options, const Progress& progress,
+    const MovedStudyOptions& options, std::vector<MovedInspection> earlier, const Progress& progress,
     const std::function<void(const std::vector<MovedInspection>&)>& keep);
 
 }  // namespace rva

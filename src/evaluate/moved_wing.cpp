@@ -62,7 +62,7 @@ double one_or_two_steps_deg(Random& random) {
 // Turns only the camera.
 void stay(CameraReturn how, Random& random, const CameraStand& after, CameraStand& before) {
   before = after;
-  if (how == CameraReturn::exact) return;
+  if (how == CameraReturn::exact || how == CameraReturn::rest) return;
   before.pan_deg += one_or_two_steps_deg(random);
   before.tilt_deg += one_or_two_steps_deg(random);
 }

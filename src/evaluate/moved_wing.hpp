@@ -12,6 +12,7 @@ enum class CameraReturn {
   elsewhere,  ///< the robot was lifted out and put back
   near,       ///< the robot stayed, but came to rest one or two servo steps off in both joints
   exact,      ///< the robot stayed and came back to the same steps
+  rest,  ///< so does it, and each pose of either side rests anywhere within half a step of what it reports
 };
 
 /// One bay, seen before and after the work.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -20,7 +21,6 @@ namespace rva {
 namespace {
 
 constexpr std::size_t most_views = 60;
-constexpr double most_dither_deg = 2.3;
 
 std::string title(std::int64_t id) { return fmt::format("inspection {}", id); }
 
@@ -64,18 +64,11 @@ Inspection Inspector::inspection(std::int64_t id) const {
   return std::move(*found);
 }
 
-// Of every view its dithered captures, those that would be beyond the limits on the other side.
 std::vector<PanTilt> Inspector::waypoints_of(const Inspection& inspection) const {
   if (rig_.drive == nullptr) return inspection.views;
-  const RobotLimits limits = rig_.drive->limits();
   std::vector<PanTilt> waypoints;
-  for (const PanTilt& view : inspection.views) {
-    const double pan_sign = view.pan_deg + most_dither_deg > limits.pan.max_deg ? -1.0 : 1.0;
-    const double tilt_sign = view.tilt_deg + most_dither_deg > limits.tilt.max_deg ? -1.0 : 1.0;
-    for (const PanTilt& offset : dither_offsets(inspection.dither))
-      waypoints.push_back(
-          {view.pan_deg + pan_sign * offset.pan_deg, view.tilt_deg + tilt_sign * offset.tilt_deg});
-  }
+  for (const PanTilt& view : inspection.views)
+    std::ranges::copy(dithered(view, inspection.dither, rig_.drive->limits()), std::back_inserter(waypoints));
   return waypoints;
 }
 

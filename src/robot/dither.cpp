@@ -43,6 +43,17 @@ std::vector<PanTilt> dither_offsets(int count) {
   return result;
 }
 
+std::vector<PanTilt> dithered(const PanTilt& view, int count, const RobotLimits& limits) {
+  constexpr double most_dither_deg = 2.3;
+  const double pan_sign = view.pan_deg + most_dither_deg > limits.pan.max_deg ? -1.0 : 1.0;
+  const double tilt_sign = view.tilt_deg + most_dither_deg > limits.tilt.max_deg ? -1.0 : 1.0;
+  std::vector<PanTilt> waypoints;
+  for (const PanTilt& offset : dither_offsets(count))
+    waypoints.push_back(
+        {view.pan_deg + pan_sign * offset.pan_deg, view.tilt_deg + tilt_sign * offset.tilt_deg});
+  return waypoints;
+}
+
 PanTilt approach(Robot& robot, const PanTilt& target, const Clock& clock) {
   constexpr double run_up_deg = 1.0;  // more than the play of a worn servo
   const RobotLimits limits = robot.limits();

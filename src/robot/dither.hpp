@@ -19,6 +19,11 @@ inline constexpr int most_dithers = 16;
 /// @param count 1 to most_dithers
 [[nodiscard]] std::vector<PanTilt> dither_offsets(int count);
 
+/// A view's captures: the view and its dithers, which lie on the other side where they would be beyond a
+/// limit.
+/// @param count 1 to most_dithers
+[[nodiscard]] std::vector<PanTilt> dithered(const PanTilt& view, int count, const RobotLimits& limits);
+
 /// Moves to the target from below in both joints, so that the play of the servos is always on one side, and
 /// waits there. @return joints() at rest
 /// @throws UsageError, Error, Interrupted  as move_and_wait()

@@ -81,9 +81,27 @@ class EvaluateTest(program.ProgramTest):
         self.assertGreater(usual['big_found'], usual['big'] / 2)
         self.assertEqual(usual['false_when_clean'], inspection['results'][1]['false_when_clean'])
 
+    def test_the_robots_own_path_goes_on_where_it_was_ended(self):
+        path = ['evaluate', '--moved', '--return', 'rest', '--captures', 1, '--first-seed', 7, '--out', self.out]
+        self.succeed(*path, '--inspections', 1)
+        first = json.loads((self.out / 'evaluation.json').read_text())['inspections']
+        done = self.succeed(*path, '--inspections', 2, '--resume')
+        report = json.loads((self.out / 'evaluation.json').read_text())
+        self.assertEqual(report['inspections'][:1], first)
+        self.assertEqual([entry['seed'] for entry in report['inspections']], [7, 8])
+        for inspection in report['inspections']:
+            self.assertEqual([(entry['method'], entry['setting']) for entry in inspection['results']],
+                             [('auto', 0.05), ('auto', 0.5)])
+            self.assertTrue(0.0 < inspection['turn_deg'] < 0.5, 'each side rests somewhere else')
+        self.assertIn('big, light', done.stdout)
+        done = self.rva(*path[:-4], '--first-seed', 8, '--out', self.out, '--inspections', 2, '--resume')
+        self.assertEqual(done.returncode, 2)
+        self.check_line(done.stderr, ['--resume'])
+
     def test_bad_input(self):
         for options in (['--moved', '--frames', '10'], ['--moved', '--captures', '4,1'], ['--moved', '--captures', '17'],
-                        ['--captures', '2'], ['--moved', '--resume'], ['--return', 'near'], ['--with-octree'],
+                        ['--captures', '2'], ['--recorded', '.', '--moved'], ['--recorded', '.', '--frames', '2'],
+                        ['--return', 'near'], ['--with-octree'],
                         ['--moved', '--return', 'home']):
             with self.subTest(options):
                 done = self.rva('evaluate', *options, '--out', self.out)

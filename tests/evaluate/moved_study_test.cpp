@@ -90,7 +90,7 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   EXPECT_THAT(table, testing::HasSubstr("1/2 50 %"));
   EXPECT_THAT(table,
               testing::HasSubstr("1 of 2 within 4 mm and 0.25 degrees; 1 refused; 0 trusted and wrong"));
-  const auto json = nlohmann::json::parse(to_json({inspection()}));
+  const auto json = nlohmann::json::parse(to_json({inspection()}, "some"));
   EXPECT_EQ(json["inspections"][0]["registrations"][1]["doubt"], "two places");
   EXPECT_EQ(json["inspections"][0]["targets"].size(), 6U);
   EXPECT_EQ(json["tallies"][0]["method"], "spatial");
@@ -99,11 +99,20 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   EXPECT_EQ(json["inspections"][0]["results"][0]["found"][1], false);
 }
 
+TEST(MovedReport, IsReadBackToGoOnWith) {
+  const std::string text = to_json({inspection(), inspection()}, "return near");
+  const std::vector<MovedInspection> back = moved_inspections_from_json(text, "here", "return near");
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(to_json(back, "return near"), text);
+  EXPECT_THROW((void)moved_inspections_from_json(text, "here", "return far"), UsageError);
+  EXPECT_THROW((void)moved_inspections_from_json("{}", "here", "return near"), Error);
+}
+
 TEST(MovedStudy, RefusesCapturesThatDoNotGrow) {
   for (const std::vector<int>& captures : {std::vector<int>{}, {0}, {4, 4}, {8, 1}, {17}}) {
     MovedStudyOptions options;
     options.captures = captures;
-    EXPECT_THROW((void)run_moved_study(options, {}, {}), UsageError);
+    EXPECT_THROW((void)run_moved_study(options, {}, {}, {}), UsageError);
   }
 }
 

@@ -1,0 +1,37 @@
+// One side of a simulated inspection, captured as `rva serve` captures it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "cloud/spatial_detection.hpp"
+#include "geometry/pan_tilt.hpp"
+#include "sim/scene/scene.hpp"
+#include "sim/sensor/stereo_sensor_options.hpp"
+#include "sim/simulated_camera.hpp"
+
+namespace rva {
+
+struct RobotSide {
+  std::vector<std::filesystem::path> captures;
+  std::vector<PanTilt> rested;  ///< where the joints really were, which no capture states
+
+  /// The first so many captures. @throws Error when one cannot be read
+  [[nodiscard]] Captures open(int count) const;
+};
+
+/// A robot with play goes to the scene's view and its dithers, from below (robot/dither.hpp), rests anywhere
+/// within half a step of what it reports, and each capture is written into a folder of its own
+/// (take_views()).
+/// @param scene  its stand says where the robot's foot is, and the view's angles
+/// @param folder made; captures of the same arguments are always the same
+/// @throws Error when a capture cannot be written; Interrupted
+[[nodiscard]] RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor, int captures,
+                                      int frames, std::uint64_t seed, const std::filesystem::path& folder);
+
+/// A simulated camera at rest at these angles.
+[[nodiscard]] SimulatedCamera camera_at(const Scene& scene, const StereoSensorOptions& sensor,
+                                        const PanTilt& joints);
+
+}  // namespace rva
