@@ -38,3 +38,10 @@ target_link_libraries(rva_opencv INTERFACE opencv_core opencv_imgproc)
 add_library(rva_pcl INTERFACE)
 target_include_directories(rva_pcl SYSTEM INTERFACE ${PCL_INCLUDE_DIRS})
 target_link_libraries(rva_pcl INTERFACE pcl_common pcl_kdtree pcl_octree pcl_registration pcl_search)
+
+# The thread sanitizer does not see fences, which Asio has; it has locks beside them, which are seen.
+function(rva_has_fences name)
+  if(RVA_SANITIZE_THREADS)
+    target_compile_options(${name} PRIVATE -Wno-tsan)
+  endif()
+endfunction()

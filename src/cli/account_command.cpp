@@ -19,7 +19,7 @@ namespace {
 
 struct AccountArguments {
   std::string name;
-  std::string role = "viewer";
+  std::string role;
   std::string data;
 };
 
@@ -40,6 +40,15 @@ std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
   return std::make_unique<SqliteRecords>(std::filesystem::path(data) / "rva.db");
 }
 
+// An account that is there keeps its role unless another one is given.
+PersonRole role_of(const AccountArguments& arguments, const Records& records) {
+  if (const auto given = role_from_name(arguments.role)) return *given;
+  for (const Account& account : records.accounts()) {
+    if (account.name == arguments.name) return account.role;
+  }
+  return PersonRole::viewer;
+}
+
 void add_account(const AccountArguments& arguments) {
   constexpr std::size_t most_name_bytes = 100;
   if (arguments.name.size() > most_name_bytes || !is_name_of_one_script(arguments.name))
@@ -52,8 +61,9 @@ void add_account(const AccountArguments& arguments) {
       throw Error(printable(arguments.name), "looks like the account " + printable(account.name),
                   "give a name that nobody takes for it");
   }
-  records->set_account({arguments.name, *role_from_name(arguments.role), hash_password(read_password())});
-  print("{} may sign in as {}\n", arguments.name, arguments.role);
+  const PersonRole role = role_of(arguments, *records);
+  records->set_account({arguments.name, role, hash_password(read_password())});
+  print("{} may sign in as {}\n", arguments.name, name_of(role));
 }
 
 void remove_account(const AccountArguments& arguments) {
@@ -83,10 +93,11 @@ void add_account_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& add = *command.add_subcommand(
       "add", "adds an account, or changes its role and password; asks for the password");
   add.add_option("NAME", arguments->name, "of the person")->required();
-  add.add_option("--role", arguments->role,
-                 "viewer (looks), operator (drives, captures), inspector (decides)")
-      ->check(CLI::IsMember({"viewer", "operator", "inspector"}))
-      ->capture_default_str();
+  add.add_option(
+         "--role", arguments->role,
+         "viewer (looks), operator (drives, captures), inspector (decides); without it, viewer, or as "
+         "it was")
+      ->check(CLI::IsMember({"viewer", "operator", "inspector"}));
   add_data_flag(add, *arguments);
   add.callback([arguments] { add_account(*arguments); });
 

@@ -158,7 +158,10 @@ void map_bay(const MapArguments& arguments) {
   const MapFiles files = map_files(arguments.out);
   const std::vector<PanTilt> waypoints = waypoints_of(arguments);
   const PanTiltChain chain = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
-  finish_map(files);
+  if (finish_map(files))
+    fmt::print(stderr,
+               "rva: {}: a map that was being put in place when the program was killed is complete now\n",
+               printable(files.ply));
   require_replaceable(files, arguments.overwrite);
   const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   check_waypoints(waypoints, rig.robot->limits());

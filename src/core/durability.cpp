@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/path_text.hpp"
@@ -69,6 +70,19 @@ void sync_tree(const fs::path& folder) {
                 "check its permissions");
   }
   sync_folder(folder);
+}
+
+void make_folders(const fs::path& folder) {
+  std::error_code failure;
+  std::vector<fs::path> made;
+  for (fs::path missing = fs::absolute(folder, failure).lexically_normal();
+       !fs::exists(missing, failure) && missing.has_relative_path(); missing = missing.parent_path())
+    made.push_back(missing);
+  fs::create_directories(folder, failure);
+  if (failure)
+    throw Error(printable(folder), fmt::format("cannot be made ({})", failure.message()),
+                "check the permissions there or choose another place");
+  for (const fs::path& one : made) sync_folder(one.parent_path());
 }
 
 void move_into_place(const fs::path& complete, const fs::path& place) {

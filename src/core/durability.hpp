@@ -14,6 +14,10 @@ void sync_folder(const std::filesystem::path& folder);
 /// @throws Error when the disk fails or something cannot be read
 void sync_tree(const std::filesystem::path& folder);
 
+/// Makes a folder and its parents where they are missing; their names are on the disk when it returns.
+/// @throws Error when one cannot be made
+void make_folders(const std::filesystem::path& folder);
+
 /// Puts a complete folder in an empty place, in one step, and returns when that is on the disk.
 /// @param place nothing, or an empty folder
 /// @throws Error when there is anything, or the disk refuses; then both are as they were

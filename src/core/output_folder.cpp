@@ -81,7 +81,14 @@ fs::path highest_missing(fs::path folder) {
   return highest;
 }
 
-// Only what such a result may hold, complete or not: nothing of anybody else's.
+void sync_made_folders(const fs::path& from, const fs::path& highest) {
+  if (highest.empty()) return;
+  for (fs::path folder = from; folder != highest.parent_path(); folder = folder.parent_path())
+    sync_folder(folder.parent_path());
+}
+
+}  // namespace
+
 bool holds_only(const fs::path& folder, const std::vector<std::string>& files) {
   std::error_code failure;
   if (!fs::is_directory(fs::symlink_status(folder, failure))) return false;
@@ -92,14 +99,6 @@ bool holds_only(const fs::path& folder, const std::vector<std::string>& files) {
   }
   return !failure;
 }
-
-void sync_made_folders(const fs::path& from, const fs::path& highest) {
-  if (highest.empty()) return;
-  for (fs::path folder = from; folder != highest.parent_path(); folder = folder.parent_path())
-    sync_folder(folder.parent_path());
-}
-
-}  // namespace
 
 OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> files, Existing existing,
                            Remains remains)

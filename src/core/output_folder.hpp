@@ -22,6 +22,9 @@ enum class Remains {
   keep,    ///< what a device saw cannot be seen again
 };
 
+/// Whether a folder holds nothing but what such a result may hold (see OutputFolder), complete or not.
+[[nodiscard]] bool holds_only(const std::filesystem::path& folder, const std::vector<std::string>& files);
+
 /// A folder that is written beside its target, under a name of its own, and renamed when complete: whatever
 /// stops the program, the target is there whole, or as it was, and stays so through a power cut. Destroyed
 /// without commit(), it leaves nothing behind, nor parents that it made. Not for use by several threads.

@@ -101,8 +101,9 @@ struct Inspection {
   std::optional<TakenSide> final;
   std::map<Side, BegunSide> begun;  ///< a later round that is under way
   std::optional<RecordedComparison>
-      comparison;       ///< that holds; empty before, and when a side was taken since
-  int comparisons = 0;  ///< made so far, those that hold no more included
+      comparison;  ///< that holds; empty before, and when a side was taken since
+  std::vector<std::string> unfinished_comparisons{};  ///< folders of those that were begun, not recorded
+  int comparisons = 0;                                ///< made so far, those that hold no more included
   std::vector<ComparedView> compared;
   std::vector<ReviewedFinding> findings;
 };

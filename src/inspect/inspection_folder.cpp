@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -35,6 +37,22 @@ fs::path InspectionFolder::capture(Side side, const Inspection& inspection, int 
 }
 
 std::string InspectionFolder::comparison_name(int number) { return fmt::format("comparison-{}", number); }
+
+std::optional<std::int64_t> InspectionFolder::number_in(const std::string& name) {
+  std::int64_t number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [last, failure] = std::from_chars(name.data(), end, number);
+  const bool digits = failure == std::errc() && last == end && number >= 0 && name.front() != '-';
+  return digits ? std::optional(number) : std::nullopt;
+}
+
+std::int64_t InspectionFolder::greatest_id(const fs::path& data) {
+  std::int64_t greatest = 0;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(data / "inspections", failure))
+    greatest = std::max(greatest, number_in(entry.path().filename()).value_or(0));
+  return greatest;
+}
 
 fs::path InspectionFolder::result_in(const fs::path& comparison, int view) {
   return comparison / "results" / view_name(static_cast<std::size_t>(view));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "inspect/inspection.hpp"
@@ -27,6 +28,10 @@ class InspectionFolder {
 
   /// The name of a comparison's folder in this one.
   [[nodiscard]] static std::string comparison_name(int number);
+  /// Of a name that is digits alone; empty of others.
+  [[nodiscard]] static std::optional<std::int64_t> number_in(const std::string& name);
+  /// The greatest id of all inspections' folders; 0 where there is none.
+  [[nodiscard]] static std::int64_t greatest_id(const std::filesystem::path& data);
   /// Of a comparison's folder.
   [[nodiscard]] static std::filesystem::path result_in(const std::filesystem::path& comparison, int view);
 

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "core/date_time.hpp"
+#include "core/durability.hpp"
 #include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "depth/capture.hpp"
 #include "inspect/person_name.hpp"
@@ -38,16 +39,7 @@ Inspector::Inspector(const InspectionRig& rig, Records& records, std::filesystem
                      const InspectorOptions& options)
     : rig_(rig), records_(records), data_(std::move(data)), options_(options) {
   check_options(options_);
-  std::error_code failure;
-  std::filesystem::create_directories(data_, failure);
-  if (failure)
-    throw Error(printable(data_), fmt::format("cannot be made ({})", failure.message()),
-                "give a folder that can be written");
-}
-
-Inspector::~Inspector() {
-  cancel();
-  if (thread_.joinable()) thread_.join();
+  make_folders(data_);
 }
 
 std::int64_t Inspector::begin(const InspectionOrder& order) {
@@ -55,7 +47,9 @@ std::int64_t Inspector::begin(const InspectionOrder& order) {
   const std::optional<PanTilt> joints = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints;
   if (!joints) throw Error("robot", "does not say where it stands", "see that it answers, then begin");
   const PanTilt view = rig_.drive == nullptr ? *joints : rig_.drive->limits().nearest(*joints);
-  return records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither, {view});
+  // Folders that a lost record left must not become those of another inspection.
+  return records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither, {view},
+                                 InspectionFolder::greatest_id(data_));
 }
 
 Inspection Inspector::inspection(std::int64_t id) const {
@@ -102,6 +96,10 @@ void Inspector::require_baseline(const Inspection& inspection) const {
 }
 
 void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
+  tasks_.between_starts([&] { change_views(id, views); });
+}
+
+void Inspector::change_views(std::int64_t id, const std::vector<PanTilt>& views) {
   const Inspection before = inspection(id);
   if (before.initial || before.begun.contains(Side::initial))
     throw Error(title(id), "its baseline has been begun", "begin another inspection for other views");
@@ -109,12 +107,21 @@ void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
     throw Error(title(id), fmt::format("cannot have {} views", views.size()),
                 fmt::format("give 1 to {}", most_views));
   if (rig_.drive != nullptr) check_waypoints(views, rig_.drive->limits());
+  constexpr double most_deg = 180.0;
+  const auto is_angle = [](double deg) { return std::abs(deg) <= most_deg; };
+  if (!std::ranges::all_of(
+          views, [&](const PanTilt& view) { return is_angle(view.pan_deg) && is_angle(view.tilt_deg); }))
+    throw Error(title(id), "cannot have a view beyond 180 degrees", "give other angles");
   if (rig_.drive == nullptr && views.size() > 1)
     throw Error(title(id), "the camera stands still and has one view", "start the program with --robot");
   records_.set_views(id, views);
 }
 
 void Inspector::set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
+  tasks_.between_starts([&] { change_ignored(id, view, ignored); });
+}
+
+void Inspector::change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
   const Inspection before = inspection(id);
   if (!before.initial) throw Error(title(id), "has no baseline to draw on", "take the baseline first");
   if (view < 0 || view >= static_cast<int>(before.views.size()))
@@ -125,90 +132,26 @@ void Inspector::set_ignored(std::int64_t id, int view, const std::vector<Polygon
   records_.set_ignored(id, view, ignored);
 }
 
-void Inspector::start(TaskState task, const Work& work) {
-  const std::lock_guard starting(starting_);
-  end_check();
-  {
-    const std::lock_guard lock(mutex_);
-    if (task_.end == TaskEnd::running)
-      throw Error(std::string(name_of(task_.kind)), "is under way", "wait for its end, or cancel it");
-    task.number = task_.number + 1;
-    task.end = TaskEnd::running;
-    task_ = std::move(task);
-  }
-  if (thread_.joinable()) thread_.join();
-  cancelled_ = false;
-  thread_ = std::thread([this, work] { run(work); });
-}
-
-// Whoever asks for more does not wait for a check to end.
-void Inspector::end_check() {
-  const TaskState now = task();
-  if (now.end != TaskEnd::running || now.kind != TaskKind::readiness) return;
-  cancelled_ = true;
-  thread_.join();
-}
-
-void Inspector::run(const Work& work) {
-  TaskEnd end = TaskEnd::done;
-  std::string problem;
-  try {
-    work();
-  } catch (const Interrupted&) {
-    end = TaskEnd::cancelled;
-  } catch (const std::exception& failure) {
-    end = TaskEnd::failed;
-    problem = printable(failure.what());
-  }
-  update([&](TaskState& task) {
-    task.end = end;
-    task.problem = problem;
-    task.waiting.clear();
-  });
-}
-
-void Inspector::update(const std::function<void(TaskState&)>& change) {
-  const std::lock_guard lock(mutex_);
-  change(task_);
-}
-
-// What a person ended ends at the next piece of work, as by Ctrl-C.
-Progress Inspector::counted_progress() {
-  return [this](std::string_view /*step*/, std::size_t done, std::size_t total) {
-    if (cancelled_) throw Interrupted(0);
-    throw_if_interrupted();
-    update([&](TaskState& task) {
-      task.done = done;
-      task.total = total;
-    });
-  };
-}
-
-CaptureEvents Inspector::capture_events() {
-  return {[this](const CaptureProgress& progress) {
-            if (cancelled_) throw Interrupted(0);
-            throw_if_interrupted();
-            update([&](TaskState& task) { task.progress = progress; });
-          },
-          [this](NoiseSoFar noise) {
-            update([shared = std::make_shared<const NoiseSoFar>(std::move(noise))](TaskState& task) {
-              task.noise = shared;
-            });
-          },
-          [this](const std::string& why) { update([&](TaskState& task) { task.waiting = why; }); }};
-}
-
 void Inspector::check_readiness() {
-  start({.kind = TaskKind::readiness}, [this] {
-    Readiness readiness =
-        rva::check_readiness(rig_.camera, rig_.drive, data_, options_.readiness, counted_progress());
-    const std::lock_guard lock(mutex_);
-    readiness_ = std::move(readiness);
+  tasks_.start({.kind = TaskKind::readiness}, tasks_.ends_asked_for(), [this]() -> TaskRunner::Work {
+    return [this] {
+      Readiness readiness =
+          rva::check_readiness(rig_.camera, rig_.drive, data_, options_.readiness, tasks_.counted_progress());
+      const std::lock_guard lock(mutex_);
+      readiness_ = std::move(readiness);
+    };
   });
 }
 
 void Inspector::capture(std::int64_t id, Side side, const std::string& person, bool replaced) {
+  const std::uint64_t ends_asked_for = tasks_.ends_asked_for();
   require_person(person);
+  tasks_.start({.kind = TaskKind::capture, .inspection = id, .side = side}, ends_asked_for,
+               [&] { return capture_work(id, side, person, replaced); });
+}
+
+TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::string& person,
+                                         bool replaced) {
   const Inspection before = inspection(id);
   if (side == Side::final && !before.initial)
     throw Error(title(id), "has no baseline to compare with", "take it before the work");
@@ -220,24 +163,25 @@ void Inspector::capture(std::int64_t id, Side side, const std::string& person, b
   if (side == Side::final) require_baseline(before);
   const BegunSide round = round_for(before, side, person, base_of(id, replaced));
   const int captures = std::max(1, before.dither);
-  SideCapture wanted{waypoints_of(before), folder(id).side(side, round.round), round.base,
-                     static_cast<std::size_t>((options_.frames + captures - 1) / captures)};
+  const SideCapture wanted{waypoints_of(before), folder(id).side(side, round.round), round.base,
+                           static_cast<std::size_t>((options_.frames + captures - 1) / captures)};
   folder(id).require_no_links(wanted.folder);
-  start({.kind = TaskKind::capture, .inspection = id, .side = side}, [this, id, side, round, wanted] {
-    records_.begin_side(id, side, round);
-    take_side(rig_, wanted, capture_events());
-    records_.set_side(id, side, {iso_8601_now(), round.person, round.base, round.round});
-    if (side == Side::final) compare_now(inspection(id));
-  });
+  records_.begin_side(id, side, round);
+  return [this, id, side, round, wanted] {
+    const std::string taken_at = take_side(rig_, wanted, tasks_.capture_events());
+    records_.set_side(id, side, {taken_at, round.person, round.base, round.round});
+    if (side == Side::final) compare_now(id);
+  };
 }
 
-// The round that is under way, if the robot has stood in the same place since; otherwise a new one, in a
-// folder that nothing has been captured into.
+// A baseline on a robot goes on with the views that it has: no work has been done yet. After the work, views
+// of an earlier moment would show a bay in which somebody may have worked since, so a final side is always
+// taken as a whole, in a folder that nothing has been captured into.
 BegunSide Inspector::round_for(const Inspection& inspection, Side side, const std::string& person,
                                const std::string& base) const {
   const auto begun = inspection.begun.find(side);
-  if (begun != inspection.begun.end() && begun->second.base == base)
-    return {begun->second.round, person, base};
+  const bool goes_on = side == Side::initial && rig_.drive != nullptr;
+  if (goes_on && begun != inspection.begun.end()) return {begun->second.round, person, base};
   const std::optional<TakenSide>& taken = side == Side::initial ? inspection.initial : inspection.final;
   int round =
       std::max(taken ? taken->round : 0, begun == inspection.begun.end() ? 0 : begun->second.round) + 1;
@@ -255,35 +199,33 @@ std::optional<bool> Inspector::replaced_before_final(const Inspection& inspectio
 }
 
 void Inspector::compare(std::int64_t id) {
-  const Inspection before = inspection(id);
-  if (!before.initial || !before.final)
-    throw Error(title(id), "is not captured before and after the work", "take both captures");
-  require_same_rig(before);
-  require_baseline(before);
-  start({.kind = TaskKind::comparison, .inspection = id}, [this, before] { compare_now(before); });
+  tasks_.start({.kind = TaskKind::comparison, .inspection = id}, tasks_.ends_asked_for(),
+               [this, id]() -> TaskRunner::Work {
+                 const Inspection before = inspection(id);
+                 if (!before.initial || !before.final)
+                   throw Error(title(id), "is not captured before and after the work", "take both captures");
+                 require_same_rig(before);
+                 require_baseline(before);
+                 return [this, id] { compare_now(id); };
+               });
 }
 
-void Inspector::compare_now(const Inspection& inspection) {
-  update([](TaskState& task) { task.kind = TaskKind::comparison; });
-  const int number = inspection.comparisons + 1;
+void Inspector::compare_now(std::int64_t id) {
+  tasks_.update([](TaskState& task) { task.kind = TaskKind::comparison; });
+  const Inspection inspection = this->inspection(id);
+  const InspectionFolder folder = this->folder(id);
+  int number = inspection.comparisons + 1;
+  std::error_code ignored;
+  while (std::filesystem::exists(
+      std::filesystem::symlink_status(folder.path() / InspectionFolder::comparison_name(number), ignored)))
+    ++number;
   const std::string name = InspectionFolder::comparison_name(number);
-  const InspectionFolder folder = this->folder(inspection.id);
   folder.require_no_links(folder.path() / name);
+  records_.begin_comparison(id, {number, "", name});
   const Compared compared =
-      compare_sides(folder, inspection, number, rig_.drive != nullptr, rig_.chain, counted_progress());
-  records_.set_comparison(inspection.id, {number, iso_8601_now(), name}, compared.views, compared.findings);
-}
-
-void Inspector::cancel() { cancelled_ = true; }
-
-void Inspector::stop_capture() {
-  const std::lock_guard lock(mutex_);
-  if (task_.end == TaskEnd::running && task_.kind == TaskKind::capture) cancelled_ = true;
-}
-
-TaskState Inspector::task() const {
-  const std::lock_guard lock(mutex_);
-  return task_;
+      compare_sides(folder, inspection, number, rig_.drive != nullptr, rig_.chain, tasks_.counted_progress());
+  tasks_.throw_if_ended();
+  records_.set_comparison(id, {number, iso_8601_now(), name}, compared.views, compared.findings);
 }
 
 std::optional<Readiness> Inspector::readiness() const {

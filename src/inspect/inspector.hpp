@@ -1,12 +1,9 @@
 // An inspection, step by step: what a console asks for, done.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "core/options.hpp"
@@ -14,7 +11,7 @@
 #include "inspect/readiness.hpp"
 #include "inspect/records.hpp"
 #include "inspect/side_capture.hpp"
-#include "inspect/task.hpp"
+#include "inspect/task_runner.hpp"
 #include "robot/dither.hpp"
 
 namespace rva {
@@ -44,7 +41,7 @@ class Inspector {
   /// @throws UsageError when an option is out of range; Error when the folder cannot be made
   Inspector(const InspectionRig& rig, Records& records, std::filesystem::path data,
             const InspectorOptions& options = {});
-  ~Inspector();  ///< ends a task under way, as cancel() does
+  ~Inspector() = default;  ///< ends a task under way, as cancel() does
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
 
@@ -71,23 +68,23 @@ class Inspector {
   // ended, or when the inspection is not so far.
 
   void check_readiness();
-  /// Of every view; the final side is compared at once, and taken in another round where it is there already:
-  /// the earlier one stays where it is. A complete baseline is not taken again: the work has been done on it.
-  /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere.
-  ///                 A round under way is gone on with, unless this was said otherwise of it
+  /// Of every view. A baseline that was interrupted goes on with the views that a robot has taken; a complete
+  /// one is not taken again: the work has been done on it. The final side is taken as a whole, in a round of
+  /// its own each time, and compared at once; earlier rounds stay where they are.
+  /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
   void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
 
-  /// What was said of `replaced` for a final side that is under way; empty where there is none.
+  /// What was said of `replaced` for a final side that was interrupted; empty where there is none.
   [[nodiscard]] std::optional<bool> replaced_before_final(const Inspection& inspection) const;
   /// The final side again with the initial one, as after a failure in between.
   void compare(std::int64_t id);
 
-  /// Ends the task under way, if any: soon after.
-  void cancel();
+  /// Ends the task under way, if any: soon after. A start that was asked for before does not happen.
+  void cancel() { tasks_.cancel(); }
   /// The same where it is a capture, which would move the robot on.
-  void stop_capture();
+  void stop_capture() { tasks_.stop_capture(); }
 
-  [[nodiscard]] TaskState task() const;
+  [[nodiscard]] TaskState task() const { return tasks_.task(); }
   /// Of the last check; empty before.
   [[nodiscard]] std::optional<Readiness> readiness() const;
 
@@ -97,15 +94,11 @@ class Inspector {
   void decide(std::int64_t id, int comparison, int finding, const Decision& decision);
 
  private:
-  using Work = std::function<void()>;
-
-  void start(TaskState task, const Work& work);
-  void run(const Work& work);
-  void end_check();
-  void update(const std::function<void(TaskState&)>& change);
-  [[nodiscard]] Progress counted_progress();
-  [[nodiscard]] CaptureEvents capture_events();
-  void compare_now(const Inspection& inspection);
+  [[nodiscard]] TaskRunner::Work capture_work(std::int64_t id, Side side, const std::string& person,
+                                              bool replaced);
+  void compare_now(std::int64_t id);
+  void change_views(std::int64_t id, const std::vector<PanTilt>& views);
+  void change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
   [[nodiscard]] BegunSide round_for(const Inspection& inspection, Side side, const std::string& person,
                                     const std::string& base) const;
   void require_same_rig(const Inspection& inspection) const;
@@ -116,12 +109,9 @@ class Inspector {
   Records& records_;
   std::filesystem::path data_;
   InspectorOptions options_;
-  mutable std::mutex mutex_;  // guards the next two
-  TaskState task_;
+  mutable std::mutex mutex_;  // guards the next one
   std::optional<Readiness> readiness_;
-  std::mutex starting_;  // guards the thread
-  std::atomic<bool> cancelled_ = false;
-  std::thread thread_;
+  TaskRunner tasks_;  // last: its thread uses all above
 };
 
 }  // namespace rva

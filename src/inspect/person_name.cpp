@@ -1,10 +1,13 @@
 #include "inspect/person_name.hpp"
 
+#include <unicode/normalizer2.h>
 #include <unicode/uchar.h>
 #include <unicode/unistr.h>
 #include <unicode/uspoof.h>
 
+#include <cstdint>
 #include <memory>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/path_text.hpp"
@@ -44,15 +47,37 @@ Checker make_checker(URestrictionLevel level, int checks) {
   return checker;
 }
 
-// What a name looks like. Capitals look like small letters here: "Ann" and "ann" are taken for each other.
-icu::UnicodeString skeleton_of(const std::string& name) {
+icu::UnicodeString as_written(const std::string& name) { return icu::UnicodeString::fromUTF8(name); }
+
+// "Ann" and "ann" are taken for each other.
+icu::UnicodeString folded(const std::string& name) { return as_written(name).foldCase(); }
+
+icu::UnicodeString skeleton_of(const icu::UnicodeString& text) {
   const Checker checker = make_checker(USPOOF_HIGHLY_RESTRICTIVE, USPOOF_CONFUSABLE);
   UErrorCode status = U_ZERO_ERROR;
-  icu::UnicodeString folded = icu::UnicodeString::fromUTF8(name);
-  folded.foldCase();
   icu::UnicodeString skeleton;
-  uspoof_getSkeletonUnicodeString(checker.get(), 0, folded, skeleton, &status);
-  return U_FAILURE(status) ? folded : skeleton.foldCase();
+  uspoof_getSkeletonUnicodeString(checker.get(), 0, text, skeleton, &status);
+  return U_FAILURE(status) ? text : skeleton;
+}
+
+// Letters, their accents, digits, and what joins the parts of a name. Wide, raised or circled letters are
+// others in disguise (compatibility characters); an overlay hides what is below it.
+bool is_of_names(UChar32 character) {
+  constexpr UChar32 first_overlay = 0x0334;
+  constexpr UChar32 last_overlay = 0x0338;
+  if (character >= first_overlay && character <= last_overlay) return false;
+  const std::int8_t type = u_charType(character);
+  return u_isalpha(character) != 0 || u_isdigit(character) != 0 || type == U_NON_SPACING_MARK ||
+         type == U_COMBINING_SPACING_MARK ||
+         std::u32string_view(U" .'\u2019-").find(static_cast<char32_t>(character)) !=
+             std::u32string_view::npos;
+}
+
+bool has_disguised_letters(const icu::UnicodeString& text) {
+  UErrorCode status = U_ZERO_ERROR;
+  const icu::UnicodeString plain = icu::Normalizer2::getNFKCInstance(status)->normalize(text, status);
+  const icu::UnicodeString composed = icu::Normalizer2::getNFCInstance(status)->normalize(text, status);
+  return U_FAILURE(status) || plain != composed;
 }
 
 }  // namespace
@@ -71,16 +96,21 @@ bool is_legible_name(const std::string& name) {
 
 bool is_name_of_one_script(const std::string& name) {
   if (!is_legible_name(name)) return false;
+  const icu::UnicodeString text = as_written(name);
+  for (int at = 0; at < text.length(); at = text.moveIndex32(at, 1)) {
+    if (!is_of_names(text.char32At(at))) return false;
+  }
+  if (has_disguised_letters(text)) return false;
   const Checker checker = make_checker(USPOOF_HIGHLY_RESTRICTIVE,
                                        USPOOF_RESTRICTION_LEVEL | USPOOF_INVISIBLE | USPOOF_MIXED_NUMBERS);
   UErrorCode status = U_ZERO_ERROR;
-  const int problems =
-      uspoof_checkUnicodeString(checker.get(), icu::UnicodeString::fromUTF8(name), nullptr, &status);
+  const int problems = uspoof_checkUnicodeString(checker.get(), text, nullptr, &status);
   return U_SUCCESS(status) && problems == 0;
 }
 
 bool look_alike(const std::string& a, const std::string& b) {
-  return a == b || skeleton_of(a) == skeleton_of(b);
+  return a == b || skeleton_of(as_written(a)) == skeleton_of(as_written(b)) ||
+         skeleton_of(folded(a)) == skeleton_of(folded(b));
 }
 
 }  // namespace rva

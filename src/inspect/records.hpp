@@ -40,9 +40,11 @@ class Records {
 
   /// @return its id
   /// @param dither captures of each view
+  /// @param above  its id is larger
   [[nodiscard]] virtual std::int64_t add_inspection(const InspectionOrder& order,
                                                     const std::string& created_at, int dither,
-                                                    const std::vector<PanTilt>& views) = 0;
+                                                    const std::vector<PanTilt>& views,
+                                                    std::int64_t above) = 0;
   /// Newest first.
   [[nodiscard]] virtual std::vector<std::int64_t> inspections() const = 0;
   /// Of all, newest first: much quicker than find() of each.
@@ -60,6 +62,9 @@ class Records {
   /// Takes the place of the polygons that were left out of this view before. What was compared without these
   /// holds no more.
   virtual void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) = 0;
+  /// A comparison is about to write into its folder.
+  /// @param comparison with a number that no earlier one has
+  virtual void begin_comparison(std::int64_t id, const RecordedComparison& comparison) = 0;
   /// Takes the place of an earlier comparison, which stays in the record with its findings and decisions.
   /// @param comparison with a number that no earlier one has
   virtual void set_comparison(std::int64_t id, const RecordedComparison& comparison,

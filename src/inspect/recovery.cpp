@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cstdint>
+#include <algorithm>
 #include <optional>
-#include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "core/remains.hpp"
+#include "depth/capture_writer.hpp"
 #include "inspect/inspection_folder.hpp"
+#include "inspect/view_comparison.hpp"
 
 namespace fs = std::filesystem;
 
@@ -21,75 +23,106 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code failure;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
-    if (entry.symlink_status(failure).type() == fs::file_type::directory) found.push_back(entry.path());
+    std::error_code unknown;
+    if (entry.symlink_status(unknown).type() == fs::file_type::directory) found.push_back(entry.path());
   }
+  std::ranges::sort(found);
   return found;
 }
 
-// The digits at the end of `name` after `prefix`; empty where it is another name.
-std::optional<std::int64_t> number_after(std::string_view prefix, const std::string& name) {
-  if (!name.starts_with(prefix)) return std::nullopt;
-  std::int64_t number = 0;
-  const char* const end = name.data() + name.size();
-  const auto [last, failure] = std::from_chars(name.data() + prefix.size(), end, number);
-  return failure == std::errc() && last == end ? std::optional(number) : std::nullopt;
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// Repairs one inspection's folder.
+bool holds_captures(const fs::path& side) { return is_there(side / "000" / "capture.json"); }
+
+// "001" of "001.partial-17-0"
+std::string target_of(const fs::path& remains) {
+  const std::string name = remains.filename();
+  return name.substr(0, name.find(".partial-"));
+}
+
+bool is_three_digits(const std::string& name) {
+  return name.size() == 3 && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// Repairs one inspection's folder. What it does not know, it leaves alone.
 class Repair {
  public:
   Repair(fs::path folder, const Inspection& inspection, std::vector<std::string>& done)
       : folder_(std::move(folder)), inspection_(inspection), done_(done) {}
 
   void run() {
-    restore_replaced();
-    remove_unfinished(folder_);
-    for (const fs::path& side : folders_in(folder_)) remove_unfinished(side);
-    remove_unrecorded();
+    for (const char* const side : {"initial", "final"}) restore_replaced(side);
+    remove_unfinished_comparisons();
+    for (const fs::path& side : folders_in(folder_)) remove_unfinished_views(side);
+    remove_unfinished_clouds();
+    name_unrecorded_comparisons();
   }
 
  private:
-  // Version 0 of the layout moved a final side to SIDE.replaced while it was taken anew: the new views become
-  // a round of their own.
-  void restore_replaced() {
-    for (const char* const side : {"initial", "final"}) {
-      const fs::path place = folder_ / side;
-      const fs::path aside = folder_ / fmt::format("{}.replaced", side);
-      std::error_code failure;
-      if (!fs::is_directory(fs::symlink_status(aside, failure))) continue;
-      if (fs::exists(fs::symlink_status(place, failure))) {
-        int round = 2;
-        while (fs::exists(fs::symlink_status(folder_ / fmt::format("{}-{}", side, round), failure))) ++round;
-        fs::rename(place, folder_ / fmt::format("{}-{}", side, round), failure);
-      }
-      if (!failure) fs::rename(aside, place, failure);
-      if (!failure) tell(place, "restored: it was being taken anew when the program was stopped");
-    }
-  }
-
-  void remove_unfinished(const fs::path& folder) {
+  // A former version moved a final side to SIDE.replaced while it was taken anew: the new views become a
+  // round of their own.
+  void restore_replaced(const std::string& side) {
+    const fs::path place = folder_ / side;
+    const fs::path aside = folder_ / (side + ".replaced");
+    if (!holds_captures(aside)) return;
     std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
-      const bool cloud =
-          entry.path().filename() == "map.ply.partial" || entry.path().filename() == "changes.ply.partial";
-      if (cloud || is_name_of_remains(entry.path()))
-        remove(entry.path(), "removed: it was not complete when the program was stopped");
+    if (is_there(place)) {
+      int round = 2;
+      while (is_there(folder_ / fmt::format("{}-{}", side, round))) ++round;
+      fs::rename(place, folder_ / fmt::format("{}-{}", side, round), failure);
+    }
+    if (!failure) fs::rename(aside, place, failure);
+    tell(place, failure ? "cannot be restored: look at the folder's rights"
+                        : "restored: it was being taken anew when the program was stopped");
+  }
+
+  // Begun, perhaps complete, but never recorded: nobody was shown them.
+  void remove_unfinished_comparisons() {
+    for (const std::string& name : inspection_.unfinished_comparisons) {
+      if (holds_only(folder_ / name, comparison_files())) remove(folder_ / name);
+    }
+    for (const fs::path& path : folders_in(folder_)) {
+      if (is_name_of_remains(path) && target_of(path).starts_with("comparison-") &&
+          holds_only(path, comparison_files()))
+        remove(path);
     }
   }
 
-  // Complete, but the program was killed before it was recorded: it is made again, under the same number.
-  void remove_unrecorded() {
-    for (const fs::path& comparison : folders_in(folder_)) {
-      const auto number = number_after("comparison-", comparison.filename());
+  // Of captures, and of the results of a former version.
+  void remove_unfinished_views(const fs::path& side) {
+    const std::vector<std::string> files =
+        side.filename() == "results" ? view_result_files() : capture_files();
+    for (const fs::path& path : folders_in(side)) {
+      if (is_name_of_remains(path) && is_three_digits(target_of(path)) && holds_only(path, files))
+        remove(path);
+    }
+  }
+
+  void remove_unfinished_clouds() {
+    for (const char* const cloud : {"map.ply.partial", "changes.ply.partial"}) {
+      if (is_there(folder_ / cloud)) remove(folder_ / cloud);
+    }
+  }
+
+  void name_unrecorded_comparisons() {
+    for (const fs::path& path : folders_in(folder_)) {
+      const std::string name = path.filename();
+      const std::string prefix = InspectionFolder::comparison_name(0).substr(0, 11);
+      if (!name.starts_with(prefix) || is_name_of_remains(path)) continue;
+      const std::optional<std::int64_t> number = InspectionFolder::number_in(name.substr(prefix.size()));
       if (number && *number > inspection_.comparisons)
-        remove(comparison, "removed: it was not recorded when the program was stopped; compare again");
+        tell(path, "is of a comparison that the records do not have; it stays");
     }
   }
 
-  void remove(const fs::path& path, const char* said) {
+  void remove(const fs::path& path) {
     std::error_code failure;
     fs::remove_all(path, failure);
-    tell(path, failure ? "is incomplete, and cannot be removed: look at the folder's rights" : said);
+    tell(path, failure ? "is incomplete, and cannot be removed: look at the folder's rights"
+                       : "removed: it was not complete when the program was stopped");
   }
 
   void tell(const fs::path& path, const char* said) {
@@ -106,9 +139,13 @@ class Repair {
 std::vector<std::string> recover_data(const fs::path& data, const Records& records) {
   std::vector<std::string> done;
   for (const fs::path& folder : folders_in(data / "inspections")) {
-    const auto id = number_after("", folder.filename());
-    const std::optional<Inspection> inspection = id ? records.find(*id) : std::nullopt;
-    if (inspection) Repair(folder, *inspection, done).run();
+    const std::optional<std::int64_t> id = InspectionFolder::number_in(folder.filename());
+    if (!id) continue;
+    if (const std::optional<Inspection> inspection = records.find(*id))
+      Repair(folder, *inspection, done).run();
+    else
+      done.push_back(
+          fmt::format("{}: is of an inspection that the records do not have; it stays", printable(folder)));
   }
   return done;
 }

@@ -7,6 +7,7 @@
 
 #include "camera/recording.hpp"
 #include "core/clock.hpp"
+#include "core/date_time.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "depth/capture_writer.hpp"
@@ -79,8 +80,6 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
 void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,
                    const std::function<void()>& while_waiting) {
   const std::filesystem::path folder = side.folder / view_name(0);
-  std::error_code ignored;
-  if (std::filesystem::exists(folder, ignored)) return;
   const std::unique_ptr<Camera> frames = rig.camera.every_frame(while_waiting);
   Witness witness(side, events, frames->info());
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
@@ -125,7 +124,7 @@ bool waited_for_device(const InspectionRig& rig, const CaptureEvents& events, co
 
 }  // namespace
 
-void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
+std::string take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
   CaptureProgress last{0, side.views.size(), 0, side.frames};
   CaptureEvents noted = events;
   noted.progress = [&](const CaptureProgress& now) {
@@ -145,6 +144,9 @@ void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureE
       if (!waited_for_device(rig, events, last)) throw;
     }
   }
+  const std::string taken_at =
+      open_capture(side.folder / view_name(side.views.size() - 1))->info().captured_at;
+  return taken_at.empty() ? iso_8601_now() : taken_at;
 }
 
 }  // namespace rva

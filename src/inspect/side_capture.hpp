@@ -43,11 +43,12 @@ struct SideCapture {
   std::size_t frames = 40;  ///< of each view
 };
 
-/// Goes on where an earlier call was ended: views that are there are not taken again. A camera or a robot
-/// that goes away is waited for, and only the view under way is taken anew.
+/// With a robot, goes on where an earlier call was ended: views that are there are not taken again. A camera
+/// or a robot that goes away is waited for, and only the view under way is taken anew.
+/// @return when the last view was taken, as its capture says (ISO 8601)
 /// @throws UsageError  a view is beyond the robot's limits
 /// @throws Error       something else failed; views that were complete stay
 /// @throws Interrupted as `events.progress` does; the robot has been stopped
-void take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events);
+std::string take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events);
 
 }  // namespace rva

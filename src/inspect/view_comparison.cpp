@@ -36,7 +36,8 @@ struct ViewResult {
   Detection detection;
 };
 
-ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view) {
+ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view,
+                   const Progress& progress) {
   ViewResult result{open_captures(folder, inspection, Side::initial, view),
                     open_captures(folder, inspection, Side::final, view),
                     {}};
@@ -45,18 +46,8 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
   const Mask left_out = ignored == inspection.ignored.end()
                             ? Mask()
                             : mask_of({ignored->second, {}}, camera.width, camera.height);
-  result.detection = detect(result.initial, result.final, {}, {}, left_out).detection;
+  result.detection = detect(result.initial, result.final, {}, progress, left_out).detection;
   return result;
-}
-
-std::vector<std::string> comparison_files() {
-  std::vector<std::string> files{"map.ply", "changes.ply"};
-  for (const char* const name :
-       {"detections.json", "changes.png", "depth_overlay.png", "level_of_detection.png",
-        "level_of_detection.json", "initial_color.png", "final_color.png", "initial_depth.png",
-        "final_depth.png", "changed.png", "not_inspected.png"})
-    files.push_back(std::string("results/[0-9][0-9][0-9]/") + name);
-  return files;
 }
 
 void write_picture(const std::filesystem::path& file, const ColorImage& picture) {
@@ -129,6 +120,18 @@ void name_moved_things(std::vector<ReviewedFinding>& findings) {
 
 }  // namespace
 
+std::vector<std::string> view_result_files() {
+  return {"detections.json",         "changes.png",       "depth_overlay.png", "level_of_detection.png",
+          "level_of_detection.json", "initial_color.png", "final_color.png",   "initial_depth.png",
+          "final_depth.png",         "changed.png",       "not_inspected.png"};
+}
+
+std::vector<std::string> comparison_files() {
+  std::vector<std::string> files{"map.ply", "changes.ply"};
+  for (const std::string& name : view_result_files()) files.push_back("results/[0-9][0-9][0-9]/" + name);
+  return files;
+}
+
 std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m) {
   std::ranges::stable_sort(findings, std::greater<>{}, [](const ReviewedFinding& finding) {
     return finding.finding.score.value_or(0.0);
@@ -149,16 +152,19 @@ std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double 
 
 Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number, bool moved,
                        const PanTiltChain& chain, const Progress& progress) {
-  // A comparison of this number that is there already was never recorded: the program was killed before.
   OutputFolder out(folder.path() / InspectionFolder::comparison_name(number), comparison_files(),
-                   Existing::replace);
+                   Existing::refuse);
   Compared compared;
   std::vector<ReviewedFinding> findings;
   std::vector<MapPoint> points;
   for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
     throw_if_interrupted();
-    if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
-    const ViewResult result = compare(folder, inspection, view);
+    // Told again at each step of a view, so that whoever waits can end it there.
+    const Progress views = [&](std::string_view /*step*/, std::size_t /*done*/, std::size_t /*total*/) {
+      if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
+    };
+    views("", 0, 0);
+    const ViewResult result = compare(folder, inspection, view, views);
     const ColorImage changed = write(result, InspectionFolder::result_in(out.path(""), view));
     const CaptureInfo& info = result.final.front()->info();
     std::ranges::move(changed_points(result.detection, changed, info.depth, map_from_camera(info, chain)),

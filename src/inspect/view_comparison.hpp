@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/progress.hpp"
@@ -23,6 +24,10 @@ struct Compared {
 /// @throws Error when a capture is missing or cannot be compared; Interrupted
 [[nodiscard]] Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number,
                                      bool moved, const PanTiltChain& chain, const Progress& progress);
+
+/// What the folder of a comparison may hold, and that of one view's results, for an OutputFolder.
+[[nodiscard]] std::vector<std::string> comparison_files();
+[[nodiscard]] std::vector<std::string> view_result_files();
 
 /// Says of findings of several views which are the same thing: of one kind, and nearer to each other in the
 /// foot's frame than `reach_m`. Numbers and orders all of them.

@@ -132,6 +132,9 @@ void require_replaceable(const MapFiles& files, bool overwrite) {
   const auto is_file = [&](const fs::path& file) {
     return fs::is_regular_file(fs::symlink_status(file, ignored));
   };
+  if (is_there(files.commit))
+    throw Error(printable(files.commit), "is there, and is no part of a map",
+                "move it away, or choose another name");
   for (const fs::path& file : {files.ply, files.pcd, files.poses}) {
     if (!is_there(file)) continue;
     if (!overwrite)
@@ -145,10 +148,11 @@ void require_replaceable(const MapFiles& files, bool overwrite) {
   }
 }
 
-void finish_map(const MapFiles& files) {
-  if (!is_commit(files.commit)) return;
+bool finish_map(const MapFiles& files) {
+  if (!is_commit(files.commit)) return false;
   const std::unique_ptr<FolderLock> lock = FolderLock::try_lock(files.commit);
   if (lock != nullptr) put_in_place(files);
+  return lock != nullptr;
 }
 
 void write_map(const MapFiles& files, std::span<const MapPoint> points, std::span<const MapView> views,

@@ -41,8 +41,9 @@ void require_replaceable(const MapFiles& files, bool overwrite);
 
 /// Completes what a killed program had begun to put in place; call it before anything else. Does nothing
 /// where there is nothing to complete, or another program is at it.
+/// @return whether there was something to complete
 /// @throws Error when the disk refuses
-void finish_map(const MapFiles& files);
+bool finish_map(const MapFiles& files);
 
 /// Writes all three into MAP.commit, then puts them in their places, with the captures of VIEWS.next where
 /// there are any, in place of an earlier map's.

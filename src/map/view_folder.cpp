@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/durability.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
@@ -77,12 +78,6 @@ Error cannot_be_made(const fs::path& path, const std::string& reason) {
           "check the permissions there or choose another place"};
 }
 
-void make(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw cannot_be_made(folder, failure.message());
-}
-
 }  // namespace
 
 fs::path next_views(const fs::path& views) { return views.native() + ".next"; }
@@ -90,7 +85,7 @@ fs::path next_views(const fs::path& views) { return views.native() + ".next"; }
 ViewFolder::ViewFolder(fs::path views, Start start, std::size_t count)
     : views_(std::move(views)), path_(views_) {
   require_utf8(views_);
-  make(views_);
+  make_folders(views_);
   lock_ = FolderLock::try_lock(views_);
   if (lock_ == nullptr) {
     if (::access(views_.c_str(), R_OK | X_OK) != 0) throw cannot_be_made(views_, "it may not be read");
@@ -99,7 +94,7 @@ ViewFolder::ViewFolder(fs::path views, Start start, std::size_t count)
   }
   try {
     choose(start);
-    make(path_);
+    make_folders(path_);
     remove_remains(path_);
     require_number_of_views(path_, count);
   } catch (const Error&) {

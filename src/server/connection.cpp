@@ -174,11 +174,11 @@ std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
 
 // What asks the database or reads pictures does not hold up the live view.
 asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCaller& caller, Place& place) {
-  const bool is_list = request.method() == http::verb::get && request.target() == "/api/inspections";
+  const bool is_list = request.method() == http::verb::get &&
+                       request.target().substr(0, request.target().find('?')) == "/api/inspections";
   co_return co_await asio::co_spawn(
       is_list ? place.lists : place.pool,
-      [&]() -> asio::awaitable<Response> { co_return http_answer(request, caller); },
-      asio::use_awaitable);
+      [&]() -> asio::awaitable<Response> { co_return http_answer(request, caller); }, asio::use_awaitable);
 }
 
 // Whoever has one address of version 6 has all of its network.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/clock.hpp"
+#include "inspect/person_name.hpp"
 #include "server/request_body.hpp"
 
 namespace rva {
@@ -35,6 +36,9 @@ Message message_of(const LivePicture& picture) {
   message.bytes.append(reinterpret_cast<const char*>(picture.jpeg.data()), picture.jpeg.size());
   return message;
 }
+
+// Others read it as that of whoever drives; what they could not read is no name.
+std::string legible_name(const std::string& name) { return is_legible_name(name) ? name : ""; }
 
 Json parse(std::string_view text) {
   try {
@@ -104,11 +108,11 @@ void Conversation::limit_rate(double now_s) {
 
 void Conversation::greet(const Json& message) {
   const auto version = message.find("protocol");
-  if (version == message.end() || !version->is_number_integer() || version->get<int>() != protocol)
+  if (version == message.end() || *version != protocol)
     throw ProtocolError("this console is of another version; load the page again");
   if (!client_.empty()) throw ProtocolError("a second hello");
   const std::string client = text_field(message, "client");
-  name_ = person_.name.empty() ? text_field(message, "name") : person_.name;
+  name_ = person_.name.empty() ? legible_name(text_field(message, "name")) : person_.name;
   constexpr std::size_t least_client_bytes = 16;
   if (client.size() < least_client_bytes) throw ProtocolError("the console gives no number of its own");
   client_ = client;
@@ -164,7 +168,7 @@ void Conversation::lease(const Json& message, double now_s) {
     return parts_.lease.release(client_);
   }
   if (action != "take" && action != "take-over") throw ProtocolError("unknown action");
-  const std::string name = text_field(message, "name");
+  const std::string name = legible_name(text_field(message, "name"));
   if (person_.name.empty() && !name.empty()) name_ = name;
   const auto before = parts_.lease.holder(now_s);
   if (!parts_.lease.take({client_, name_}, action == "take-over", now_s))

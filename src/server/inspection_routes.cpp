@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cmath>
 
 #include "core/date_time.hpp"
 #include "core/path_text.hpp"
@@ -30,7 +31,7 @@ int comparison_in(const Json& body, const Inspection& inspection) {
   if (body.contains("comparison")) {
     const double number = number_field(body, "comparison");
     constexpr double most = 1e9;
-    return number >= 1.0 && number <= most ? static_cast<int>(number) : 0;
+    return number >= 1.0 && number <= most && number == std::floor(number) ? static_cast<int>(number) : 0;
   }
   const std::string compared_at = text_field(body, "compared_at");
   const bool same = inspection.comparison && inspection.comparison->compared_at == compared_at;

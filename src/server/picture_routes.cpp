@@ -34,10 +34,13 @@ std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Not kept by a browser, where it would outlive a sign-out.
-ApiResponse file_answer(const std::filesystem::path& path, const std::string& content_type) {
+// Not kept by a browser, where it would outlive a sign-out. A link could lead to any file of this computer.
+ApiResponse file_answer(const InspectionFolder& folder, const std::filesystem::path& path,
+                        const std::string& content_type) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) throw not_there();
+  if (path.empty() || !std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    throw not_there();
+  folder.require_no_links(path.parent_path());
   return {200, content_type, text_of(read_file(path))};
 }
 
@@ -54,7 +57,9 @@ ApiResponse Api::get_picture(const Call& call) const {
   const int view = view_number(call.places.at(1));
   if (std::ranges::find(pictures, name) == pictures.end()) throw not_there();
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
-  return file_answer(parts_.inspector.folder(inspection.id).result(inspection, view) / name, "image/png");
+  if (!inspection.comparison) throw not_there();
+  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
+  return file_answer(folder, folder.result(inspection, view) / name, "image/png");
 }
 
 ApiResponse Api::get_baseline_picture(const Call& call) const {
@@ -81,12 +86,14 @@ ApiResponse Api::get_findable(const Call& /*call*/) const {
 
 ApiResponse Api::get_map(const Call& call) const {
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
-  return file_answer(parts_.inspector.folder(inspection.id).map(inspection), "application/octet-stream");
+  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
+  return file_answer(folder, folder.map(inspection), "application/octet-stream");
 }
 
 ApiResponse Api::get_changes(const Call& call) const {
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
-  return file_answer(parts_.inspector.folder(inspection.id).changes(inspection), "application/octet-stream");
+  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
+  return file_answer(folder, folder.changes(inspection), "application/octet-stream");
 }
 
 ApiResponse Api::measure_points(const Call& call) const {

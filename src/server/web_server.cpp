@@ -93,7 +93,14 @@ class WebServer::Implementation {
         api_(parts_, tls_ != nullptr),
         acceptor_(listen(context_, address_, options.port)),
         hub_(context_, parts_),
-        place_{api_, hub_, files_, complaints_, pool_.get_executor(), lists_.get_executor(), tls_ != nullptr, address_.is_loopback(),
+        place_{api_,
+               hub_,
+               files_,
+               complaints_,
+               pool_.get_executor(),
+               lists_.get_executor(),
+               tls_ != nullptr,
+               address_.is_loopback(),
                {}} {
     require_safe(address_, tls_ != nullptr, parts.sessions.needed());
   }

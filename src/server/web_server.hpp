@@ -27,8 +27,9 @@ struct ServerOptions {
 };
 
 /// Beyond this computer there must be TLS and at least one account. One thread serves all; what takes time
-/// (the database, pictures, passwords) is done by two others, lists of all inspections by one more. A visitor who sends what is malformed or too
-/// much, or reads too slowly, is refused without a say in what others get (docs/api.md, "Limits").
+/// (the database, pictures, passwords) is done by two others, lists of all inspections by one more. A visitor
+/// who sends what is malformed or too much, or reads too slowly, is refused without a say in what others get
+/// (docs/api.md, "Limits").
 class WebServer {
  public:
   /// Listens from now on, and serves from run() on.

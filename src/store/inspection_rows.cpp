@@ -90,6 +90,15 @@ int comparisons_of(SQLite::Database& database, std::int64_t id) {
   return query.getColumn(0);
 }
 
+std::vector<std::string> unfinished_comparisons_of(SQLite::Database& database, std::int64_t id) {
+  SQLite::Statement query(database,
+                          "select folder from comparison where inspection = ? and compared_at = ''");
+  query.bind(1, id);
+  std::vector<std::string> folders;
+  while (query.executeStep()) folders.push_back(query.getColumn(0));
+  return folders;
+}
+
 }  // namespace
 
 std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64_t id) {
@@ -108,6 +117,7 @@ std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64
   read_sides(database, inspection);
   inspection.comparison = comparison_of(database, id, query.getColumn(6));
   inspection.comparisons = comparisons_of(database, id);
+  inspection.unfinished_comparisons = unfinished_comparisons_of(database, id);
   inspection.compared = compared_views_of(database, id);
   if (inspection.comparison) inspection.findings = findings_of(database, id, inspection.comparison->number);
   return inspection;
@@ -157,6 +167,22 @@ void replace_compared_views(SQLite::Database& database, std::int64_t id,
     if (view.coverage.left_out) insert.bind(9, *view.coverage.left_out);
     insert.exec();
   }
+}
+
+// One that was begun has no time yet.
+void insert_comparison(SQLite::Database& database, std::int64_t id, const RecordedComparison& comparison) {
+  SQLite::Statement remove(database,
+                           "delete from comparison where inspection = ? and number = ? and compared_at = ''");
+  remove.bind(1, id);
+  remove.bind(2, comparison.number);
+  remove.exec();
+  SQLite::Statement insert(
+      database, "insert into comparison (inspection, number, compared_at, folder) values (?, ?, ?, ?)");
+  insert.bind(1, id);
+  insert.bind(2, comparison.number);
+  insert.bind(3, comparison.compared_at);
+  insert.bind(4, comparison.folder);
+  insert.exec();
 }
 
 void forget_comparison(SQLite::Database& database, std::int64_t id) {

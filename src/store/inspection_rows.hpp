@@ -23,6 +23,9 @@ void replace_views(SQLite::Database& database, std::int64_t id, const std::vecto
 void replace_compared_views(SQLite::Database& database, std::int64_t id,
                             const std::vector<ComparedView>& views);
 
+/// Adds it, or completes one that was begun. @throws SQLite::Exception when one of this number is complete
+void insert_comparison(SQLite::Database& database, std::int64_t id, const RecordedComparison& comparison);
+
 /// The comparison holds no more; its findings and the decisions on them stay in the record.
 void forget_comparison(SQLite::Database& database, std::int64_t id);
 

@@ -45,17 +45,20 @@ auto SqliteRecords::read(const Work& work) const {
 }
 
 std::int64_t SqliteRecords::add_inspection(const InspectionOrder& order, const std::string& created_at,
-                                           int dither, const std::vector<PanTilt>& views) {
+                                           int dither, const std::vector<PanTilt>& views,
+                                           std::int64_t above) {
   return change([&](SQLite::Database& database) {
     SQLite::Statement insert(database,
-                             "insert into inspection (aircraft, zone, work_order, person, created_at, "
-                             "dither) values (?, ?, ?, ?, ?, ?)");
+                             "insert into inspection (id, aircraft, zone, work_order, person, created_at, "
+                             "dither) values ((select max(?7, coalesce(max(id), 0)) + 1 from inspection), "
+                             "?1, ?2, ?3, ?4, ?5, ?6)");
     insert.bind(1, order.aircraft);
     insert.bind(2, order.zone);
     insert.bind(3, order.work_order);
     insert.bind(4, order.person);
     insert.bind(5, created_at);
     insert.bind(6, dither);
+    insert.bind(7, above);
     insert.exec();
     const std::int64_t id = database.getLastInsertRowid();
     replace_views(database, id, views);
@@ -135,18 +138,20 @@ void SqliteRecords::set_ignored(std::int64_t id, int view, const std::vector<Pol
   });
 }
 
+void SqliteRecords::begin_comparison(std::int64_t id, const RecordedComparison& comparison) {
+  change([&](SQLite::Database& database) {
+    require_inspection(database, id);
+    insert_comparison(database, id, comparison);
+    return true;
+  });
+}
+
 void SqliteRecords::set_comparison(std::int64_t id, const RecordedComparison& comparison,
                                    const std::vector<ComparedView>& views,
                                    const std::vector<ReviewedFinding>& findings) {
   change([&](SQLite::Database& database) {
     require_inspection(database, id);
-    SQLite::Statement insert(
-        database, "insert into comparison (inspection, number, compared_at, folder) values (?, ?, ?, ?)");
-    insert.bind(1, id);
-    insert.bind(2, comparison.number);
-    insert.bind(3, comparison.compared_at);
-    insert.bind(4, comparison.folder);
-    insert.exec();
+    insert_comparison(database, id, comparison);
     SQLite::Statement update(database, "update inspection set comparison = ? where id = ?");
     update.bind(1, comparison.number);
     update.bind(2, id);

@@ -18,7 +18,8 @@ class SqliteRecords : public Records {
   explicit SqliteRecords(const std::filesystem::path& file);
 
   [[nodiscard]] std::int64_t add_inspection(const InspectionOrder& order, const std::string& created_at,
-                                            int dither, const std::vector<PanTilt>& views) override;
+                                            int dither, const std::vector<PanTilt>& views,
+                                            std::int64_t above) override;
   [[nodiscard]] std::vector<std::int64_t> inspections() const override;
   [[nodiscard]] std::vector<InspectionSummary> summaries() const override;
   [[nodiscard]] std::optional<Inspection> find(std::int64_t id) const override;
@@ -26,6 +27,7 @@ class SqliteRecords : public Records {
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) override;
   void begin_side(std::int64_t id, Side side, const BegunSide& begun) override;
   void set_side(std::int64_t id, Side side, const TakenSide& taken) override;
+  void begin_comparison(std::int64_t id, const RecordedComparison& comparison) override;
   void set_comparison(std::int64_t id, const RecordedComparison& comparison,
                       const std::vector<ComparedView>& views,
                       const std::vector<ReviewedFinding>& findings) override;

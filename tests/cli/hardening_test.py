@@ -39,7 +39,7 @@ class Served(program.ProgramTest):
         self.log = open(self.folder / 'log', 'w+', encoding='utf-8')
         self.addCleanup(self.log.close)
         self.server = subprocess.Popen(self.command('serve', *self.options, *more), stdout=subprocess.PIPE,
-                                       stderr=self.log, encoding='utf-8')
+                                       stderr=self.log, encoding='utf-8', cwd=self.folder)
         self.address = self.server.stdout.readline().strip().replace('0.0.0.0', '127.0.0.1')
 
     def end(self, how=signal.SIGTERM):
@@ -97,7 +97,7 @@ class Retake(Served):
         console = self.console()
         self.work('compare', {}, console)
         self.capture('final', console)
-        self.assertEqual(self.ask('GET', 'inspections/1')['final']['round'], 2)
+        self.assertEqual(self.ask('GET', 'inspections/1')['final']['round'], 3)
         for path, bytes_then in kept.items():
             self.assertEqual(path.read_bytes(), bytes_then, 'nothing that was captured or shown is replaced')
         self.end()
@@ -145,6 +145,22 @@ class Retake(Served):
         self.check_fails('serve', *self.options, names=['rva.db', 'is a link'])
 
 
+    def test_pictures_come_from_the_comparison_and_from_nowhere_else(self):
+        for name in ('changes.png', 'map.ply'):
+            (self.folder / name).write_text('of somebody else')
+        self.start()
+        self.ask('POST', 'inspections', {'person': 'Ann'}, 201)
+        self.ask('GET', 'inspections/1/views/0/changes.png', status=404)
+        self.ask('GET', 'inspections/1/map', status=404)
+        console = self.console()
+        self.capture('initial', console)
+        self.capture('final', console)
+        picture = self.data / 'inspections' / '000001' / 'comparison-1' / 'results' / '000' / 'changes.png'
+        picture.unlink()
+        picture.symlink_to('/etc/hostname')
+        self.ask('GET', 'inspections/1/views/0/changes.png', status=404)
+
+
 class Accounts(Served):
     def test_a_new_password_ends_every_sign_in_of_before(self):
         self.account('add', 'ann', '--role', 'operator')
@@ -184,6 +200,8 @@ class Accounts(Served):
                 self.assertEqual(done.returncode, status, done.stderr)
                 self.assertIn(words, done.stderr)
         self.assertEqual(self.account('add', 'paul', '--role', 'inspector').returncode, 0, 'it is changed')
+        self.assertEqual(self.account('add', 'paul', password='another horse').returncode, 0)
+        self.assertIn('inspector  paul', self.account('list').stdout, 'a new password leaves the role')
 
 
 class Transport(Served):

@@ -137,7 +137,8 @@ TEST_F(Standing, AFinalSideThatIsTakenAgainLeavesTheEarlierOneWhereItIs) {
       << "what a person has decided on can be looked at again";
 }
 
-TEST_F(Standing, ARoundThatWasEndedIsGoneOnWithAndTheEarlierOneHoldsUntilThen) {
+// Somebody may have worked in the bay since.
+TEST_F(Standing, AFinalSideThatWasEndedIsTakenAsAWholeAndTheEarlierOneHoldsUntilThen) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   take(id, Side::initial);
   plug_->bump_mm = 12;
@@ -150,7 +151,45 @@ TEST_F(Standing, ARoundThatWasEndedIsGoneOnWithAndTheEarlierOneHoldsUntilThen) {
   inspector_->compare(id);
   EXPECT_EQ(wait().end, TaskEnd::done) << "with the earlier one";
   EXPECT_EQ(take(id, Side::final).end, TaskEnd::done);
-  EXPECT_EQ(inspector_->inspection(id).final->round, 2);
+  EXPECT_EQ(inspector_->inspection(id).final->round, 3);
+}
+
+// Killed after the last view was complete, before it was recorded.
+TEST_F(Standing, AFinalSideThatWasNotRecordedIsNotTakenForTheBayOfNow) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  take(id, Side::final);
+  const Inspection first = inspector_->inspection(id);
+  records_->begin_side(id, Side::final, {2, "Ann", first.final->base});
+  std::filesystem::copy(inspector_->folder(id).side(Side::final, 1),
+                        inspector_->folder(id).side(Side::final, 2),
+                        std::filesystem::copy_options::recursive);
+  restart();
+  plug_->bump_mm = 12;
+  EXPECT_EQ(take(id, Side::final).end, TaskEnd::done);
+  EXPECT_EQ(inspector_->inspection(id).findings.size(), 1U);
+  EXPECT_EQ(inspector_->inspection(id).final->round, 3);
+}
+
+TEST_F(Standing, AStartThatWasAskedForBeforeAStopDoesNotHappen) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  TaskRunner tasks;
+  const std::uint64_t before = tasks.ends_asked_for();
+  tasks.stop_capture();
+  EXPECT_THROW(tasks.start({.kind = TaskKind::capture}, before, [] { return [] {}; }), Error);
+  tasks.cancel();
+  EXPECT_NO_THROW(tasks.start({.kind = TaskKind::capture}, tasks.ends_asked_for(), [] { return [] {}; }));
+  EXPECT_EQ(take(id, Side::initial).end, TaskEnd::done);
+}
+
+// What a task reads is settled when it starts, also while a check of readiness has to end first.
+TEST_F(Standing, ViewsAndRegionsDoNotChangeUnderATask) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  inspector_->check_readiness();
+  inspector_->capture(id, Side::initial, "Ann", false);
+  EXPECT_THROW(inspector_->set_views(id, {{1, 1}}), Error)
+      << "it is recorded as begun when the request returns";
+  wait();
 }
 
 TEST_F(Standing, NothingIsWrittenThroughALink) {

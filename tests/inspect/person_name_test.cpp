@@ -45,6 +45,9 @@ TEST(PersonName, WhatCannotBeSeenIsNoName) {
 TEST(PersonName, AnAccountMixesNoScriptsThatLookAlike) {
   EXPECT_FALSE(is_name_of_one_script("\xd0\x90nn")) << "a Cyrillic A";
   EXPECT_FALSE(is_name_of_one_script("Bob \xce\xbf")) << "a Greek o";
+  for (const char* const name :
+       {"\xef\xbd\x81nn", "a\xcc\xb6nn", "\xe2\x85\xa0van", "ann\xf0\x9f\x98\x80", "a/b", "a_b"})
+    EXPECT_FALSE(is_name_of_one_script(name)) << name;
   EXPECT_TRUE(is_legible_name("\xd0\x90nn")) << "what somebody types as their own name is theirs to say";
 }
 
@@ -54,6 +57,8 @@ TEST(PersonName, LookAlikesAreFound) {
   EXPECT_TRUE(look_alike("paul", "\xd1\x80\xd0\xb0ul")) << "Cyrillic letters";
   EXPECT_TRUE(look_alike("rn0", "rnO"));
   EXPECT_TRUE(look_alike("Jos\xc3\xa9", "Jose\xcc\x81")) << "composed in two ways";
+  EXPECT_TRUE(look_alike("beIl", "bell")) << "a capital I";
+  EXPECT_TRUE(look_alike("AB", "\xce\x91\xce\x92")) << "Greek letters";
   EXPECT_FALSE(look_alike("Ann", "Anna"));
   EXPECT_FALSE(look_alike("M\xc3\xbcller", "Muller"));
 }

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 class Recovery : public testing::Test {
  protected:
-  Recovery() { id_ = records_.add_inspection({"", "", "", "Ann"}, "t", 1, {{0, 0}}); }
+  Recovery() { id_ = records_.add_inspection({"", "", "", "Ann"}, "t", 1, {{0, 0}}, 0); }
   fs::path put(const fs::path& file) {
     fs::create_directories((inspection_ / file).parent_path());
     write_file(inspection_ / file, file.native());
@@ -57,10 +57,28 @@ TEST_F(Recovery, RemovesWhatWasNotCompleteAndSaysSo) {
   EXPECT_THAT(recover(), IsEmpty());
 }
 
-TEST_F(Recovery, RemovesAComparisonThatWasNotRecorded) {
+TEST_F(Recovery, LeavesWhatSomebodyPutThere) {
+  for (const char* const file :
+       {"notes.partial-2024/mine.txt", "final/000.partial-17-0/mine.txt",
+        "comparison-1.partial-17-0/mine.txt", "final/notes.partial-17-0/depth/000000.png"}) {
+    const fs::path mine = put(file);
+    recover();
+    EXPECT_TRUE(fs::exists(mine)) << file;
+  }
+}
+
+TEST_F(Recovery, RemovesAComparisonThatWasBegunAndNotRecorded) {
+  records_.begin_comparison(id_, {1, "", "comparison-1"});
   put("comparison-1/map.ply");
-  EXPECT_THAT(recover(), ElementsAre(HasSubstr("compare again")));
+  EXPECT_THAT(recover(), ElementsAre(HasSubstr("not complete")));
   EXPECT_FALSE(fs::exists(inspection_ / "comparison-1"));
+}
+
+// The records were restored from a copy that is older than the folder.
+TEST_F(Recovery, NamesAComparisonThatTheRecordsDoNotHaveAndLeavesIt) {
+  const fs::path shown = put("comparison-2/map.ply");
+  EXPECT_THAT(recover(), ElementsAre(HasSubstr("it stays")));
+  EXPECT_TRUE(fs::exists(shown));
 }
 
 // As a former version left it when it was killed before the first view of a final side that was taken anew.
@@ -76,6 +94,15 @@ TEST_F(Recovery, RestoresASideThatHadBeenMovedAside) {
   EXPECT_FALSE(fs::exists(inspection_ / "final.replaced"));
 }
 
+TEST_F(Recovery, RestoresASideThatIsMissingAndNotByAnEmptyFolder) {
+  put("final.replaced/000/capture.json");
+  EXPECT_THAT(recover(), ElementsAre(HasSubstr("restored")));
+  EXPECT_TRUE(fs::exists(inspection_ / "final" / "000" / "capture.json"));
+  fs::create_directories(inspection_ / "final.replaced");
+  EXPECT_THAT(recover(), IsEmpty());
+  EXPECT_TRUE(fs::exists(inspection_ / "final" / "000" / "capture.json"));
+}
+
 TEST_F(Recovery, FollowsNoLinks) {
   fs::create_directories(folder_ / "elsewhere" / "000.partial-17-0");
   fs::create_directories(inspection_);
@@ -84,10 +111,11 @@ TEST_F(Recovery, FollowsNoLinks) {
   EXPECT_TRUE(fs::exists(folder_ / "elsewhere" / "000.partial-17-0"));
 }
 
-TEST_F(Recovery, LeavesFoldersOfUnknownInspectionsAlone) {
+TEST_F(Recovery, NamesAnInspectionThatTheRecordsDoNotHaveAndLeavesIt) {
   fs::create_directories(folder_ / "inspections" / "000007" / "comparison-1");
-  EXPECT_THAT(recover(), IsEmpty());
+  EXPECT_THAT(recover(), ElementsAre(HasSubstr("000007")));
   EXPECT_TRUE(fs::exists(folder_ / "inspections" / "000007" / "comparison-1"));
+  EXPECT_EQ(InspectionFolder::greatest_id(folder_.path()), 7);
 }
 
 }  // namespace

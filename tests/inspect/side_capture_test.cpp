@@ -136,7 +136,7 @@ TEST_F(Side3Views, BeyondTheLimitsNothingMoves) {
   EXPECT_EQ(robot_.joints(), PanTilt{});
 }
 
-TEST(StandingCamera, TakesItsOneViewOnce) {
+TEST(StandingCamera, TakesNoEarlierCaptureForItsView) {
   const test::TemporaryFolder folder;
   const auto plug = std::make_shared<test::Plug>();
   LiveCamera camera(std::make_unique<test::WavingCamera>(plug), 1000.0);
@@ -144,11 +144,11 @@ TEST(StandingCamera, TakesItsOneViewOnce) {
   std::size_t frames = 0;
   const CaptureEvents events{[&](const CaptureProgress&) { ++frames; }, [](const NoiseSoFar&) {},
                              [](const std::string&) {}};
-  take_side({camera}, side, events);
+  const std::string taken_at = take_side({camera}, side, events);
   EXPECT_EQ(open_capture(side.folder / "000")->depth_frames(), 8U);
-  const std::size_t first = frames;
-  take_side({camera}, side, events);
-  EXPECT_EQ(frames, first) << "it is there";
+  EXPECT_EQ(open_capture(side.folder / "000")->info().captured_at, taken_at);
+  EXPECT_GE(frames, 8U);
+  EXPECT_THROW(take_side({camera}, side, events), Error) << "a round has a folder of its own";
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class Kept : public testing::Test {
   }
   std::int64_t add() {
     return records_->add_inspection({"N1", "bay 3", "WO 7", "Ann O'Neil \"x\"; drop table view"},
-                                    "2026-01-01T00:00:00Z", 4, {{0, 0}});
+                                    "2026-01-01T00:00:00Z", 4, {{0, 0}}, 0);
   }
 
   test::TemporaryFolder folder_;
@@ -195,6 +195,23 @@ TEST_F(Kept, ComparisonsAreToldApartByNumbersWhateverTheClockSays) {
   EXPECT_EQ(records_->find(id)->comparisons, 2);
 }
 
+TEST_F(Kept, AComparisonThatWasBegunIsKnownUntilItIsRecorded) {
+  const std::int64_t id = add();
+  records_->begin_comparison(id, {1, "", "comparison-1"});
+  open();
+  EXPECT_THAT(records_->find(id)->unfinished_comparisons, ElementsAre("comparison-1"));
+  EXPECT_EQ(records_->find(id)->comparisons, 1) << "its number is not given again";
+  EXPECT_FALSE(records_->find(id)->comparison);
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
+  EXPECT_TRUE(records_->find(id)->unfinished_comparisons.empty());
+  EXPECT_EQ(records_->find(id)->comparison->number, 1);
+}
+
+TEST_F(Kept, AnInspectionsIdIsAboveThoseOfFoldersThatAreThere) {
+  EXPECT_EQ(records_->add_inspection({}, "t", 1, {{0, 0}}, 7), 8);
+  EXPECT_EQ(records_->add_inspection({}, "t", 1, {{0, 0}}, 3), 9);
+}
+
 TEST_F(Kept, ARoundUnderWayIsKnownUntilItIsComplete) {
   const std::int64_t id = add();
   records_->begin_side(id, Side::final, {1, "Ann", "base"});
@@ -276,7 +293,7 @@ TEST_F(Kept, WhatWasSaidToBeDoneSurvivesAKill) {
   if (child == 0) {
     SqliteRecords records(folder_ / "rva.db");
     for (int i = 0; i < 3; ++i)
-      static_cast<void>(records.add_inspection({"", "", "", "Ann"}, "t", 1, {{0, 0}}));
+      static_cast<void>(records.add_inspection({"", "", "", "Ann"}, "t", 1, {{0, 0}}, 0));
     ::kill(::getpid(), SIGKILL);
   }
   int status = 0;
