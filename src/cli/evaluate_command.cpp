@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,10 +16,12 @@
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
+#include "core/random.hpp"
 #include "evaluate/evaluation_json.hpp"
 #include "evaluate/moved_report.hpp"
 #include "evaluate/recorded_study.hpp"
 #include "sim/scene/scene_file.hpp"
+#include "sim/sensor/camera_models.hpp"
 
 namespace rva::cli {
 namespace {
@@ -37,6 +40,7 @@ struct EvaluateArguments {
   bool octree = false;
   std::string how = "elsewhere";
   std::vector<int> captures{MovedStudyOptions{}.captures};
+  std::string cameras = "d435";
   bool overwrite = false;
   bool resume = false;
 };
@@ -76,6 +80,15 @@ std::vector<MovedInspection> earlier_moved(const EvaluateArguments& arguments,
   return moved_inspections_from_json(read_text_file(file), printable(file), begun_with);
 }
 
+// random:SEED draws another one for each inspection; any other model is that of all.
+std::function<StereoSensorOptions(std::uint64_t)> cameras_of(const std::string& text) {
+  const StereoSensorOptions sensor = camera_model(text);
+  constexpr std::string_view random = "random:";
+  if (!text.starts_with(random)) return [sensor](std::uint64_t) { return sensor; };
+  const std::uint64_t first = std::stoull(text.substr(random.size()));
+  return [first](std::uint64_t seed) { return random_camera(mix(first, seed)); };
+}
+
 void evaluate_moved(const EvaluateArguments& arguments) {
   check_options(arguments.study);
   MovedStudyOptions options;
@@ -84,9 +97,10 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.captures = arguments.captures;
   options.how = returns.at(arguments.how);
   options.octree = arguments.octree;
+  options.sensor = cameras_of(arguments.cameras);
   const std::string begun_with =
-      fmt::format("return {}, first seed {}, captures {}{}", arguments.how, options.first_seed,
-                  fmt::join(options.captures, ","), options.octree ? ", octree" : "");
+      fmt::format("return {}, cameras {}, first seed {}, captures {}{}", arguments.how, arguments.cameras,
+                  options.first_seed, fmt::join(options.captures, ","), options.octree ? ", octree" : "");
   Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
@@ -148,6 +162,14 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
           "two servo steps off), exact, rest (as the console's robot: within half a step)")
       ->check(CLI::IsMember(returns))
       ->type_name("WHERE")
+      ->capture_default_str()
+      ->needs(moved);
+  command
+      .add_option(
+          "--cameras", arguments->cameras,
+          "--moved: random:SEED draws a camera by chance for each inspection; or the name of a model, as "
+          "of rva simulate --camera-model")
+      ->type_name("MODEL")
       ->capture_default_str()
       ->needs(moved);
   command.add_flag("--with-octree", arguments->octree, "--moved: the thesis' pipeline too, a minute a pair")

@@ -17,6 +17,7 @@
 #include "depth/capture_writer.hpp"
 #include "depth/image_file.hpp"
 #include "sim/scene/scene_file.hpp"
+#include "sim/sensor/camera_models.hpp"
 #include "sim/simulated_camera.hpp"
 #include "sim/truth.hpp"
 
@@ -37,6 +38,7 @@ struct SimulateArguments {
   double tilt_deg = 0.0;
   bool all_colors = false;
   bool infrared = false;
+  std::string camera_model = "d435";
   StereoSensorOptions sensor;
   bool overwrite = false;
 };
@@ -61,7 +63,11 @@ std::string origin_json(const SimulateArguments& arguments, const SceneOverrides
   StereoSensorOptions::describe(arguments.sensor, [&](const auto& value, const OptionField& field) {
     options[json_name(field)] = value;
   });
-  Json simulation{{"scene", scene.name}, {"seed", arguments.seed}, {"options", options}};
+  Json simulation{{"scene", scene.name},
+                  {"seed", arguments.seed},
+                  {"camera_model", arguments.camera_model},
+                  {"matcher", name_of_matcher(arguments.sensor)},
+                  {"options", options}};
   if (!arguments.debris.empty()) simulation["debris"] = arguments.debris;
   if (overrides.debris_seed) simulation["debris_seed"] = *overrides.debris_seed;
   // A file name need not be UTF-8; JSON must.
@@ -82,8 +88,19 @@ void write_infrared(const SimulatedCamera& camera, const OutputFolder& out) {
   write_file(out.path("infrared/right.png"), encode_png(camera.right_infrared()));
 }
 
-void simulate(const CLI::App& command, const SimulateArguments& arguments) {
+// The model's, but for what was stated by itself.
+StereoSensorOptions sensor_of(const CLI::App& command, const std::string& model) {
+  StereoSensorOptions sensor = camera_model(model);
+  StereoSensorOptions::describe(sensor, [&](auto& value, const OptionField& field) {
+    const CLI::Option* const option = command.get_option("--" + std::string(field.name));
+    if (option->count() > 0) value = option->as<std::decay_t<decltype(value)>>();
+  });
+  return sensor;
+}
+
+void simulate(const CLI::App& command, SimulateArguments arguments) {
   check_options(arguments.sensor);
+  arguments.sensor = sensor_of(command, arguments.camera_model);
   OutputFolder out(arguments.out, files_of_a_simulated_capture(),
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const SceneOverrides overrides = overrides_from(command, arguments);
@@ -127,6 +144,13 @@ void add_simulate_command(CLI::App& program, Outcome& /*outcome*/) {
   command.add_option("--tilt", arguments->tilt_deg, "second joint, positive up")
       ->check(number_within(-90.0, 90.0))
       ->type_name("deg");
+  command
+      .add_option(
+          "--camera-model", arguments->camera_model,
+          "of another matcher: d435, census-5, census-13, semi-global, correlation-5, correlation-9, or "
+          "random:SEED, drawn by chance")
+      ->type_name("NAME")
+      ->capture_default_str();
   command.add_flag("--all-colors", arguments->all_colors,
                    "a colour image with every frame, not the first only");
   command.add_flag("--infrared", arguments->infrared,

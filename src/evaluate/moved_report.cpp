@@ -95,7 +95,8 @@ void add(const MovedInspection& inspection, const MovedResult& result, Shares& s
     if (!target.counts()) continue;
     const std::string size = target.big ? "big" : "small";
     for (const std::string& row : {target.target.kind, fmt::format("{}, {}", size, distance_of(target)),
-                                   fmt::format("{}, light {:g}", size, inspection.ambient)}) {
+                                   fmt::format("{}, light {:g}", size, inspection.ambient),
+                                   fmt::format("{}, {}", size, inspection.matcher)}) {
       Share& share = shares[{row, result.method, result.captures}];
       share.found += result.found[i] ? 1 : 0;
       ++share.all;
@@ -134,8 +135,10 @@ Json to_json_value(const MovedTally& of) {
 }
 
 Json to_json_value(const MovedInspection& inspection) {
-  Json json{{"seed", inspection.seed},       {"move_m", inspection.move_m}, {"turn_deg", inspection.turn_deg},
-            {"ambient", inspection.ambient}, {"targets", Json::array()},    {"results", Json::array()}};
+  Json json{{"seed", inspection.seed},         {"move_m", inspection.move_m},
+            {"turn_deg", inspection.turn_deg}, {"matcher", inspection.matcher},
+            {"ambient", inspection.ambient},   {"targets", Json::array()},
+            {"results", Json::array()}};
   for (const MovedTarget& of : inspection.targets)
     json["targets"].push_back(Json{{"kind", of.target.kind},
                                    {"visible_px", of.target.visible_px},
@@ -164,6 +167,7 @@ MovedInspection inspection_from(const nlohmann::json& json) {
   json.at("seed").get_to(inspection.seed);
   json.at("move_m").get_to(inspection.move_m);
   json.at("turn_deg").get_to(inspection.turn_deg);
+  json.at("matcher").get_to(inspection.matcher);
   json.at("ambient").get_to(inspection.ambient);
   for (const nlohmann::json& of : json.at("targets")) {
     MovedTarget target;

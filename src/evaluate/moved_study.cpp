@@ -14,6 +14,7 @@
 #include "detect/findings.hpp"
 #include "evaluate/dithered_side.hpp"
 #include "evaluate/robot_study.hpp"
+#include "sim/sensor/camera_models.hpp"
 
 namespace rva {
 namespace {
@@ -118,6 +119,7 @@ MovedInspection inspect(const MovedStudyOptions& options, std::uint64_t seed) {
   DitheredSide changed(wing.after, sensor, mix(seed, 3), options.frames);
   MovedInspection inspection;
   inspection.seed = seed;
+  inspection.matcher = name_of_matcher(sensor);
   inspection.ambient = wing.after.lighting.ambient;
   for (const int captures : options.captures) {
     for (DitheredSide* side : {&before, &unchanged, &changed}) side->up_to(captures);

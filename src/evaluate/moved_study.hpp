@@ -49,6 +49,7 @@ struct MovedInspection {
   std::uint64_t seed = 0;
   double move_m = 0.0;
   double turn_deg = 0.0;
+  std::string matcher;   ///< of the camera
   double ambient = 0.0;  ///< light, relative to the projector's mean at one metre
   std::vector<MovedTarget> targets;
   /// Without debris and with it, for each number of captures. None where the camera came back exactly.

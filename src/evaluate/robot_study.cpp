@@ -16,6 +16,7 @@
 #include "core/random.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
+#include "sim/sensor/camera_models.hpp"
 
 namespace fs = std::filesystem;
 
@@ -101,6 +102,7 @@ MovedInspection inspect_by_robot(const MovedStudyOptions& options, std::uint64_t
                                            world_from_first(wing.after, sensor, sides.unchanged);
   MovedInspection inspection;
   inspection.seed = seed;
+  inspection.matcher = name_of_matcher(sensor);
   inspection.ambient = wing.after.lighting.ambient;
   inspection.turn_deg = Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi;
   inspection.targets = moved_targets(camera_at(wing.after, sensor, sides.changed.rested.front()),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/random.hpp"
 #include "sim/scene/camera_stand.hpp"
@@ -16,6 +17,9 @@ constexpr double frames_per_s = 30.0;
 
 const StereoSensorOptions& checked(const StereoSensorOptions& options) {
   check_options(options);
+  if (options.window_px % 2 == 0)
+    throw UsageError("--window", "is even, and a window has its pixel in the middle",
+                     "give 5, 7, 9, 11 or 13");
   return options;
 }
 

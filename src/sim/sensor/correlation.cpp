@@ -76,8 +76,8 @@ class WindowCosts {
       const std::int16_t* const others = &backwards[static_cast<std::size_t>(width - 1 - u)];
       std::uint16_t* const sums = &columns_[static_cast<std::size_t>(u) * cost_lanes];
       for (int d = 0; d < cost_lanes; ++d)
-        sums[d] = static_cast<std::uint16_t>(
-            sums[d] + sign * std::min(std::abs(mine - others[d]), most_difference));
+        sums[d] = static_cast<std::uint16_t>(sums[d] +
+                                             sign * std::min(std::abs(mine - others[d]), most_difference));
     }
   }
 

@@ -12,7 +12,8 @@ namespace rva {
 /// Disparities are lanes: of every loop over disparities the compiler makes vector instructions.
 inline constexpr int cost_lanes = 128;
 
-/// Costs of the left image's pixels, `cost_lanes` each: what pixel u sees, the right imager sees at u - disparity.
+/// Costs of the left image's pixels, `cost_lanes` each: what pixel u sees, the right imager sees at u -
+/// disparity.
 class CostVolume {
  public:
   CostVolume(int width, int height)
@@ -37,15 +38,16 @@ class CostVolume {
 };
 
 struct WinnerOptions {
-  int search_px = 126;       ///< largest disparity, below cost_lanes - 1
-  double uniqueness = 0.03;  ///< the best cost must be lower than any other (apart from its neighbours) by this share
-  int left_right_px = 1;     ///< how far the match of the match may be from where it began
-  int least_curvature = 0;   ///< of the costs beside the best one; flatter ones tell nothing
-  int fraction_bits = 5;     ///< the answer is rounded to 1 / 2^bits of a pixel
+  int search_px = 126;  ///< largest disparity, below cost_lanes - 1
+  double uniqueness =
+      0.03;  ///< the best cost must be lower than any other (apart from its neighbours) by this share
+  int left_right_px = 1;    ///< how far the match of the match may be from where it began
+  int least_curvature = 0;  ///< of the costs beside the best one; flatter ones tell nothing
+  int fraction_bits = 5;    ///< the answer is rounded to 1 / 2^bits of a pixel
 };
 
-/// The least cost, checked from right to left, refined by a parabola through it and its neighbours (which draws
-/// answers towards whole pixels where costs are not parabolas: Shimizu and Okutomi, ICCV 2001).
+/// The least cost, checked from right to left, refined by a parabola through it and its neighbours (which
+/// draws answers towards whole pixels where costs are not parabolas: Shimizu and Okutomi, ICCV 2001).
 /// @return disparity of each pixel of the left image in 1 / 2^fraction_bits px, 0 where there is no match
 [[nodiscard]] Image<std::uint16_t> choose_winners(const CostVolume& costs, const WinnerOptions& options);
 

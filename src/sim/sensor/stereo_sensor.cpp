@@ -1,10 +1,13 @@
 #include "sim/sensor/stereo_sensor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/random.hpp"
+#include "sim/sensor/correlation.hpp"
+#include "sim/sensor/semi_global.hpp"
 
 namespace rva {
 
@@ -27,12 +30,24 @@ StereoFrame StereoSensor::next_frame() {
   StereoFrame frame{expose(view_.left, left_speckle_, exposure_e, options_, mix(seed, 1)),
                     expose(view_.right, right_speckle_, exposure_e, options_, mix(seed, 2)),
                     {}};
-  frame.depth = depth_from_disparity(match_stereo(frame.left, frame.right), options_);
+  frame.depth = depth_from_disparity(match_stereo(frame.left, frame.right, options_), options_);
   return frame;
 }
 
-Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right) {
-  return refine_disparity(left, right, match_blocks(left, right, BlockMatchingOptions{}), SubpixelOptions{});
+Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right,
+                                  const StereoSensorOptions& options) {
+  switch (options.matcher) {
+    case Matcher::semi_global:
+      return match_semi_globally(left, right);
+    case Matcher::correlation:
+      return match_by_correlation(left, right, {.window_px = options.window_px});
+    case Matcher::census:
+      break;
+  }
+  constexpr int wider_px = 2;  // the fit's weights fade towards its window's edge
+  const int fitted_px = std::min(options.window_px + wider_px, SubpixelOptions{}.window_px);
+  return refine_disparity(left, right, match_blocks(left, right, {.window_px = options.window_px}),
+                          {.window_px = fitted_px});
 }
 
 DepthImage depth_from_disparity(const Image<std::uint16_t>& disparity, const StereoSensorOptions& options) {

@@ -39,7 +39,9 @@ class StereoSensor {
 };
 
 /// Disparity from a pair of infrared images, 1/32 px; 0 where none was found.
-[[nodiscard]] Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right);
+/// @param options its matcher and window
+[[nodiscard]] Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right,
+                                                const StereoSensorOptions& options = {});
 
 /// z = f B / d, rounded to the depth unit; 0 (no depth) where there is no disparity or the depth exceeds 16
 /// bits.

@@ -8,6 +8,13 @@
 
 namespace rva {
 
+/// How the camera's processor finds disparities.
+enum class Matcher {
+  census,  ///< census costs in a window, least squares below the pixel (block_matching.hpp, subpixel.hpp)
+  semi_global,  ///< census costs along paths, a parabola below the pixel (semi_global.hpp)
+  correlation,  ///< differences of brightness in a window, a parabola below the pixel (correlation.hpp)
+};
+
 /// A stereo depth camera with a dot projector. Defaults are a D435's at 848 x 480.
 struct StereoSensorOptions {
   // Optics
@@ -33,6 +40,8 @@ struct StereoSensorOptions {
   double flicker = 0.01;
   double drift_px = 0.05;
   // Answer
+  Matcher matcher = Matcher::census;  ///< chosen with a camera's model (camera_models.hpp)
+  int window_px = 9;
   double depth_unit_mm = 0.1;
   std::uint64_t device = 1;
 
@@ -67,6 +76,7 @@ struct StereoSensorOptions {
     visit(self.drift_px,
           OptionField{"drift", "px", 0, 5,
                       "standard deviation of the disparity's offset between captures (temperature)"});
+    visit(self.window_px, OptionField{"window", "px", 5, 13, "edge of the matcher's window; odd"});
     visit(self.depth_unit_mm, OptionField{"depth-unit", "mm", 0.01, 10, "one step of the depth image"});
     visit(self.device, OptionField{"device", "", 0, 1e9,
                                    "which camera it is: its dots, its speckle and its misalignment"});

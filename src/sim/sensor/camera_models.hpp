@@ -1,0 +1,33 @@
+// Stereo cameras that differ as real ones do.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/sensor/stereo_sensor_options.hpp"
+
+namespace rva {
+
+struct CameraModel {
+  std::string_view name;
+  StereoSensorOptions sensor;
+};
+
+/// "d435" is the default; the others have its optics and another matcher or window each (docs/simulator.md).
+[[nodiscard]] const std::vector<CameraModel>& camera_models();
+
+/// Drawn by chance: matcher, window, dots, blur, speckle, noise, misalignment, drift, focal length and
+/// baseline, over ranges that data sheets and the literature support (docs/simulator.md). The same seed gives
+/// the same camera.
+[[nodiscard]] StereoSensorOptions random_camera(std::uint64_t seed);
+
+/// A model by its name, or of "random:SEED" the camera of that seed.
+/// @throws UsageError for any other text
+[[nodiscard]] StereoSensorOptions camera_model(const std::string& text);
+
+/// In a word or two, for tables: "semi-global", "census 9", "correlation 7".
+[[nodiscard]] std::string name_of_matcher(const StereoSensorOptions& sensor);
+
+}  // namespace rva
