@@ -126,9 +126,9 @@ function WorkStep({ inspection, session, task }: StepProps) {
             The robot was taken out and put back
           </label>
         )}
-        {begun && replaced !== begun.replaced && (
+        {begun && (
           <p class="warn" role="status" data-testid="begins-anew">
-            What was taken after the work so far does not fit this: the capture begins anew.
+            The capture after the work was interrupted. All views are captured again: somebody may have worked in the bay in the meantime.
           </p>
         )}
         <Failure inspection={inspection} />
