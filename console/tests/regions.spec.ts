@@ -179,6 +179,7 @@ test('the review shows what was probably moved, what was left out and what to mi
     stage: 'review',
     initial: baseline,
     final: baseline,
+    comparison: 1,
     compared_at: '2025-01-01T12:00:00Z',
     compared: [{ view: 0, method: 'calibrated', judged: 0.7, warnings: ['the camera turned by 0.98 degrees between the captures'],
       coverage: { compared: 0.75, unseen: 0.05, invalid: 0.08, left_out: 0.12 } }],
