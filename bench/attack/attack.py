@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Kills every command and the server at moments of chance, and says what was lost or left by it.
+"""Kills every command and the server at random moments, and reports what each kill lost or left behind.
 
 usage: attack.py [--kills 100] [--seed S] [--only STAGE] [--number N] [--rva build/rva] [--console DIR] [--work DIR]
 

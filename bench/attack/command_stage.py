@@ -13,7 +13,7 @@ class CommandStage:
     """
     arguments: gives those of rva, which runs in a folder of its own, from the setting
     prepare:   puts into that folder what is to be there before
-    said:      what the command is told on its standard input
+    said:      the text that the command reads from its standard input
     """
 
     def __init__(self, name, weight, arguments, prepare=None, said=''):

@@ -42,7 +42,7 @@ class WithRobot:
 
 
 class WithoutRobot:
-    """A recording takes the camera's place, since a simulated camera says where the robot has it."""
+    """The server replays a recording without a pose, as a real camera that stands still has none."""
     name = 'none'
 
     def arguments(self, setting, work_done):

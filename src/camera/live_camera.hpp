@@ -51,10 +51,10 @@ class LiveCamera {
   [[nodiscard]] std::shared_ptr<const LiveFrame> wait_for_other(const LiveFrame* seen,
                                                                 std::chrono::milliseconds limit) const;
 
-  /// The frames from now on, each once. A signal that ends the program ends a wait (Interrupted). It keeps
-  /// the last second for a reader who is late, and drops the oldest beyond, as a device does, which shows as
-  /// a gap in the numbers. It fails when the camera does, or is silent for five seconds. Must be closed
-  /// before this object.
+  /// The frames from now on, each once. A signal that ends the program ends a wait (Interrupted). The frames
+  /// of the last second are kept until they are read; older ones are dropped, which leaves a gap in the frame
+  /// numbers, as with a device. It fails when the camera fails or gives no frame for five seconds. It must be
+  /// closed before this object.
   /// @param while_waiting called ten times a second while a frame is waited for; what it throws ends the wait
   [[nodiscard]] std::unique_ptr<Camera> every_frame(std::function<void()> while_waiting = {});
 

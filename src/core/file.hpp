@@ -57,7 +57,9 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
-/// As replace_file(), for one of many files of a folder that is made durable as a whole (OutputFolder).
+/// Writes a file whole or not at all, as replace_file() does, but does not look for files that killed
+/// programs left: it is meant for the many files of an OutputFolder, which is removed or made durable as a
+/// whole.
 void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// Adds to the end of a file, and makes the file where there is none. When it returns, the system has the

@@ -17,7 +17,7 @@ void note_interrupts() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  // A file that may not grow is an error of write(), which says where.
+  // When a file reaches the size limit (ulimit -f), write() fails, and the error names the file.
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &ignore, nullptr);

@@ -21,7 +21,7 @@ struct MovedStudyOptions {
   std::vector<int> captures{1, 4, 8};  ///< a side, dithered; ascending
   int frames = 10;                     ///< of each capture
   bool octree = false;                 ///< the thesis' pipeline too, on one frame a side: a minute each time
-  /// Of the inspection of a seed, all of its sides alike.
+  /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
       [](std::uint64_t) { return StereoSensorOptions{}; }};
 };

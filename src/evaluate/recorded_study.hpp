@@ -34,7 +34,8 @@ struct RecordedInspection {
 [[nodiscard]] std::vector<RecordedInspection> run_recorded_study(const std::filesystem::path& folder,
                                                                  const Progress& progress);
 
-/// Of each scene and of all, with intervals of 95 %; then what was found of each object.
+/// A table with a row for each comparison of each scene, then totals, both with intervals of 95 %, and a list
+/// of all objects with whether each comparison found them.
 [[nodiscard]] std::string to_table(const std::vector<RecordedInspection>& inspections);
 
 /// `evaluation.json`

@@ -53,15 +53,14 @@ struct Sides {
   RobotSide changed;
 };
 
-Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, std::uint64_t seed,
-                 const fs::path& room) {
+Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, const StereoSensorOptions& sensor,
+                 std::uint64_t seed, const fs::path& room) {
   Scene clean = wing.after;
   std::erase_if(clean.objects, [](const SceneObject& object) { return object.role == Role::debris; });
   const int most = options.captures.back();
-  return {
-      take_by_robot(wing.before, options.sensor(seed), most, options.frames, mix(seed, 1), room / "before"),
-      take_by_robot(clean, options.sensor(seed), most, options.frames, mix(seed, 2), room / "unchanged"),
-      take_by_robot(wing.after, options.sensor(seed), most, options.frames, mix(seed, 3), room / "changed")};
+  return {take_by_robot(wing.before, sensor, most, options.frames, mix(seed, 1), room / "before"),
+          take_by_robot(clean, sensor, most, options.frames, mix(seed, 2), room / "unchanged"),
+          take_by_robot(wing.after, sensor, most, options.frames, mix(seed, 3), room / "changed")};
 }
 
 DepthView view_of(const Capture& capture) {
@@ -95,11 +94,12 @@ MovedInspection inspect_by_robot(const MovedStudyOptions& options, std::uint64_t
   const CaptureRoom room;
   const MovedWing wing = random_moved_wing(seed, options.how);
   const StereoSensorOptions sensor = options.sensor(seed);
-  const Sides sides = take_sides(options, wing, seed, room.path());
-  const Transform initial_from_final = world_from_first(wing.before, sensor, sides.before).inverse() *
-                                       world_from_first(wing.after, sensor, sides.changed);
-  const Transform initial_from_unchanged = world_from_first(wing.before, sensor, sides.before).inverse() *
-                                           world_from_first(wing.after, sensor, sides.unchanged);
+  const Sides sides = take_sides(options, wing, sensor, seed, room.path());
+  const Transform initial_from_world = world_from_first(wing.before, sensor, sides.before).inverse();
+  const Transform initial_from_final =
+      initial_from_world * world_from_first(wing.after, sensor, sides.changed);
+  const Transform initial_from_unchanged =
+      initial_from_world * world_from_first(wing.after, sensor, sides.unchanged);
   MovedInspection inspection;
   inspection.seed = seed;
   inspection.matcher = name_of_matcher(sensor);

@@ -169,6 +169,20 @@ void replace_compared_views(SQLite::Database& database, std::int64_t id,
   }
 }
 
+void insert_side(SQLite::Database& database, std::int64_t id, Side side, const BegunSide& round,
+                 const std::optional<std::string>& taken_at) {
+  SQLite::Statement insert(database,
+                           "insert or replace into side (inspection, side, round, taken_at, person, base) "
+                           "values (?, ?, ?, ?, ?, ?)");
+  insert.bind(1, id);
+  insert.bind(2, std::string(name_of(side)));
+  insert.bind(3, round.round);
+  if (taken_at) insert.bind(4, *taken_at);
+  insert.bind(5, round.person);
+  insert.bind(6, round.base);
+  insert.exec();
+}
+
 // One that was begun has no time yet.
 void insert_comparison(SQLite::Database& database, std::int64_t id, const RecordedComparison& comparison) {
   SQLite::Statement remove(database,

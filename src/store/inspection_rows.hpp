@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "inspect/inspection.hpp"
 
@@ -22,6 +23,11 @@ void replace_views(SQLite::Database& database, std::int64_t id, const std::vecto
 /// Takes the place of the coverage of an earlier comparison.
 void replace_compared_views(SQLite::Database& database, std::int64_t id,
                             const std::vector<ComparedView>& views);
+
+/// Adds a round of a side, or completes one that was begun.
+/// @param taken_at ISO 8601; empty while it is under way
+void insert_side(SQLite::Database& database, std::int64_t id, Side side, const BegunSide& round,
+                 const std::optional<std::string>& taken_at);
 
 /// Adds it, or completes one that was begun. @throws SQLite::Exception when one of this number is complete
 void insert_comparison(SQLite::Database& database, std::int64_t id, const RecordedComparison& comparison);

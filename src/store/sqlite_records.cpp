@@ -94,31 +94,15 @@ void SqliteRecords::set_views(std::int64_t id, const std::vector<PanTilt>& views
 void SqliteRecords::begin_side(std::int64_t id, Side side, const BegunSide& begun) {
   change([&](SQLite::Database& database) {
     require_inspection(database, id);
-    SQLite::Statement insert(database,
-                             "insert or replace into side (inspection, side, round, taken_at, person, base) "
-                             "values (?, ?, ?, null, ?, ?)");
-    insert.bind(1, id);
-    insert.bind(2, std::string(name_of(side)));
-    insert.bind(3, begun.round);
-    insert.bind(4, begun.person);
-    insert.bind(5, begun.base);
-    return insert.exec();
+    insert_side(database, id, side, begun, std::nullopt);
+    return true;
   });
 }
 
 void SqliteRecords::set_side(std::int64_t id, Side side, const TakenSide& taken) {
   change([&](SQLite::Database& database) {
     require_inspection(database, id);
-    SQLite::Statement insert(database,
-                             "insert or replace into side (inspection, side, round, taken_at, person, base) "
-                             "values (?, ?, ?, ?, ?, ?)");
-    insert.bind(1, id);
-    insert.bind(2, std::string(name_of(side)));
-    insert.bind(3, taken.round);
-    insert.bind(4, taken.taken_at);
-    insert.bind(5, taken.person);
-    insert.bind(6, taken.base);
-    insert.exec();
+    insert_side(database, id, side, {taken.round, taken.person, taken.base}, taken.taken_at);
     forget_comparison(database, id);
     return true;
   });
