@@ -48,11 +48,11 @@ class WindowCosts {
     add_row(from + half_ + 1, 1);
     add_row(from - half_, -1);
   }
-  void write(int v, CostVolume& sums) const {
+  void write(std::uint16_t* row_costs) const {
     std::uint16_t running[cost_lanes] = {};
     for (int u = -half_; u <= half_; ++u) add(running, column(u), 1);
     for (int u = 0; u < left_.width(); ++u) {
-      std::copy(running, running + cost_lanes, sums.at(u, v));
+      std::copy(running, running + cost_lanes, row_costs + static_cast<std::ptrdiff_t>(u) * cost_lanes);
       add(running, column(u + half_ + 1), 1);
       add(running, column(u - half_), -1);
     }
@@ -88,13 +88,15 @@ class WindowCosts {
 };
 
 RVA_VECTOR_CLONES
-void sum_windows(const Image<std::int16_t>& left, const Image<std::int16_t>& right, int window_px, int first,
-                 int end, CostVolume& sums) {
+void match_rows(const Image<std::int16_t>& left, const Image<std::int16_t>& right, int window_px,
+                const WinnerOptions& winners, int first, int end, Image<std::uint16_t>& disparities) {
   WindowCosts window(left, right, window_px);
+  std::vector<std::uint16_t> row_costs(static_cast<std::size_t>(left.width()) * cost_lanes);
   window.begin(first);
   for (int v = first; v < end; ++v) {
     if (v > first) window.move_down(v - 1);
-    window.write(v, sums);
+    window.write(row_costs.data());
+    choose_winners(row_costs.data(), left.width(), winners, &disparities(0, v));
   }
 }
 
@@ -105,12 +107,13 @@ Image<std::uint16_t> match_by_correlation(const InfraredImage& left, const Infra
   assert(left.same_size(right) && options.window_px % 2 == 1 && options.window_px <= 13);
   const Image<std::int16_t> left_band = band_passed(left, options.mean_px);
   const Image<std::int16_t> right_band = band_passed(right, options.mean_px);
-  CostVolume sums(left.width(), left.height());
-  parallel_bands(left.height(), [&](int first, int end) {
-    sum_windows(left_band, right_band, options.window_px, first, end, sums);
-  });
   const int least_curvature = static_cast<int>(options.least_texture * options.window_px * options.window_px);
-  return choose_winners(sums, {.uniqueness = options.uniqueness, .least_curvature = least_curvature});
+  const WinnerOptions winners{.uniqueness = options.uniqueness, .least_curvature = least_curvature};
+  Image<std::uint16_t> disparities(left.width(), left.height(), 0);
+  parallel_bands(left.height(), [&](int first, int end) {
+    match_rows(left_band, right_band, options.window_px, winners, first, end, disparities);
+  });
+  return disparities;
 }
 
 }  // namespace rva

@@ -2,42 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
-#include "core/parallel.hpp"
+#include "core/vector_clones.hpp"
 
 namespace rva {
 namespace {
 
 constexpr std::uint16_t worst = std::numeric_limits<std::uint16_t>::max();
 
-/// The best disparity of one row, seen from either imager.
+// A cost with its disparity in the low bits: the least one of several is the lowest disparity of least cost.
+constexpr int disparity_bits = 7;
+static_assert(cost_lanes == 1 << disparity_bits);
+
+std::uint32_t ranked(std::uint16_t cost, int disparity) {
+  return (static_cast<std::uint32_t>(cost) << disparity_bits) | static_cast<std::uint32_t>(disparity);
+}
+
+int disparity_of(std::uint32_t rank) { return static_cast<int>(rank & (cost_lanes - 1U)); }
+
+/// One row, seen from either imager.
 class Row {
  public:
-  Row(const CostVolume& costs, const WinnerOptions& options, int v)
+  Row(const std::uint16_t* costs, int width, const WinnerOptions& options)
       : costs_(costs),
         options_(options),
-        v_(v),
-        right_cost_(static_cast<std::size_t>(costs.width()), worst),
-        right_(static_cast<std::size_t>(costs.width()), 0) {
-    for (int u = 0; u < costs.width(); ++u) {
-      const std::uint16_t* const cost = costs.at(u, v);
+        width_(width),
+        right_(static_cast<std::size_t>(width) + cost_lanes, std::numeric_limits<std::uint32_t>::max()) {
+    for (int u = 0; u < width; ++u) {
+      const std::uint16_t* const cost = at(u);
+      std::uint32_t* const right = &right_[backwards(u)];
       const int most = std::min(options.search_px, u);
-      for (int d = 1; d <= most; ++d) {
-        const auto other = static_cast<std::size_t>(u - d);
-        if (cost[d] >= right_cost_[other]) continue;
-        right_cost_[other] = cost[d];
-        right_[other] = static_cast<std::uint8_t>(d);
-      }
+      for (int d = 1; d <= most; ++d) right[d] = std::min(right[d], ranked(cost[d], d));
     }
   }
 
   // 0 where there is none.
   [[nodiscard]] std::uint16_t disparity(int u) const {
-    const std::uint16_t* const cost = costs_.at(u, v_);
+    const std::uint16_t* const cost = at(u);
     const int most = std::min(options_.search_px, u);
     if (most < 3) return 0;
-    const int best = static_cast<int>(std::min_element(cost + 1, cost + most + 1) - cost);
+    const int best = best_of(cost, most);
     if (!is_unique(cost, best, most) || !agrees(u, best) || best == 1 || best == most) return 0;
     const int curvature = cost[best - 1] - 2 * cost[best] + cost[best + 1];
     if (curvature <= 0 || curvature < options_.least_curvature) return 0;
@@ -46,35 +52,44 @@ class Row {
   }
 
  private:
+  [[nodiscard]] const std::uint16_t* at(int u) const {
+    return costs_ + static_cast<std::ptrdiff_t>(u) * cost_lanes;
+  }
+  // The right imager's pixels from the last to the first, so that a growing disparity is a growing address.
+  [[nodiscard]] std::size_t backwards(int u) const { return static_cast<std::size_t>(width_ - 1 - u); }
+
+  static int best_of(const std::uint16_t* cost, int most) {
+    std::uint32_t best = std::numeric_limits<std::uint32_t>::max();
+    for (int d = 1; d <= most; ++d) best = std::min(best, ranked(cost[d], d));
+    return disparity_of(best);
+  }
   [[nodiscard]] bool is_unique(const std::uint16_t* cost, int best, int most) const {
-    std::uint16_t second = worst;
-    for (int d = 1; d <= most; ++d) {
-      if (std::abs(d - best) > 1) second = std::min(second, cost[d]);
-    }
+    const auto least_beyond = [cost](int first, int end) {
+      std::uint16_t least = worst;
+      for (int d = first; d < end; ++d) least = std::min(least, cost[d]);
+      return least;
+    };
+    const std::uint16_t second = std::min(least_beyond(1, best - 1), least_beyond(best + 2, most + 1));
     return second != worst && cost[best] < second * (1.0 - options_.uniqueness);
   }
   [[nodiscard]] bool agrees(int u, int best) const {
-    return std::abs(right_[static_cast<std::size_t>(u - best)] - best) <= options_.left_right_px;
+    const int back = disparity_of(right_[backwards(u - best)]);
+    return std::abs(back - best) <= options_.left_right_px;
   }
 
-  const CostVolume& costs_;
+  const std::uint16_t* costs_;
   const WinnerOptions& options_;
-  int v_;
-  std::vector<std::uint16_t> right_cost_;
-  std::vector<std::uint8_t> right_;
+  int width_;
+  std::vector<std::uint32_t> right_;
 };
 
 }  // namespace
 
-Image<std::uint16_t> choose_winners(const CostVolume& costs, const WinnerOptions& options) {
-  Image<std::uint16_t> disparities(costs.width(), costs.height(), 0);
-  parallel_bands(costs.height(), [&](int first, int end) {
-    for (int v = first; v < end; ++v) {
-      const Row row(costs, options, v);
-      for (int u = 0; u < costs.width(); ++u) disparities(u, v) = row.disparity(u);
-    }
-  });
-  return disparities;
+RVA_VECTOR_CLONES
+void choose_winners(const std::uint16_t* row_costs, int width, const WinnerOptions& options,
+                    std::uint16_t* disparities) {
+  const Row row(row_costs, width, options);
+  for (int u = 0; u < width; ++u) disparities[u] = row.disparity(u);
 }
 
 }  // namespace rva

@@ -46,9 +46,12 @@ struct WinnerOptions {
   int fraction_bits = 5;    ///< the answer is rounded to 1 / 2^bits of a pixel
 };
 
-/// The least cost, checked from right to left, refined by a parabola through it and its neighbours (which
-/// draws answers towards whole pixels where costs are not parabolas: Shimizu and Okutomi, ICCV 2001).
-/// @return disparity of each pixel of the left image in 1 / 2^fraction_bits px, 0 where there is no match
-[[nodiscard]] Image<std::uint16_t> choose_winners(const CostVolume& costs, const WinnerOptions& options);
+/// The least cost of each pixel of a row, checked from right to left, refined by a parabola through it and
+/// its neighbours (which draws answers towards whole pixels where costs are not parabolas: Shimizu and
+/// Okutomi, ICCV 2001).
+/// @param row_costs   `cost_lanes` for each pixel of the row, as CostVolume has them
+/// @param disparities of each pixel of the left image in 1 / 2^fraction_bits px, 0 where there is no match
+void choose_winners(const std::uint16_t* row_costs, int width, const WinnerOptions& options,
+                    std::uint16_t* disparities);
 
 }  // namespace rva

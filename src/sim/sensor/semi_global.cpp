@@ -113,7 +113,13 @@ Image<std::uint16_t> match_semi_globally(const InfraredImage& left, const Infrar
                  [&](int first, int end) { sum_along_rows(census, options, first, end, sums); });
   parallel_bands(left.width(),
                  [&](int first, int end) { sum_along_columns(census, options, first, end, sums); });
-  return choose_winners(sums, {.uniqueness = options.uniqueness});
+  const WinnerOptions winners{.uniqueness = options.uniqueness};
+  Image<std::uint16_t> disparities(left.width(), left.height(), 0);
+  parallel_bands(left.height(), [&](int first, int end) {
+    for (int v = first; v < end; ++v)
+      choose_winners(sums.at(0, v), left.width(), winners, &disparities(0, v));
+  });
+  return disparities;
 }
 
 }  // namespace rva
