@@ -27,9 +27,10 @@ std::unique_ptr<Camera> open_replay(const std::string& path) {
                                         ReplayOptions{.loop = true});
 }
 
-bool has_debris(const Scene& scene) {
-  return std::ranges::any_of(scene.objects,
-                             [](const SceneObject& object) { return object.role == Role::debris; });
+bool has_changes(const Scene& scene) {
+  return std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+    return object.role == Role::debris || object.role == Role::work;
+  });
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::
   const SimulatedView view = parse_simulated_view(camera);
   Scene before = load_scene(view.scene, {.no_debris = true});
   Scene after = load_scene(view.scene);
-  const bool work = has_debris(after);
+  const bool work = has_changes(after);
   std::function<PanTilt()> joints;
   if (robot == "sim") {
     auto simulation = std::make_unique<SimulatedRobot>(servos_as_built(), steady_clock().now_s, seed);

@@ -46,7 +46,17 @@ std::vector<Seen> find_seen(const Image<std::uint16_t>& labels, std::size_t obje
 }
 
 const char* name_of(Role role) {
-  return role == Role::debris ? "debris" : role == Role::room ? "room" : "structure";
+  switch (role) {
+    case Role::debris:
+      return "debris";
+    case Role::work:
+      return "work";
+    case Role::room:
+      return "room";
+    case Role::structure:
+      break;
+  }
+  return "structure";
 }
 
 Json to_json(const SceneObject& object, int label, const Seen& seen) {

@@ -17,7 +17,7 @@ namespace {
 //
 // Grain is what a stereo camera matches where its projector adds nothing: the orange peel and speckle of
 // paint, the weave of cloth, the sand of concrete.
-constexpr std::array<Material, 24> materials{{
+constexpr std::array<Material, 28> materials{{
     {"green-primer", 0.50, 0.02, 6, 0.05, 0.0015, {132, 141, 72}},
     {"white-paint", 0.60, 0.04, 25, 0.03, 0.0020, {225, 225, 220}},
     {"matt-grey", 0.42, 0.01, 5, 0.06, 0.0015, {128, 128, 128}},
@@ -42,6 +42,10 @@ constexpr std::array<Material, 24> materials{{
     {"concrete", 0.38, 0.00, 1, 0.20, 0.0040, {140, 138, 132}},
     {"plaster", 0.72, 0.00, 1, 0.06, 0.0030, {222, 220, 212}},
     {"wood", 0.60, 0.01, 6, 0.18, 0.0030, {175, 135, 90}},
+    {"carbon-fibre", 0.07, 0.12, 40, 0.12, 0.0020, {40, 40, 42}},
+    {"yellow-primer", 0.58, 0.02, 6, 0.05, 0.0015, {196, 176, 60}},
+    {"wax-coating", 0.34, 0.10, 20, 0.08, 0.0040, {120, 92, 50}},
+    {"sealant", 0.36, 0.03, 12, 0.06, 0.0020, {128, 116, 96}},
 }};
 
 }  // namespace

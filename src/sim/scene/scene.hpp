@@ -20,7 +20,12 @@ struct Part {
   Material material;
 };
 
-enum class Role { structure, debris, room };
+enum class Role {
+  structure,
+  debris,
+  work,  ///< installed or moved by a mechanic, as planned: a change, but no debris
+  room,
+};
 
 struct SceneObject {
   std::string name;  ///< unique in its scene: "rib-1", "collar-0.27-2"

@@ -23,7 +23,7 @@ YamlNode parse_document(const std::string& text, const std::filesystem::path& pl
   if (text.size() > most_bytes) throw Error(name, "more than 1 MB is no scene file", "check the path");
   if (!is_utf8(text)) throw Error(name, "not UTF-8 text", "check the path, or save it as UTF-8");
   YamlNode document = YamlNode::parse(text, name);
-  document.allow_only({"format", "version", "wing", "solids", "meshes", "light", "robot", "debris"});
+  document.allow_only({"format", "version", "wing", "work", "solids", "meshes", "light", "robot", "debris"});
   const YamlNode format = document.at("format");
   if (format.text() != "rva-scene") throw format.error("not \"rva-scene\"", "check the path");
   const YamlNode version = document.at("version");
@@ -31,10 +31,17 @@ YamlNode parse_document(const std::string& text, const std::filesystem::path& pl
   return document;
 }
 
-void add_wing(const YamlNode& section, Scene& scene) {
-  const WingBay bay = read_wing(section);
+void add_wing(const YamlNode& document, const SceneOverrides& overrides, Scene& scene) {
+  const auto section = document.find("wing");
+  const auto work = document.find("work");
+  if (work && !section) throw work->error("work is done in a wing, and there is none", "add a wing");
+  if (!section) return;
+  const WingBay bay = read_wing(*section);
   scene.objects = build_wing_bay(bay);
   scene.bay = inside_of(bay);
+  if (!work) return;
+  const Work done = read_work(*work);
+  if (!overrides.no_debris) do_work(bay, done, scene);
 }
 
 void read_light(const YamlNode& section, Lighting& lighting) {
@@ -102,7 +109,7 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& place,
   const YamlNode document = parse_document(text, place);
   Scene scene;
   scene.name = place.stem().string();
-  if (const auto wing = document.find("wing")) add_wing(*wing, scene);
+  add_wing(document, overrides, scene);
   if (const auto solids = document.find("solids")) add_solids(*solids, scene);
   if (const auto meshes = document.find("meshes")) add_meshes(*meshes, place.parent_path(), scene);
   if (const auto light = document.find("light")) read_light(*light, scene.lighting);

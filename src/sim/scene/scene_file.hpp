@@ -14,7 +14,7 @@ namespace rva {
 struct SceneOverrides {
   std::optional<std::filesystem::path>
       debris_file{};                            ///< its `debris` section takes the place of the scene's
-  bool no_debris = false;                       ///< the bay as it was before the work
+  bool no_debris = false;                       ///< the bay as it was before the work: without `work`, too
   std::optional<std::uint64_t> debris_seed{};   ///< for debris placed at random, instead of the file's
   std::optional<Eigen::Vector3d> position_m{};  ///< the robot's foot
   std::optional<double> pan_deg{};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 
 #include "sim/scene/rivets.hpp"
@@ -160,6 +162,10 @@ std::vector<SceneObject> build_wing_bay(const WingBay& bay) {
   objects.push_back(rib("rib-right", bay, 1.0));
   objects.push_back(near_spar(bay));
   objects.push_back(far_spar(bay));
+  std::ranges::move(make_fittings(bay, bay.fittings, Role::structure), std::back_inserter(objects));
+  for (SceneObject& made : objects) {
+    for (Part& part : made.parts) part.material.dirt = bay.dirt;
+  }
   add_room(bay, objects);
   return objects;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/fittings.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace rva {
@@ -39,6 +40,8 @@ struct WingBay {
     double rear_height_mm = 260.0;  ///< a rear spar lower than the bay shows the room behind it
   } spars;
 
+  Fittings fittings;
+  double dirt = 0.0;                    ///< of all surfaces of the bay, 0 to 1: see Material::dirt
   bool upper_skin = false;              ///< the thesis' section is cut open on top
   double access_hole_width_mm = 460.0;  ///< elliptic, in the near spar
   double access_hole_height_mm = 260.0;
@@ -50,7 +53,7 @@ struct WingBay {
 };
 
 /// The objects of the bay, in the world frame of scene.hpp: "skin-lower", "stringer-1" (nearest) ...,
-/// "rib-left", "rib-right", "spar-near", "spar-far", "floor", "back-wall".
+/// "rib-left", "rib-right", "spar-near", "spar-far", the fittings, "floor", "back-wall".
 [[nodiscard]] std::vector<SceneObject> build_wing_bay(const WingBay& bay);
 
 /// The free space inside: between ribs, spars and skins.

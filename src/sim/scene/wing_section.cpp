@@ -100,6 +100,23 @@ void check_access_hole(const YamlNode& group, const WingBay& bay) {
     throw group.error("the access hole does not fit into the near spar", "make it smaller");
 }
 
+// All of one kind that a bay may have.
+constexpr int most_fittings = 100;
+
+void read_counts(const YamlNode& group, Fittings& fittings) {
+  group.read("brackets", fittings.brackets, 0, most_fittings);
+  group.read("hoses", fittings.hoses, 0, most_fittings);
+  group.read("cables", fittings.cables, 0, most_fittings);
+  group.read("sealant", fittings.sealant, 0, most_fittings);
+  group.read("collars", fittings.collars, 0, most_fittings);
+  if (const auto seed = group.find("seed")) fittings.seed = seed->seed();
+}
+
+void read_fittings(const YamlNode& group, WingBay& bay) {
+  group.allow_only({"brackets", "hoses", "cables", "sealant", "collars", "seed"});
+  read_counts(group, bay.fittings);
+}
+
 using Group = void (*)(const YamlNode&, WingBay&);
 using Check = void (*)(const YamlNode&, const WingBay&);
 
@@ -115,8 +132,8 @@ void check_group(const YamlNode& wing, const char* key, Check check, const WingB
 }  // namespace
 
 WingBay read_wing(const YamlNode& section) {
-  section.allow_only(
-      {"span_m", "chord_m", "height_m", "back_wall_m", "skin", "stringers", "ribs", "spars", "access_hole"});
+  section.allow_only({"span_m", "chord_m", "height_m", "back_wall_m", "skin", "stringers", "ribs", "spars",
+                      "access_hole", "fittings", "dirt"});
   WingBay bay;
   section.read("span_m", bay.span_m, {0.1, 20.0});
   section.read("chord_m", bay.chord_m, {0.1, 20.0});
@@ -127,6 +144,8 @@ WingBay read_wing(const YamlNode& section) {
   read_group(section, "ribs", read_ribs, bay);
   read_group(section, "spars", read_spars, bay);
   read_group(section, "access_hole", read_access_hole, bay);
+  read_group(section, "fittings", read_fittings, bay);
+  section.read("dirt", bay.dirt, {0.0, 1.0});
 
   check_group(section, "stringers", check_stringers, bay);
   check_group(section, "ribs", check_ribs, bay);
@@ -136,6 +155,14 @@ WingBay read_wing(const YamlNode& section) {
     throw section.error("the back wall stands inside the wing",
                         "make back_wall_m larger than chord_m + 0.1, or 0 for none");
   return bay;
+}
+
+Work read_work(const YamlNode& section) {
+  section.allow_only({"brackets", "hoses", "cables", "sealant", "collars", "seed", "rehung"});
+  Work work;
+  read_counts(section, work.installed);
+  section.read("rehung", work.rehung, 0, most_fittings);
+  return work;
 }
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-// The `wing` section of a scene file.
+// The `wing` and `work` sections of a scene file.
 #pragma once
 
 #include "sim/scene/wing_bay.hpp"
@@ -8,5 +8,6 @@ namespace rva {
 
 /// @throws Error also for sizes that do not fit together
 [[nodiscard]] WingBay read_wing(const YamlNode& section);
+[[nodiscard]] Work read_work(const YamlNode& section);
 
 }  // namespace rva

@@ -67,13 +67,27 @@ float noise(const Eigen::Vector3f& p) {
   return mix_of(mix_of(edge(0), edge(2), ty), mix_of(edge(4), edge(6), ty), tz);
 }
 
-}  // namespace
+// What dirt leaves of the light: patches as large as a hand, specks of a few millimetres within them.
+float under_dirt(float dirt, const Eigen::Vector3f& position) {
+  constexpr float patch_m = 0.06F;
+  constexpr float speck_m = 0.004F;
+  const float patch = std::clamp(0.5F + noise(position / patch_m), 0.0F, 1.0F);
+  const float speck = std::clamp(0.5F + noise(position / speck_m), 0.0F, 1.0F);
+  return 1.0F - dirt * patch * (0.5F + 0.5F * speck);
+}
 
-float grain_at(const Material& material, const Eigen::Vector3f& position) {
+float grain_of_coat(const Material& material, const Eigen::Vector3f& position) {
   if (material.grain <= 0.0) return 1.0F;
   // Values of the field have a standard deviation of about a third.
   const float contrast = 3.0F * static_cast<float>(material.grain);
   return std::max(0.0F, 1.0F + contrast * noise(position * static_cast<float>(1.0 / material.grain_m)));
+}
+
+}  // namespace
+
+float grain_at(const Material& material, const Eigen::Vector3f& position) {
+  const float grain = grain_of_coat(material, position);
+  return material.dirt > 0.0 ? grain * under_dirt(static_cast<float>(material.dirt), position) : grain;
 }
 
 float reflected(const Material& material, float albedo, const SurfacePoint& point,

@@ -15,7 +15,7 @@ struct SurfacePoint {
 };
 
 /// The surface's own texture at a place: 1 on average, a smooth random field of the material's contrast and
-/// size.
+/// size, darker where dirt lies.
 [[nodiscard]] float grain_at(const Material& material, const Eigen::Vector3f& position);
 
 /// Light towards the eye for a unit of light that falls squarely on the surface from one direction: diffuse

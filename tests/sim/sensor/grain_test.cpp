@@ -36,6 +36,22 @@ TEST(Grain, IsNeverNegative) {
   }
 }
 
+TEST(Dirt, DarkensAndIsNotTheSameEverywhere) {
+  Material dirty = matt(0.0, 0.001);
+  dirty.dirt = 0.6;
+  float least = 1.0F;
+  float most = 0.0F;
+  for (int i = 0; i < 2000; ++i) {
+    const float light = grain_at(dirty, {0.003F * static_cast<float>(i), 0.1F, 0.2F});
+    least = std::min(least, light);
+    most = std::max(most, light);
+  }
+  EXPECT_GE(least, 0.3999F) << "a share of dirt, at most";
+  EXPECT_LT(least, 0.6F);
+  EXPECT_GT(most, 0.9F);
+  EXPECT_LE(most, 1.0F);
+}
+
 TEST(Grain, WithoutContrastIsOne) { EXPECT_EQ(grain_at(matt(0.0, 0.001), {0.1F, 0.2F, 0.3F}), 1.0F); }
 
 TEST(Grain, IsAsCoarseAsTheMaterialSays) {
