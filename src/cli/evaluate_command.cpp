@@ -41,43 +41,15 @@ struct EvaluateArguments {
   std::string how = "elsewhere";
   std::vector<int> captures{MovedStudyOptions{}.captures};
   std::string cameras = "d435";
+  std::vector<std::string> bay;
   bool overwrite = false;
   bool resume = false;
 };
 
 constexpr auto file_name = "evaluation.json";
 
-std::vector<SimulatedInspection> earlier(const EvaluateArguments& arguments) {
-  const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
-  if (!arguments.resume || !std::filesystem::exists(file)) return {};
-  Evaluation evaluation = evaluation_from_json(read_text_file(file), printable(file));
-  if (evaluation.scene != arguments.scene)
-    throw UsageError("--resume", "the evaluation that is there is of another scene",
-                     "give the options that it was begun with, or another --out");
-  return std::move(evaluation.inspections);
-}
-
-void evaluate(const EvaluateArguments& arguments) {
-  std::optional<Scene> scene;
-  if (!arguments.scene.empty()) scene = load_scene(arguments.scene);
-  Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
-  (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
-  const auto keep = [&](const std::vector<SimulatedInspection>& inspections) {
-    OutputFolder out(arguments.out, {file_name}, existing);
-    write_file(out.path(file_name), to_json({arguments.scene, inspections}));
-    out.commit();
-    existing = Existing::replace;
-  };
-  const std::vector<SimulatedInspection> inspections =
-      run_study(arguments.study, scene, earlier(arguments), terminal_progress(), keep);
-  print("{}{}\n", to_table(tally(inspections)), arguments.out);
-}
-
-std::vector<MovedInspection> earlier_moved(const EvaluateArguments& arguments,
-                                           const std::string& begun_with) {
-  const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
-  if (!arguments.resume || !std::filesystem::exists(file)) return {};
-  return moved_inspections_from_json(read_text_file(file), printable(file), begun_with);
+std::string name_of_bay(const EvaluateArguments& arguments) {
+  return fmt::format("{}", fmt::join(arguments.bay, ","));
 }
 
 // random:SEED draws another one for each inspection; any other model is that of all.
@@ -89,6 +61,44 @@ std::function<StereoSensorOptions(std::uint64_t)> cameras_of(const std::string& 
   return [first](std::uint64_t seed) { return random_camera(mix(first, seed)); };
 }
 
+std::vector<SimulatedInspection> earlier(const EvaluateArguments& arguments) {
+  const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
+  if (!arguments.resume || !std::filesystem::exists(file)) return {};
+  Evaluation evaluation = evaluation_from_json(read_text_file(file), printable(file));
+  if (evaluation.scene != arguments.scene || evaluation.cameras != arguments.cameras ||
+      evaluation.bay != name_of_bay(arguments))
+    throw UsageError("--resume", "the evaluation that is there is of another scene, bay or camera",
+                     "give the options that it was begun with, or another --out");
+  return std::move(evaluation.inspections);
+}
+
+void evaluate(const EvaluateArguments& arguments) {
+  std::optional<Scene> scene;
+  if (!arguments.scene.empty()) scene = load_scene(arguments.scene);
+  StudyOptions options = arguments.study;
+  options.sensor = cameras_of(arguments.cameras);
+  options.bay = bay_features(arguments.bay);
+  Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
+  (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
+  const auto keep = [&](const std::vector<SimulatedInspection>& inspections) {
+    OutputFolder out(arguments.out, {file_name}, existing);
+    write_file(out.path(file_name),
+               to_json({arguments.scene, arguments.cameras, name_of_bay(arguments), inspections}));
+    out.commit();
+    existing = Existing::replace;
+  };
+  const std::vector<SimulatedInspection> inspections =
+      run_study(options, scene, earlier(arguments), terminal_progress(), keep);
+  print("{}{}\n", to_table(tally(inspections)), arguments.out);
+}
+
+std::vector<MovedInspection> earlier_moved(const EvaluateArguments& arguments,
+                                           const std::string& begun_with) {
+  const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
+  if (!arguments.resume || !std::filesystem::exists(file)) return {};
+  return moved_inspections_from_json(read_text_file(file), printable(file), begun_with);
+}
+
 void evaluate_moved(const EvaluateArguments& arguments) {
   check_options(arguments.study);
   MovedStudyOptions options;
@@ -98,9 +108,11 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.how = returns.at(arguments.how);
   options.octree = arguments.octree;
   options.sensor = cameras_of(arguments.cameras);
+  options.bay = bay_features(arguments.bay);
   const std::string begun_with =
-      fmt::format("return {}, cameras {}, first seed {}, captures {}{}", arguments.how, arguments.cameras,
-                  options.first_seed, fmt::join(options.captures, ","), options.octree ? ", octree" : "");
+      fmt::format("return {}, cameras {}, first seed {}, captures {}{}{}", arguments.how, arguments.cameras,
+                  options.first_seed, fmt::join(options.captures, ","), options.octree ? ", octree" : "",
+                  arguments.bay.empty() ? "" : ", bay " + name_of_bay(arguments));
   Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
@@ -167,11 +179,17 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
   command
       .add_option(
           "--cameras", arguments->cameras,
-          "--moved: random:SEED draws a camera by chance for each inspection; or the name of a model, as "
-          "of rva simulate --camera-model")
+          "random:SEED draws a camera by chance for each inspection; or the name of a model, as of rva "
+          "simulate --camera-model")
       ->type_name("MODEL")
-      ->capture_default_str()
-      ->needs(moved);
+      ->capture_default_str();
+  command
+      .add_option(
+          "--bay", arguments->bay,
+          fmt::format("makes bays drawn by chance harder: {}, or all", fmt::join(bay_feature_names(), ", ")))
+      ->delimiter(',')
+      ->type_name("WHAT,...")
+      ->excludes(scene);
   command.add_flag("--with-octree", arguments->octree, "--moved: the thesis' pipeline too, a minute a pair")
       ->needs(moved);
   command

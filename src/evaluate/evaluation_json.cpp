@@ -85,7 +85,7 @@ Result result_from(const nlohmann::json& json) {
 }
 
 Evaluation evaluation_from(const nlohmann::json& json) {
-  Evaluation evaluation{json.at("scene").get<std::string>(), {}};
+  Evaluation evaluation{json.at("scene"), json.value("cameras", "d435"), json.value("bay", ""), {}};
   for (const nlohmann::json& one : json.at("inspections")) {
     SimulatedInspection inspection{one.at("seed").get<std::uint64_t>(), {}, {}};
     for (const nlohmann::json& target : one.at("targets")) inspection.targets.push_back(target_from(target));
@@ -103,7 +103,11 @@ Evaluation evaluation_from(const nlohmann::json& json) {
 }  // namespace
 
 std::string to_json(const Evaluation& evaluation) {
-  Json json{{"format", "rva-evaluation"}, {"version", 1}, {"scene", evaluation.scene}};
+  Json json{{"format", "rva-evaluation"},
+            {"version", 1},
+            {"scene", evaluation.scene},
+            {"cameras", evaluation.cameras},
+            {"bay", evaluation.bay}};
   json["tallies"] = Json::array();
   for (const Tally& of : tally(evaluation.inspections)) json["tallies"].push_back(to_json_value(of));
   json["inspections"] = Json::array();

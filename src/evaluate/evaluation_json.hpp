@@ -9,7 +9,9 @@
 namespace rva {
 
 struct Evaluation {
-  std::string scene;  ///< the file that was inspected; empty for wings drawn by chance
+  std::string scene;    ///< the file that was inspected; empty for wings drawn by chance
+  std::string cameras;  ///< as of --cameras
+  std::string bay;      ///< as of --bay; empty for plain ones
   std::vector<SimulatedInspection> inspections;
 };
 

@@ -30,6 +30,12 @@ bool touches(const Finding& finding, const Mask& mask) {
   return std::ranges::any_of(finding.pixels, [&](std::uint32_t i) { return mask[i] != 0; });
 }
 
+// At least half of it.
+bool lies_in(const Finding& finding, const Mask& mask) {
+  const auto inside = std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return mask[i] != 0; });
+  return 2 * static_cast<std::size_t>(inside) >= finding.pixels.size();
+}
+
 // Pixels whose ray meets the object when it is alone in the world.
 int pixels_alone(const SimulatedCamera& camera, std::size_t object) {
   const RayCaster alone(camera.scene(), std::array{object});
@@ -74,6 +80,25 @@ std::vector<Target> visible_targets(const SimulatedCamera& camera) {
   return targets;
 }
 
+std::vector<std::uint32_t> work_pixels(const SimulatedCamera& before, const SimulatedCamera& after) {
+  std::vector<std::uint32_t> pixels;
+  const auto add = [&pixels](const SimulatedCamera& camera, const auto& is_work) {
+    const std::vector<SceneObject>& objects = camera.scene().objects;
+    if (std::ranges::none_of(objects, is_work)) return;
+    const TrueView view = camera.look();
+    for (std::size_t i = 0; i < view.labels.size(); ++i) {
+      if (view.labels[i] > 0 && is_work(objects[view.labels[i] - 1U]))
+        pixels.push_back(static_cast<std::uint32_t>(i));
+    }
+  };
+  add(after, [](const SceneObject& object) { return object.role == Role::work; });
+  add(before, [&after](const SceneObject& object) {
+    return std::ranges::find(after.scene().objects, object.name, &SceneObject::name) ==
+           after.scene().objects.end();
+  });
+  return pixels;
+}
+
 void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
                  std::vector<Target>& targets) {
   constexpr double trace_px = 0.1;
@@ -90,19 +115,21 @@ void count_shown(const DepthStatistics& without, const DepthStatistics& with, do
 }
 
 Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets, int width,
-                int height) {
+                int height, const std::vector<std::uint32_t>& work) {
   Mask any(width, height);
   for (const Target& target : targets) {
     for (const std::uint32_t i : target.pixels) any[i] = mask_set;
   }
-  const Mask near = grown(std::move(any), near_px);
+  const Mask near_debris = grown(std::move(any), near_px);
+  const Mask near_work = grown(mask_of(work, width, height), near_px);
+  Judgement judgement;
   std::vector<const Finding*> pointing;
   for (const Finding& finding : findings) {
-    const auto inside = std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return near[i] != 0; });
-    if (2 * static_cast<std::size_t>(inside) >= finding.pixels.size()) pointing.push_back(&finding);
+    if (lies_in(finding, near_debris))
+      pointing.push_back(&finding);
+    else
+      ++(lies_in(finding, near_work) ? judgement.work_findings : judgement.false_findings);
   }
-  Judgement judgement;
-  judgement.false_findings = findings.size() - pointing.size();
   for (const Target& target : targets) {
     const Mask around = grown(mask_of(target.pixels, width, height), found_within_px);
     judgement.found.push_back(

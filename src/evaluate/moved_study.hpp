@@ -21,6 +21,7 @@ struct MovedStudyOptions {
   std::vector<int> captures{1, 4, 8};  ///< a side, dithered; ascending
   int frames = 10;                     ///< of each capture
   bool octree = false;                 ///< the thesis' pipeline too, on one frame a side: a minute each time
+  BayFeatures bay;
   /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
       [](std::uint64_t) { return StereoSensorOptions{}; }};
@@ -28,7 +29,7 @@ struct MovedStudyOptions {
 
 /// How the views of one inspection were laid over each other.
 struct MovedRegistration {
-  std::string method;
+  std::string method;  ///< as of MovedResult
   int captures = 1;
   double error_mm = 0.0;
   double error_deg = 0.0;
@@ -37,11 +38,12 @@ struct MovedRegistration {
 
 /// One setting with so many captures a side.
 struct MovedResult {
-  std::string method;  ///< "spatial", "octree"; "auto" of a robot that rests within half a step
+  std::string method;  ///< "auto", "octree"
   int captures = 1;
   double setting = 0.0;               ///< false findings allowed; edge of a cell, in metres
   std::size_t false_when_clean = 0;   ///< findings where nothing changed
-  std::size_t false_with_debris = 0;  ///< findings far from all debris
+  std::size_t false_with_debris = 0;  ///< findings far from all debris and all work
+  std::size_t work_findings = 0;      ///< findings of planned work
   std::vector<bool> found;            ///< of each target; none where the registration was not trusted
 };
 
@@ -52,13 +54,13 @@ struct MovedInspection {
   std::string matcher;   ///< of the camera
   double ambient = 0.0;  ///< light, relative to the projector's mean at one metre
   std::vector<MovedTarget> targets;
-  /// Without debris and with it, for each number of captures. None where the camera came back exactly.
+  /// Without debris and with it, for each number of captures. None where pixels were compared with pixels.
   std::vector<MovedRegistration> registrations;
   std::vector<MovedResult> results;
 };
 
 /// Runs one inspection after the other: dithered captures before, others after it in which nothing changed,
-/// and others with debris (random_moved_wing()).
+/// and others with debris (random_moved_wing()), taken and compared as `rva serve` does it.
 /// @param earlier those of a study that was interrupted, which is gone on with
 /// @param keep    called after each
 /// @throws UsageError for options out of range; Interrupted

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "core/random.hpp"
-#include "evaluate/random_wing.hpp"
 #include "robot/dither.hpp"
 #include "sim/scene/drop_zone.hpp"
 #include "sim/scene/random_debris.hpp"
@@ -69,9 +68,9 @@ void stay(CameraReturn how, Random& random, const CameraStand& after, CameraStan
 
 }  // namespace
 
-MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how) {
+MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how, const BayFeatures& features) {
   MovedWing wing;
-  wing.before = random_wing(seed);
+  wing.before = random_wing(seed, features);
   wing.after = wing.before;
   Random random(mix(seed, 0x30BE));
   CameraStand& before = wing.before.stand;
@@ -86,6 +85,7 @@ MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how) {
     stand_somewhere(wing.after.bay, random, before);
   } while (!moved_as_wanted(before, after));
   if (how != CameraReturn::elsewhere) stay(how, random, after, before);
+  if (features.work) do_work(random_wing_bay(seed, features), random_work(seed), wing.after);
   drop(wing.after, how, seed);
   return wing;
 }

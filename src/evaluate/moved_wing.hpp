@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "evaluate/random_wing.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace rva {
@@ -17,8 +18,8 @@ enum class CameraReturn {
 
 /// One bay, seen before and after the work.
 struct MovedWing {
-  Scene before;  ///< without debris
-  Scene after;   ///< with it
+  Scene before;  ///< without debris, and before a mechanic's changes
+  Scene after;   ///< with both
 };
 
 /// A bay as of random_wing(). Robots stand within the bay, 0.18 m and more from either rib, 0.05 to
@@ -27,6 +28,7 @@ struct MovedWing {
 /// pieces of debris are big (flashlights, a screwdriver, a socket, a roll of tape, a glove, a clip, a rag),
 /// four small (collars, bolts, nut plates), or twelve before a camera that stays, which sees smaller things;
 /// fewer where no place is found.
-[[nodiscard]] MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how);
+[[nodiscard]] MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how,
+                                          const BayFeatures& features = {});
 
 }  // namespace rva

@@ -1,14 +1,18 @@
 #include "evaluate/random_wing.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 #include <string>
 #include <string_view>
 
+#include "core/error.hpp"
+#include "core/path_text.hpp"
 #include "core/random.hpp"
 #include "sim/scene/debris_catalogue.hpp"
 #include "sim/scene/drop_zone.hpp"
 #include "sim/scene/random_debris.hpp"
-#include "sim/scene/wing_bay.hpp"
 
 namespace rva {
 namespace {
@@ -43,11 +47,88 @@ WingBay random_bay(Random& random) {
   return bay;
 }
 
+// Coats that plain bays do not have, as often as the others.
+void paint_otherwise(Random& random, WingBay& bay) {
+  constexpr std::array<std::string_view, 3> others{"carbon-fibre", "yellow-primer", "wax-coating"};
+  for (std::string* const material :
+       {&bay.skin_material, &bay.stringer_material, &bay.rib_material, &bay.spar_material}) {
+    if (random.uniform() < 0.5) *material = one_of(others, random);
+  }
+}
+
+void furnish(const BayFeatures& features, std::uint64_t seed, WingBay& bay) {
+  Random random(mix(seed, 0xF177));
+  bay.fittings.seed = mix(seed, 0xF178);
+  // Drawn in any case, so that one feature does not change another.
+  const int brackets = whole(2, 6, random);
+  const int hoses = whole(1, 2, random);
+  const int cables = whole(1, 3, random);
+  const int sealant = whole(2, 5, random);
+  const double dirt = random.uniform(0.2, 0.7);
+  if (features.brackets) bay.fittings.brackets = brackets;
+  if (features.hoses) bay.fittings.hoses = hoses;
+  if (features.cables) bay.fittings.cables = cables;
+  if (features.sealant) bay.fittings.sealant = sealant;
+  if (features.dirt) bay.dirt = dirt;
+  if (features.skins) paint_otherwise(random, bay);
+}
+
+struct Feature {
+  std::string_view name;
+  bool BayFeatures::*member;
+};
+
+constexpr std::array bay_feature_table{
+    Feature{"brackets", &BayFeatures::brackets}, Feature{"hoses", &BayFeatures::hoses},
+    Feature{"cables", &BayFeatures::cables},     Feature{"sealant", &BayFeatures::sealant},
+    Feature{"dirt", &BayFeatures::dirt},         Feature{"skins", &BayFeatures::skins},
+    Feature{"work", &BayFeatures::work}};
+
 }  // namespace
 
-Scene random_wing(std::uint64_t seed) {
+std::vector<std::string_view> bay_feature_names() {
+  std::vector<std::string_view> names;
+  for (const Feature& feature : bay_feature_table) names.push_back(feature.name);
+  return names;
+}
+
+BayFeatures bay_features(const std::vector<std::string>& names) {
+  BayFeatures features;
+  for (const std::string& name : names) {
+    bool known = false;
+    for (const Feature& feature : bay_feature_table) {
+      if (name != feature.name && name != "all") continue;
+      features.*feature.member = known = true;
+    }
+    if (!known)
+      throw UsageError("--bay", printable(name) + " is nothing that a bay can have",
+                       fmt::format("give some of {}, or all", fmt::join(bay_feature_names(), ", ")));
+  }
+  return features;
+}
+
+WingBay random_wing_bay(std::uint64_t seed, const BayFeatures& features) {
   Random random(mix(seed, 0x3176));
-  const WingBay bay = random_bay(random);
+  WingBay bay = random_bay(random);
+  furnish(features, seed, bay);
+  return bay;
+}
+
+Work random_work(std::uint64_t seed) {
+  Random random(mix(seed, 0x3012));
+  Work work;
+  work.installed.seed = mix(seed, 0x3013);
+  work.installed.collars = whole(1, 2, random);
+  work.installed.brackets = whole(0, 1, random);
+  work.installed.sealant = whole(0, 2, random);
+  work.rehung = whole(0, 1, random);
+  return work;
+}
+
+Scene random_wing(std::uint64_t seed, const BayFeatures& features) {
+  Random random(mix(seed, 0x3176));
+  (void)random_bay(random);  // what follows is drawn after the bay
+  const WingBay bay = random_wing_bay(seed, features);
   Scene scene;
   scene.name = "random-wing-" + std::to_string(seed);
   scene.objects = build_wing_bay(bay);

@@ -1,6 +1,5 @@
 #include "evaluate/robot_side.hpp"
 
-#include <string>
 #include <system_error>
 
 #include "core/random.hpp"
@@ -16,12 +15,12 @@ Captures RobotSide::open(int count) const {
   return opened;
 }
 
-RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor, int captures, int frames,
-                        std::uint64_t seed, const std::filesystem::path& folder) {
-  constexpr double half_a_step_deg = 0.16;
+RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
+                        const RobotSideOptions& options, std::uint64_t seed,
+                        const std::filesystem::path& folder) {
   constexpr std::size_t settling = 1;  // as rva serve has it
   const Clock clock = unhurried_clock();
-  SimulatedRobot robot({.rest_error_deg = half_a_step_deg}, clock.now_s, mix(seed, 1));
+  SimulatedRobot robot({.rest_error_deg = options.rest_error_deg}, clock.now_s, mix(seed, 1));
   SimulatedCamera camera(scene, sensor, mix(seed, 2), ColorFrames::none,
                          [&robot] { return robot.true_joints(); });
   std::error_code ignored;  // take_views() says what is wrong
@@ -30,11 +29,11 @@ RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor, i
   const Progress note_joints = [&](std::string_view /*step*/, std::size_t done, std::size_t /*total*/) {
     if (done > 0) side.rested.push_back(robot.true_joints());
   };
-  const std::string base = "inspection-1";
-  take_views({camera, robot, clock, PanTiltChain{}, base},
-             dithered({scene.stand.pan_deg, scene.stand.tilt_deg}, captures, robot.limits()), folder,
-             {static_cast<std::size_t>(frames), settling}, note_joints);
-  for (int i = 0; i < captures; ++i) side.captures.push_back(folder / view_name(static_cast<std::size_t>(i)));
+  take_views({camera, robot, clock, PanTiltChain{}, scene.stand.base},
+             dithered({scene.stand.pan_deg, scene.stand.tilt_deg}, options.captures, robot.limits()), folder,
+             {static_cast<std::size_t>(options.frames), settling}, note_joints);
+  for (int i = 0; i < options.captures; ++i)
+    side.captures.push_back(folder / view_name(static_cast<std::size_t>(i)));
   return side;
 }
 

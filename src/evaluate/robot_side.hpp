@@ -21,14 +21,23 @@ struct RobotSide {
   [[nodiscard]] Captures open(int count) const;
 };
 
-/// A robot with play goes to the scene's view and its dithers, from below (robot/dither.hpp), rests anywhere
-/// within half a step of what it reports, and each capture is written into a folder of its own
-/// (take_views()).
-/// @param scene  its stand says where the robot's foot is, and the view's angles
+/// How far from the step that it reports a servo may come to rest: as far as it does not notice.
+inline constexpr double half_a_step_deg = 0.16;
+
+struct RobotSideOptions {
+  int captures = 4;             ///< dithered, above 0
+  int frames = 10;              ///< of each capture, above 0
+  double rest_error_deg = 0.0;  ///< as of SimulatedRobotOptions
+};
+
+/// A robot with play goes to the scene's view and its dithers, from below (robot/dither.hpp), and each
+/// capture is written into a folder of its own (take_views()).
+/// @param scene  its stand says where the robot's foot is, the base's name, and the view's angles
 /// @param folder made; captures of the same arguments are always the same
 /// @throws Error when a capture cannot be written; Interrupted
-[[nodiscard]] RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor, int captures,
-                                      int frames, std::uint64_t seed, const std::filesystem::path& folder);
+[[nodiscard]] RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
+                                      const RobotSideOptions& options, std::uint64_t seed,
+                                      const std::filesystem::path& folder);
 
 /// A simulated camera at rest at these angles.
 [[nodiscard]] SimulatedCamera camera_at(const Scene& scene, const StereoSensorOptions& sensor,

@@ -1,13 +1,13 @@
 #include "evaluate/study.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "detect/calibrated/calibrated.hpp"
 #include "detect/constant.hpp"
 #include "detect/gaussian.hpp"
-#include "evaluate/random_wing.hpp"
 
 namespace rva {
 namespace {
@@ -19,8 +19,8 @@ constexpr double join_px = 9.0;
 /// A capture as far as it has been taken.
 class Take {
  public:
-  Take(Scene scene, std::uint64_t seed)
-      : camera_(std::move(scene), StereoSensorOptions{}, seed, ColorFrames::none),
+  Take(Scene scene, const StereoSensorOptions& sensor, std::uint64_t seed)
+      : camera_(std::move(scene), sensor, seed, ColorFrames::none),
         statistics_(camera_.info().depth.width, camera_.info().depth.height) {}
 
   void up_to(int frames) {
@@ -60,16 +60,34 @@ std::vector<Finding> find(const Detector& detector, const Take& before, const Ta
   return find_findings(comparison, {.join_px = join_px}, after.camera().info().depth);
 }
 
-Scene without_debris(Scene scene) {
-  std::erase_if(scene.objects, [](const SceneObject& object) { return object.role == Role::debris; });
+Scene without_roles(Scene scene, std::initializer_list<Role> roles) {
+  std::erase_if(scene.objects, [&](const SceneObject& object) {
+    return std::ranges::find(roles, object.role) != roles.end();
+  });
   return scene;
 }
 
+/// One bay, seen before and after the work.
+struct Wing {
+  Scene before;
+  Scene after;
+};
+
+Wing wing_of(const StudyOptions& options, const std::optional<Scene>& scene, std::uint64_t seed) {
+  if (scene) return {without_roles(*scene, {Role::debris, Role::work}), *scene};
+  Wing wing{random_wing(seed, options.bay), {}};
+  wing.after = wing.before;
+  if (options.bay.work) do_work(random_wing_bay(seed, options.bay), random_work(seed), wing.after);
+  drop_debris(wing.after, seed);
+  return wing;
+}
+
 // Two captures with the very same noise tell what debris does to depth.
-void count_shown_by_twins(const Scene& scene, std::uint64_t seed, std::vector<Target>& targets) {
+void count_shown_by_twins(const Scene& scene, const StereoSensorOptions& sensor, std::uint64_t seed,
+                          std::vector<Target>& targets) {
   constexpr int frames = 5;
-  Take without(without_debris(scene), mix(seed, 4));
-  Take with(scene, mix(seed, 4));
+  Take without(without_roles(scene, {Role::debris}), sensor, mix(seed, 4));
+  Take with(scene, sensor, mix(seed, 4));
   for (Take* take : {&without, &with}) take->up_to(frames);
   const CaptureInfo info = with.camera().info();
   count_shown(without.statistics(), with.statistics(),
@@ -78,18 +96,20 @@ void count_shown_by_twins(const Scene& scene, std::uint64_t seed, std::vector<Ta
 
 SimulatedInspection inspect(const StudyOptions& options, const std::optional<Scene>& scene,
                             std::uint64_t seed, const std::vector<Detector>& detectors) {
-  Scene after = scene ? *scene : random_wing(seed);
-  if (!scene) drop_debris(after, seed);
-  Take before(without_debris(after), mix(seed, 1));
-  Take unchanged(without_debris(after), mix(seed, 2));
-  Take changed(std::move(after), mix(seed, 3));
+  Wing wing = wing_of(options, scene, seed);
+  const StereoSensorOptions sensor = options.sensor(seed);
+  Take before(wing.before, sensor, mix(seed, 1));
+  Take unchanged(std::move(wing.before), sensor, mix(seed, 2));
+  Take changed(std::move(wing.after), sensor, mix(seed, 3));
   SimulatedInspection inspection{seed, visible_targets(changed.camera()), {}};
-  count_shown_by_twins(changed.camera().scene(), seed, inspection.targets);
+  count_shown_by_twins(changed.camera().scene(), sensor, seed, inspection.targets);
+  const std::vector<std::uint32_t> work = work_pixels(before.camera(), changed.camera());
   for (const int frames : options.frames) {
     for (Take* take : {&before, &unchanged, &changed}) take->up_to(frames);
     for (const Detector& detector : detectors) {
       const auto judged = [&](const std::vector<Finding>& findings) {
-        return judge(findings, inspection.targets, before.statistics().width(), before.statistics().height());
+        return judge(findings, inspection.targets, before.statistics().width(), before.statistics().height(),
+                     work);
       };
       const std::vector<Finding> when_clean = find(detector, before, unchanged);
       const Judgement judgement = judged(find(detector, before, changed));

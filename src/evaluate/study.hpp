@@ -10,6 +10,8 @@
 #include "core/options.hpp"
 #include "core/progress.hpp"
 #include "evaluate/judgement.hpp"
+#include "evaluate/random_wing.hpp"
+#include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva {
 
@@ -28,6 +30,10 @@ struct StudyOptions {
   int inspections = 20;
   std::uint64_t first_seed = 1;
   std::vector<int> frames{10, 20, 40};  ///< ascending; of either capture
+  BayFeatures bay;                      ///< of wings drawn by chance
+  /// Gives the camera of an inspection by the inspection's seed.
+  std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
+      [](std::uint64_t) { return StereoSensorOptions{}; }};
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.inspections,
@@ -42,7 +48,7 @@ struct Result {
   int frames = 0;
   Detector detector;
   std::size_t false_when_clean = 0;    ///< findings where nothing changed
-  std::size_t false_with_debris = 0;   ///< findings far from all debris
+  std::size_t false_with_debris = 0;   ///< findings far from all debris and all work
   std::vector<bool> found;             ///< of each target of the inspection
   std::vector<bool> found_when_clean;  ///< the same with the findings where nothing changed: hits by chance
 };

@@ -61,7 +61,7 @@ class EvaluateTest(program.ProgramTest):
         self.assertTrue(0.1 < inspection['move_m'] < 0.45)
         self.assertLess(inspection['turn_deg'], 16)
         self.assertEqual([(entry['captures'], entry['setting']) for entry in inspection['results']],
-                         [(captures, allowed) for captures in (1, 2) for allowed in (0.001, 0.05, 0.5, 5.0)])
+                         [(captures, allowed) for captures in (1, 2) for allowed in (0.05, 0.5)])
         for entry in inspection['registrations']:
             self.assertTrue(entry['doubt'] or entry['error_mm'] < 10, entry)
         for entry in inspection['results']:
@@ -76,10 +76,10 @@ class EvaluateTest(program.ProgramTest):
         self.assertLess(max(inspection['move_m'], inspection['turn_deg']), 1e-9)
         self.assertNotIn('registrations', inspection)
         self.assertNotIn('registration', done.stdout)
-        usual = report['tallies'][1]
-        self.assertEqual((usual['method'], usual['captures'], usual['setting']), ('spatial', 1, 0.05))
+        usual = report['tallies'][0]
+        self.assertEqual((usual['method'], usual['captures'], usual['setting']), ('auto', 1, 0.05))
         self.assertGreater(usual['big_found'], usual['big'] / 2)
-        self.assertEqual(usual['false_when_clean'], inspection['results'][1]['false_when_clean'])
+        self.assertEqual(usual['false_when_clean'], inspection['results'][0]['false_when_clean'])
 
     def test_the_robots_own_path_goes_on_where_it_was_ended(self):
         path = ['evaluate', '--moved', '--return', 'rest', '--captures', 1, '--first-seed', 7, '--out', self.out]
@@ -98,10 +98,30 @@ class EvaluateTest(program.ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.check_line(done.stderr, ['--resume'])
 
+    def test_harder_bays_and_other_cameras(self):
+        done = self.succeed('evaluate', '--moved', '--return', 'rest', '--captures', 1, '--first-seed', 7, '--out', self.out,
+                            '--inspections', 1, '--bay', 'all', '--cameras', 'random:3')
+        moved = json.loads((self.out / 'evaluation.json').read_text())
+        self.assertIn('bay all', moved['arguments'])
+        self.assertEqual({entry['setting'] for entry in moved['tallies']}, {0.05, 0.5})
+        self.assertGreaterEqual(moved['tallies'][1]['work_findings'], 0)
+        static = ['evaluate', '--out', self.out, '--inspections', 1, '--frames', 2, '--first-seed', 7, '--bay',
+                  'dirt,cables', '--cameras', 'correlation-9']
+        done = self.succeed(*static, '--overwrite')
+        report = json.loads((self.out / 'evaluation.json').read_text())
+        self.assertEqual((report['cameras'], report['bay']), ('correlation-9', 'dirt,cables'))
+        self.succeed(*static, '--resume')
+        for other in (['--cameras', 'd435'], ['--bay', 'dirt']):
+            with self.subTest(other):
+                done = self.rva(*static[:-4], *other, '--resume')
+                self.assertEqual(done.returncode, 2)
+                self.check_line(done.stderr, ['--resume'])
+
     def test_bad_input(self):
         for options in (['--moved', '--frames', '10'], ['--moved', '--captures', '4,1'], ['--moved', '--captures', '17'],
                         ['--captures', '2'], ['--recorded', '.', '--moved'], ['--recorded', '.', '--frames', '2'],
-                        ['--return', 'near'], ['--with-octree'],
+                        ['--return', 'near'], ['--with-octree'], ['--bay', 'gold'], ['--cameras', 'gold'],
+                        ['--bay', 'dirt', '--scene', 'x.yaml'],
                         ['--moved', '--return', 'home']):
             with self.subTest(options):
                 done = self.rva('evaluate', *options, '--out', self.out)

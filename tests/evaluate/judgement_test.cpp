@@ -48,6 +48,20 @@ TEST(Judgement, AFindingThatMarksEverythingPointsAtNothing) {
   EXPECT_THAT(judgement.found, ElementsAre(false));
 }
 
+TEST(Judgement, PlannedWorkIsNeitherDebrisNorFalse) {
+  const std::vector<Finding> findings{finding(70, 40, 3), finding(42, 42, 2), finding(5, 5, 2)};
+  const Judgement judgement = judge(findings, one_target(), width, height, square(72, 38, 4));
+  EXPECT_EQ(judgement.work_findings, 1);
+  EXPECT_EQ(judgement.false_findings, 1);
+  EXPECT_THAT(judgement.found, ElementsAre(true));
+}
+
+TEST(Judgement, DebrisBesideWorkIsDebris) {
+  const Judgement judgement = judge({finding(40, 40, 3)}, one_target(), width, height, square(38, 38, 10));
+  EXPECT_EQ(judgement.work_findings, 0);
+  EXPECT_THAT(judgement.found, ElementsAre(true));
+}
+
 TEST(Judgement, WithoutTargetsAllIsFalse) {
   EXPECT_EQ(judge({finding(70, 40, 3)}, {}, width, height).false_findings, 1);
 }

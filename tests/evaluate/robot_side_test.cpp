@@ -11,8 +11,6 @@
 namespace rva {
 namespace {
 
-constexpr double half_a_step_deg = 0.1625;
-
 double off_a_step(double angle_deg) {
   return std::abs(angle_deg - servo_step_deg * std::round(angle_deg / servo_step_deg));
 }
@@ -20,9 +18,10 @@ double off_a_step(double angle_deg) {
 TEST(RobotSide, CapturesStateWholeStepsAndTheJointsRestBesideThem) {
   const test::TemporaryFolder folder;
   const Scene scene = random_moved_wing(7, CameraReturn::rest).before;
-  const RobotSide side = take_by_robot(scene, {}, 2, 1, 3, folder / "a");
-  const RobotSide again = take_by_robot(scene, {}, 2, 1, 3, folder / "b");
-  const RobotSide other = take_by_robot(scene, {}, 2, 1, 4, folder / "c");
+  const RobotSideOptions resting{.captures = 2, .frames = 1, .rest_error_deg = half_a_step_deg};
+  const RobotSide side = take_by_robot(scene, {}, resting, 3, folder / "a");
+  const RobotSide again = take_by_robot(scene, {}, resting, 3, folder / "b");
+  const RobotSide other = take_by_robot(scene, {}, resting, 4, folder / "c");
   ASSERT_EQ(side.captures.size(), 2U);
   ASSERT_EQ(side.rested.size(), 2U);
   const Captures captures = side.open(2);
@@ -36,6 +35,17 @@ TEST(RobotSide, CapturesStateWholeStepsAndTheJointsRestBesideThem) {
     EXPECT_NE(side.rested[k].pan_deg, other.rested[k].pan_deg);
   }
   EXPECT_EQ(captures[1]->depth(0), again.open(2)[1]->depth(0));
+}
+
+TEST(RobotSide, ARobotWithoutErrorComesBackExactly) {
+  const test::TemporaryFolder folder;
+  const Scene scene = random_moved_wing(7, CameraReturn::exact).before;
+  const RobotSide side = take_by_robot(scene, {}, {.captures = 1, .frames = 1}, 3, folder / "a");
+  const RobotSide later = take_by_robot(scene, {}, {.captures = 1, .frames = 1}, 4, folder / "b");
+  EXPECT_EQ(side.rested[0].pan_deg, later.rested[0].pan_deg);
+  EXPECT_EQ(side.rested[0].tilt_deg, later.rested[0].tilt_deg);
+  EXPECT_LT(off_a_step(side.rested[0].tilt_deg), 1e-9);
+  EXPECT_EQ(side.open(1)[0]->info().pose->base, scene.stand.base);
 }
 
 }  // namespace

@@ -1,0 +1,186 @@
+#include "evaluate/moved_inspection.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cloud/detect.hpp"
+#include "cloud/octree_detection.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "detect/findings.hpp"
+#include "evaluate/judgement.hpp"
+#include "evaluate/moved_wing.hpp"
+#include "evaluate/robot_side.hpp"
+#include "sim/sensor/camera_models.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+constexpr std::array allowed_settings{0.05, 0.5};
+constexpr std::array cells_m{0.02, 0.05, 0.1, 0.2};  // the thesis has 5 cm
+constexpr double join_px = 9.0;                      // of the thesis' findings: as in the static study
+
+/// For the captures of one inspection, gone afterwards.
+class CaptureRoom {
+ public:
+  CaptureRoom() {
+    std::string name = fs::temp_directory_path() / "rva-evaluate-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr)
+      throw Error("captures", "have no room in the folder for temporary files",
+                  "set TMPDIR to one that can be written");
+    path_ = name;
+  }
+  ~CaptureRoom() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  CaptureRoom(const CaptureRoom&) = delete;
+  CaptureRoom& operator=(const CaptureRoom&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+struct Sides {
+  RobotSide before;
+  RobotSide unchanged;
+  RobotSide changed;
+};
+
+Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, const StereoSensorOptions& sensor,
+                 std::uint64_t seed, const fs::path& room) {
+  Scene unchanged = wing.before;
+  unchanged.stand = wing.after.stand;
+  const RobotSideOptions side{options.captures.back(), options.frames,
+                              options.how == CameraReturn::rest ? half_a_step_deg : 0.0};
+  return {take_by_robot(wing.before, sensor, side, mix(seed, 1), room / "before"),
+          take_by_robot(unchanged, sensor, side, mix(seed, 2), room / "unchanged"),
+          take_by_robot(wing.after, sensor, side, mix(seed, 3), room / "changed")};
+}
+
+DepthView view_of(const Capture& capture) {
+  const CaptureInfo& info = capture.info();
+  DepthStatistics statistics(info.depth.width, info.depth.height);
+  for (std::size_t i = 0; i < capture.depth_frames(); ++i) statistics.add(capture.depth(i));
+  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
+}
+
+SidesDetection compare(const RobotSide& before, const RobotSide& after, int captures, double allowed) {
+  DetectOptions options;
+  options.static_camera.calibrated.false_findings = allowed;
+  return detect(before.open(captures), after.open(captures), options, {});
+}
+
+double turn_deg(const Transform& motion) {
+  return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
+}
+
+MovedRegistration error_of(std::string method, int captures, const Transform& off, std::string doubt) {
+  return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), std::move(doubt)};
+}
+
+void note_error(const std::optional<Registration>& found, const Transform& final_from_initial, int captures,
+                MovedInspection& inspection) {
+  if (!found) return;
+  inspection.registrations.push_back(
+      error_of("auto", captures, final_from_initial * found->initial_from_final, found->doubt));
+}
+
+MovedResult result_of(std::string method, int captures, double setting, std::size_t false_when_clean,
+                      const Judgement& judgement) {
+  return {std::move(method),       captures,       setting, false_when_clean, judgement.false_findings,
+          judgement.work_findings, judgement.found};
+}
+
+/// The first depth image of a side, as the thesis takes it.
+struct FirstFrame {
+  explicit FirstFrame(const Capture& capture) : info(capture.info()), depth(capture.depth(0)) {}
+  [[nodiscard]] DepthFrame frame() const { return {depth, info}; }
+  CaptureInfo info;
+  DepthImage depth;
+};
+
+void inspect_by_octree(const Sides& sides, const Transform& initial_from_final,
+                       const std::vector<std::uint32_t>& work, MovedInspection& inspection) {
+  const FirstFrame before(*sides.before.open(1).front());
+  const FirstFrame unchanged(*sides.unchanged.open(1).front());
+  const FirstFrame changed(*sides.changed.open(1).front());
+  const RegisteredClouds clean = register_clouds(before.frame(), unchanged.frame(), {}, {});
+  const RegisteredClouds littered = register_clouds(before.frame(), changed.frame(), {}, {});
+  for (const RegisteredClouds* clouds : {&clean, &littered})
+    inspection.registrations.push_back(
+        error_of("octree", 1, initial_from_final * clouds->final_from_initial, ""));
+  const Intrinsics& camera = changed.info.depth;
+  const auto findings = [&](const RegisteredClouds& clouds, const FirstFrame& final, double cell_m) {
+    return find_findings(compare_clouds(clouds, final.frame(), cell_m), {.join_px = join_px}, camera);
+  };
+  for (const double cell_m : cells_m)
+    inspection.results.push_back(
+        result_of("octree", 1, cell_m, findings(clean, unchanged, cell_m).size(),
+                  judge(findings(littered, changed, cell_m), plain(inspection.targets), camera.width,
+                        camera.height, work)));
+}
+
+// Where a side's first camera really was.
+Transform world_from_first(const Scene& scene, const StereoSensorOptions& sensor, const RobotSide& side) {
+  return camera_at(scene, sensor, side.rested.front()).world_from_camera();
+}
+
+}  // namespace
+
+MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t seed) {
+  const CaptureRoom room;
+  const MovedWing wing = random_moved_wing(seed, options.how, options.bay);
+  const StereoSensorOptions sensor = options.sensor(seed);
+  const Sides sides = take_sides(options, wing, sensor, seed, room.path());
+  const Transform initial_from_world = world_from_first(wing.before, sensor, sides.before).inverse();
+  const Transform initial_from_final =
+      initial_from_world * world_from_first(wing.after, sensor, sides.changed);
+  const Transform initial_from_unchanged =
+      initial_from_world * world_from_first(wing.after, sensor, sides.unchanged);
+  MovedInspection inspection;
+  inspection.seed = seed;
+  inspection.matcher = name_of_matcher(sensor);
+  inspection.ambient = wing.after.lighting.ambient;
+  inspection.move_m = initial_from_final.translation().norm();
+  inspection.turn_deg = turn_deg(initial_from_final);
+  inspection.targets = moved_targets(camera_at(wing.after, sensor, sides.changed.rested.front()),
+                                     view_of(*sides.before.open(1).front()), initial_from_final);
+  Scene before = wing.before;
+  before.stand = wing.after.stand;
+  const std::vector<std::uint32_t> work =
+      work_pixels(camera_at(before, sensor, sides.changed.rested.front()),
+                  camera_at(wing.after, sensor, sides.changed.rested.front()));
+  for (const int captures : options.captures) {
+    for (const double allowed : allowed_settings) {
+      const SidesDetection clean = compare(sides.before, sides.unchanged, captures, allowed);
+      const SidesDetection littered = compare(sides.before, sides.changed, captures, allowed);
+      if (allowed == allowed_settings.front()) {
+        note_error(clean.registration, initial_from_unchanged.inverse(), captures, inspection);
+        note_error(littered.registration, initial_from_final.inverse(), captures, inspection);
+      }
+      const Judgement judgement =
+          judge(littered.detection.findings.findings, plain(inspection.targets),
+                littered.detection.final_m.width(), littered.detection.final_m.height(), work);
+      inspection.results.push_back(
+          result_of("auto", captures, allowed, clean.detection.findings.findings.size(), judgement));
+    }
+  }
+  if (options.octree) inspect_by_octree(sides, initial_from_final, work, inspection);
+  return inspection;
+}
+
+}  // namespace rva
