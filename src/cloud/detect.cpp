@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "cloud/appearance_detection.hpp"
 #include "cloud/view_check.hpp"
 #include "core/error.hpp"
 
@@ -199,8 +200,14 @@ class Run {
 
   SidesDetection spatial(KnownMotion known = KnownMotion::moved) {
     const StaticDetectionOptions& shared = options_.static_camera;
-    SpatialDetection found = detect_spatial(
-        initial_, final_, {shared.frames, shared.calibrated, shared.regions, known}, progress_, left_out_);
+    const bool infrared = have_infrared(initial_, final_, warnings_);
+    SpatialDetectionOptions options{shared.frames, shared.calibrated, shared.regions, known};
+    if (infrared) options.share = share_of_depth;
+    SpatialDetection found = detect_spatial(initial_, final_, options, progress_, left_out_);
+    if (infrared)
+      add_appearance(initial_, final_, found.placed,
+                     (1.0 - share_of_depth) * shared.calibrated.false_findings, shared.regions,
+                     found.detection);
     prepend_warnings(found.detection);
     return {std::move(found.detection), std::move(found.registration)};
   }

@@ -94,7 +94,7 @@ class Run {
         LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
     detection_.changed = std::move(comparison.changed);
     detection_.final_m = std::move(comparison.final_m);
-    return {std::move(detection_), std::move(registration)};
+    return {std::move(detection_), std::move(registration), std::move(placed_)};
   }
 
  private:
@@ -131,14 +131,14 @@ class Run {
   }
 
   Compared from_elsewhere(const std::vector<Seen>& initial, const std::vector<Seen>& final) {
-    const DepthView before = fused(initial, "initial");
-    const DepthView after = fused(final, "final");
+    const DepthView before = fused(initial, "initial", placed_.first_from_initial);
+    const DepthView after = fused(final, "final", placed_.first_from_final);
     throw_if_interrupted();
     Registration registration = lay_over(before, after, initial.front().info, final.front().info);
     SpatialChange change = change_from_elsewhere(before, after, registration, options_.known);
     leave_out_regions(initial, final, change, registration.initial_from_final);
-    CalibratedComparison calibrated =
-        compare_spatial(change, final.front().info.depth_unit_m, options_.calibrated);
+    placed_.final_view = after;
+    CalibratedComparison calibrated = compare_spatial(change, final.front().info.depth_unit_m, allowed());
     return {std::move(calibrated), std::move(registration)};
   }
 
@@ -157,18 +157,23 @@ class Run {
     std::vector<PlacedChange> changes;
     for (std::size_t k = 0; k < final.size(); ++k) {
       const Seen& before = initial[returns[k]];
+      placed_.first_from_final.push_back(k == 0 ? Transform::Identity() : placed(final[k]));
       changes.push_back({disparity_change(before.statistics, final[k].statistics, disparity_by_depth),
-                         k == 0 ? Transform::Identity() : placed(final[k])});
+                         placed_.first_from_final.back()});
       if (!before.marks_no_depth_by_zero || !final[k].marks_no_depth_by_zero)
         forget_losses(changes.back().change);
     }
+    for (const Seen& seen : initial)
+      placed_.first_from_initial.push_back(
+          known_transform(initial.front().info, seen.info).value_or(Transform::Identity()));
+    if (first_view) placed_.final_view = *first_view;
     Registration registration;
     registration.agreeing = registration.overlap = 1.0;
     registration.initial_from_final =
         known_transform(initial.front().info, first).value_or(Transform::Identity());
     SpatialChange change = change_from_same_places(std::move(changes), first.depth, disparity_m_px(first));
     leave_out_regions(initial, final, change, registration.initial_from_final);
-    CalibratedComparison calibrated = compare_spatial(change, first.depth_unit_m, options_.calibrated);
+    CalibratedComparison calibrated = compare_spatial(change, first.depth_unit_m, allowed());
     return {std::move(calibrated), std::move(registration)};
   }
 
@@ -192,14 +197,22 @@ class Run {
     RegionOptions::describe(options_.regions, state);
   }
 
+  [[nodiscard]] CalibratedOptions allowed() const {
+    CalibratedOptions options = options_.calibrated;
+    options.false_findings *= options_.share;
+    return options;
+  }
+
   // All captures of a side as one view, in the first one's camera.
-  [[nodiscard]] DepthView fused(const std::vector<Seen>& side, std::string_view name) const {
+  [[nodiscard]] static DepthView fused(const std::vector<Seen>& side, std::string_view name,
+                                       std::vector<Transform>& first_from_view_of) {
     std::vector<PlacedView> views;
     for (std::size_t k = 0; k < side.size(); ++k) {
       DepthView view = side[k].view();
       const Transform first_from_view =
           k == 0 ? Transform::Identity()
                  : place(views.front().view, view, side.front().info, side[k].info, name);
+      first_from_view_of.push_back(first_from_view);
       views.push_back({std::move(view), first_from_view});
     }
     return fuse(views);
@@ -246,6 +259,7 @@ class Run {
   const Progress& progress_;
   const Mask& left_out_;
   Detection detection_;
+  PlacedCaptures placed_;
 };
 
 }  // namespace

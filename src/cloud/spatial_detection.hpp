@@ -21,6 +21,7 @@ struct SpatialDetectionOptions {
   CalibratedOptions calibrated;
   RegionOptions regions;
   KnownMotion known = KnownMotion::moved;
+  double share = 1.0;  ///< of the false findings that are allowed: what other evidence leaves to depth
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
@@ -30,9 +31,18 @@ struct SpatialDetectionOptions {
   }
 };
 
+/// Where the captures of either side were taken, and the surface that the final ones saw.
+struct PlacedCaptures {
+  std::vector<Transform>
+      first_from_initial;                   ///< in the frame of the first initial capture, that one included
+  std::vector<Transform> first_from_final;  ///< in the frame of the first final one
+  DepthView final_view;                     ///< of the final captures together, in the first one's camera
+};
+
 struct SpatialDetection {
   Detection detection;        ///< in the view of the first final capture
   Registration registration;  ///< of the first captures of either side
+  PlacedCaptures placed;
 };
 
 using Captures = std::vector<std::unique_ptr<Capture>>;

@@ -36,6 +36,13 @@ struct CameraInfo {
   std::map<std::string, std::map<std::string, double>> settings{};
 };
 
+/// How infrared images count: of single frames, or of the mean of several (16 bits).
+struct InfraredCounts {
+  double per_grey_level = 1.0;  ///< counts for one level of 8 bits
+  int frames = 1;               ///< that an image is the mean of
+  bool operator==(const InfraredCounts&) const = default;
+};
+
 /// What is known of a capture besides its images.
 struct CaptureInfo {
   std::string format;  ///< "rva-capture", "open3d", "tum", "bag", "db3"
@@ -45,6 +52,7 @@ struct CaptureInfo {
   std::optional<Transform> color_from_depth;
   std::optional<Pose> pose;
   std::optional<CameraInfo> camera;
+  std::optional<InfraredCounts> infrared{};
   std::string captured_at;  ///< ISO 8601, empty where unknown
   std::string source_json;  ///< the description as it was read, keys that we do not know included
   std::vector<std::uint16_t> no_depth{};  ///< values of depth that mean no measurement, besides 0 and 65535
@@ -99,6 +107,13 @@ class Capture {
 
   /// The left imager's infrared image of a depth frame, pixel upon pixel; empty where there is none.
   [[nodiscard]] virtual std::optional<GrayImage> infrared_of(std::size_t depth_frame) const;
+
+  /// True when every depth frame, or all of them together, have an infrared image.
+  [[nodiscard]] virtual bool has_infrared() const { return false; }
+
+  /// The mean of all of the left imager's infrared images, in levels of 8 bits with fractions; empty where
+  /// there is none. @throws Error as depth()
+  [[nodiscard]] virtual std::optional<Image<float>> infrared_mean() const;
 
   [[nodiscard]] virtual FrameMetadata metadata_of(std::size_t depth_frame) const;
 

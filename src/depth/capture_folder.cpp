@@ -79,6 +79,16 @@ CameraInfo parse_camera(const JsonObject& object) {
   return camera;
 }
 
+InfraredCounts parse_infrared(const JsonObject& object) {
+  constexpr double most_counts = 65535.0;
+  InfraredCounts counts;
+  counts.per_grey_level = object.optional_number("scale").value_or(1.0);
+  counts.frames = static_cast<int>(object.optional_number("frames").value_or(1.0));
+  if (!(counts.per_grey_level > 0.0 && counts.per_grey_level <= most_counts))
+    throw Error(object.name_of("scale"), "no number of counts above 0 and up to 65535", "correct the file");
+  return counts;
+}
+
 // Refused before memory is taken for a single image of that size.
 void require_possible_size(const std::string& place, const Intrinsics& camera, long most_pixels) {
   if (camera.width <= most_pixels / camera.height) return;
@@ -127,6 +137,7 @@ CaptureInfo parse_capture_json(const std::string& text, const std::string& place
   if (const auto camera = document.optional_object("camera")) {
     info.camera = parse_camera(*camera);
   }
+  if (const auto infrared = document.optional_object("infrared")) info.infrared = parse_infrared(*infrared);
   info.captured_at = document.optional_string("captured_at").value_or("");
   return info;
 }

@@ -87,6 +87,9 @@ std::string capture_json(const CaptureInfo& info, const std::string& extra_json_
   known["color_from_depth"] = or_null(info.color_from_depth);
   known["pose"] = info.pose ? to_json_value(*info.pose) : Json();
   known["camera"] = info.camera ? to_json_value(*info.camera) : Json();
+  known["infrared"] = info.infrared
+                          ? Json{{"scale", info.infrared->per_grey_level}, {"frames", info.infrared->frames}}
+                          : Json();
   known["captured_at"] = or_null(info.captured_at);
   document.merge_patch(known);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

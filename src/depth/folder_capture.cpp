@@ -108,8 +108,30 @@ std::optional<ColorImage> FolderCapture::color_of(std::size_t depth_frame) const
 std::optional<GrayImage> FolderCapture::infrared_of(std::size_t depth_frame) const {
   const auto i = infrared_of_.at(depth_frame);
   if (!i) return std::nullopt;
-  const fs::path& file = files_.infrared[*i];
-  return of_size(read_gray(file), file, info().depth);
+  const Image<float> grey = infrared(*i);
+  constexpr float white = 255.0F;
+  GrayImage image(grey.width(), grey.height());
+  for (std::size_t k = 0; k < grey.size(); ++k)
+    image[k] = static_cast<std::uint8_t>(std::lround(std::min(grey[k], white)));
+  return image;
+}
+
+Image<float> FolderCapture::infrared(std::size_t file) const {
+  const fs::path& path = files_.infrared[file];
+  const double counts = info().infrared.value_or(InfraredCounts{}).per_grey_level;
+  return of_size(read_infrared(path, counts), path, info().depth);
+}
+
+std::optional<Image<float>> FolderCapture::infrared_mean() const {
+  if (files_.infrared.empty()) return std::nullopt;
+  Image<float> sum = infrared(0);
+  for (std::size_t file = 1; file < files_.infrared.size(); ++file) {
+    const Image<float> image = infrared(file);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += image[i];
+  }
+  const auto images = static_cast<float>(files_.infrared.size());
+  for (float& value : sum.pixels()) value /= images;
+  return sum;
 }
 
 FrameMetadata FolderCapture::metadata_of(std::size_t depth_frame) const {

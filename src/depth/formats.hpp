@@ -37,10 +37,13 @@ class FolderCapture : public Capture {
   [[nodiscard]] ColorImage color(std::size_t i) const override;
   [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override;
   [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override;
+  [[nodiscard]] bool has_infrared() const override { return !files_.infrared.empty(); }
+  [[nodiscard]] std::optional<Image<float>> infrared_mean() const override;
   [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override;
 
  private:
   [[nodiscard]] DepthImage stored_depth(std::size_t i) const;
+  [[nodiscard]] Image<float> infrared(std::size_t file) const;
 
   FrameFiles files_;
   NoDepthValues no_depth_;

@@ -160,9 +160,31 @@ GrayImage read_gray(const std::filesystem::path& path) {
   spng_ihdr header{};
   const Spng decoder = open_png(png, max_depth_pixels, place, header);
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 8)
-    throw Error(place, "not one channel of 8 bits", "record infrared as 8-bit grey PNG");
+    throw Error(place, "not one channel of 8 bits", "give an 8-bit grey PNG");
   GrayImage image(static_cast<int>(header.width), static_cast<int>(header.height));
   decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size(), place);
+  return image;
+}
+
+Image<float> read_infrared(const std::filesystem::path& path, double counts_per_grey_level) {
+  const std::string place = printable(path);
+  const std::vector<std::byte> png = read_file(path);
+  spng_ihdr header{};
+  const Spng decoder = open_png(png, max_depth_pixels, place, header);
+  const bool wide = header.bit_depth == 16;
+  if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || (header.bit_depth != 8 && !wide))
+    throw Error(place, "not one channel of 8 or 16 bits", "record infrared as grey PNG");
+  const auto width = static_cast<int>(header.width);
+  const auto height = static_cast<int>(header.height);
+  Image<float> image(width, height);
+  const auto fill = [&]<typename Pixel>(Image<Pixel> counts, float per_level) {
+    decode_png(decoder.get(), SPNG_FMT_PNG, counts.data(), counts.size() * sizeof(Pixel), place);
+    for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<float>(counts[i]) / per_level;
+  };
+  if (wide)
+    fill(Image<std::uint16_t>(width, height), static_cast<float>(counts_per_grey_level));
+  else
+    fill(GrayImage(width, height), 1.0F);
   return image;
 }
 

@@ -32,6 +32,11 @@ inline constexpr long max_color_pixels = 32L << 20;
 /// A PNG of one channel of 8 bits.
 [[nodiscard]] GrayImage read_gray(const std::filesystem::path& path);
 
+/// A PNG of one channel of 8 bits, or of 16 bits, which count `counts_per_grey_level` for a level of 8 bits.
+/// @return levels of 8 bits, with fractions
+/// @throws Error as decode_depth()
+[[nodiscard]] Image<float> read_infrared(const std::filesystem::path& path, double counts_per_grey_level);
+
 [[nodiscard]] std::vector<std::byte> encode_png(const DepthImage& image);
 [[nodiscard]] std::vector<std::byte> encode_png(const Mask& image);
 [[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);

@@ -30,14 +30,6 @@ RegionDepth depth_of(const std::vector<std::uint32_t>& pixels, const Comparison&
   return depth;
 }
 
-void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding) {
-  if (depths_m.empty()) return;
-  const double depth_m = quantile(depths_m, 0.5);
-  finding.position_m = camera.deproject(finding.centroid, depth_m);
-  finding.size_mm = {finding.box.width * depth_m / camera.fx * mm_per_m,
-                     finding.box.height * depth_m / camera.fy * mm_per_m};
-}
-
 // Where depth went missing on a thing that shines, what is left of it may be of anything: a height that
 // contradicts the kind of the change is none.
 std::optional<double> height_mm(RegionDepth& depth, std::size_t pixels, ChangeKind kind) {
@@ -88,7 +80,32 @@ Mask changed_to(ChangeKind kind, const Comparison& comparison) {
 
 }  // namespace
 
-std::string_view name_of(ChangeKind kind) { return kind == ChangeKind::added ? "added" : "removed"; }
+std::string_view name_of(ChangeKind kind) {
+  switch (kind) {
+    case ChangeKind::added:
+      return "added";
+    case ChangeKind::removed:
+      return "removed";
+    case ChangeKind::appearance:
+      break;
+  }
+  return "appearance";
+}
+
+std::optional<ChangeKind> change_kind_from_name(std::string_view name) {
+  for (const ChangeKind kind : {ChangeKind::added, ChangeKind::removed, ChangeKind::appearance}) {
+    if (name == name_of(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding) {
+  if (depths_m.empty()) return;
+  const double depth_m = quantile(depths_m, 0.5);
+  finding.position_m = camera.deproject(finding.centroid, depth_m);
+  finding.size_mm = {finding.box.width * depth_m / camera.fx * mm_per_m,
+                     finding.box.height * depth_m / camera.fy * mm_per_m};
+}
 
 std::vector<Finding> find_findings(const Comparison& comparison, const RegionOptions& options,
                                    const Intrinsics& camera) {

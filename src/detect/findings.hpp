@@ -20,10 +20,20 @@
 namespace rva {
 
 enum class ChangeKind {
-  added,    ///< nearer than before; or its depth went missing, as behind glass and on bare metal
-  removed,  ///< farther than before; or depth appeared where there was none
+  added,       ///< nearer than before; or its depth went missing, as behind glass and on bare metal
+  removed,     ///< farther than before; or depth appeared where there was none
+  appearance,  ///< brighter or darker than before; depth cannot tell
 };
 [[nodiscard]] std::string_view name_of(ChangeKind kind);
+[[nodiscard]] std::optional<ChangeKind> change_kind_from_name(std::string_view name);
+
+/// What speaks for a finding.
+struct Evidence {
+  bool depth = true;
+  bool appearance = false;  ///< infrared images look different there
+
+  bool operator==(const Evidence&) const = default;
+};
 
 /// One change, of one kind throughout. Pixels are of the final depth image, positions in the final depth
 /// camera's frame. What a method cannot give is empty.
@@ -43,6 +53,7 @@ struct Finding {
   std::optional<double> p_value;
   /// The id of the removed finding that an added one has about the size of (moved_things.hpp).
   std::optional<int> moved_from;
+  Evidence evidence;
 };
 
 /// Milliseconds that each stage took.
@@ -63,8 +74,15 @@ struct Findings {
   Transform final_from_initial = Transform::Identity();
   Coverage coverage;
   Runtime runtime;
-  std::vector<Finding> findings;  ///< most suspicious first
+  /// The share of the final image in which infrared images were compared; empty where they were not.
+  std::optional<double> appearance_judged{};
+  std::vector<Finding> findings;  ///< most suspicious first, those of appearance alone after all others
 };
+
+/// Position and size of a finding, from its centroid, its box and the median of depths; nothing where there
+/// are none.
+/// @param depths_m of its pixels; reordered
+void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding);
 
 /// The regions of a comparison, measured, the most suspicious first. Pixels that came nearer and pixels that
 /// went farther are never of one region, however close they lie.

@@ -7,7 +7,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json_value(const Finding& finding) {
+Json to_json_value(const Evidence& evidence) {
+  Json json = Json::array();
+  if (evidence.depth) json.push_back("depth");
+  if (evidence.appearance) json.push_back("appearance");
+  return json;
+}
+
+// @param of_two depth and infrared images were compared
+Json to_json_value(const Finding& finding, bool of_two) {
   Json json;
   json["id"] = finding.id;
   json["kind"] = name_of(finding.kind);
@@ -20,6 +28,7 @@ Json to_json_value(const Finding& finding) {
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   if (finding.moved_from) json["moved_from"] = *finding.moved_from;
+  if (of_two) json["evidence"] = to_json_value(finding.evidence);
   return json;
 }
 
@@ -44,6 +53,7 @@ std::string to_json(const Findings& findings) {
   json["frames"] = {{"initial", findings.initial_frames}, {"final", findings.final_frames}};
   json["final_from_initial"] = to_row_major(findings.final_from_initial);
   json["coverage"] = to_json_value(findings.coverage);
+  if (findings.appearance_judged) json["coverage"]["appearance"] = *findings.appearance_judged;
   const Runtime& runtime = findings.runtime;
   json["runtime_ms"] = {{"load", runtime.load_ms},
                         {"statistics", runtime.statistics_ms},
@@ -51,7 +61,8 @@ std::string to_json(const Findings& findings) {
                         {"regions", runtime.regions_ms},
                         {"total", runtime.total_ms}};
   json["detections"] = Json::array();
-  for (const Finding& finding : findings.findings) json["detections"].push_back(to_json_value(finding));
+  for (const Finding& finding : findings.findings)
+    json["detections"].push_back(to_json_value(finding, findings.appearance_judged.has_value()));
   return json.dump(1) + "\n";
 }
 

@@ -52,7 +52,7 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
 Finding finding_of(SQLite::Statement& row) {
   Finding finding;
   finding.id = row.getColumn("number");
-  finding.kind = row.getColumn("kind").getString() == "added" ? ChangeKind::added : ChangeKind::removed;
+  finding.kind = change_kind_from_name(row.getColumn("kind").getString()).value_or(ChangeKind::appearance);
   const auto box = numbers<std::array<int, 4>>(row.getColumn("box")).value();
   finding.box = {box[0], box[1], box[2], box[3]};
   const auto centroid = numbers<std::array<double, 2>>(row.getColumn("centroid")).value();

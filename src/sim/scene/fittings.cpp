@@ -129,7 +129,8 @@ std::vector<Part> sealant(const WingBay& bay, Random& random) {
   const double foot_y_m = stringer_y_m(bay, number) - bay.stringers.flange_mm * 1e-3;
   std::vector<Eigen::Vector3d> path;
   for (int i = 0; i <= pieces; ++i) {
-    path.emplace_back(from_x_m + (to_x_m - from_x_m) * i / pieces, foot_y_m + random.uniform(-0.0008, 0.0008), random.uniform(-0.0006, 0.0004));
+    path.emplace_back(from_x_m + (to_x_m - from_x_m) * i / pieces, foot_y_m + random.uniform(-0.0008, 0.0008),
+                      random.uniform(-0.0006, 0.0004));
   }
   return {part("sealant", rod(path, radius_m, 12))};
 }

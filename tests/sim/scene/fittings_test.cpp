@@ -61,8 +61,8 @@ TEST(Fittings, AreClosedSolidsWithinTheBay) {
 TEST(Fittings, AreOfTheirSeedAndOneKindDoesNotChangeAnother) {
   const WingBay bay = bay_of(StringerProfile::z, 4);
   const auto all = make_fittings(bay, bay.fittings, Role::structure);
-  EXPECT_THAT(names_of(all), ElementsAre("bracket-1", "bracket-2", "hose-1", "cable-1", "cable-2", "sealant-1",
-                                         "sealant-2", "collars-1"));
+  EXPECT_THAT(names_of(all), ElementsAre("bracket-1", "bracket-2", "hose-1", "cable-1", "cable-2",
+                                         "sealant-1", "sealant-2", "collars-1"));
   const auto cables = make_fittings(bay, {.cables = 2, .seed = 4}, Role::structure);
   EXPECT_EQ(cables[1].parts[0].mesh.vertices, all[4].parts[0].mesh.vertices);
   const auto others = make_fittings(bay, {.cables = 2, .seed = 5}, Role::structure);

@@ -1,0 +1,161 @@
+#include "cloud/appearance_detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <utility>
+
+#include "core/interrupt.hpp"
+#include "core/quantile.hpp"
+#include "depth/mat_view.hpp"
+#include "detect/calibrated/false_alarm_tail.hpp"
+#include "detect/regions.hpp"
+#include "infrared/appearance_change.hpp"
+#include "infrared/dot_free_image.hpp"
+#include "infrared/infrared_alignment.hpp"
+#include "infrared/reference_surface.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::size_t least_captures = 4;
+// Stains and reflections change so much; a collar changes more.
+constexpr float least_contrast = 0.015F;
+constexpr int least_pixels = 3;
+// Blobs of one thing: a collar, and its shadow in what the dots light up.
+constexpr double join_px = 9.0;
+// Of one sign, beyond three deviations, in an inspection without change (docs/infrared.md).
+const FalseAlarmTail usual_tail(1.0, 2.0, 10.0);
+
+std::size_t with_infrared(const Captures& side) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(side, [](const auto& capture) { return capture->has_infrared(); }));
+}
+
+// Further away, surfaces hide others, and light comes from elsewhere.
+bool is_near(const Transform& initial_from_final) {
+  constexpr double most_turn_deg = 3.0;
+  constexpr double most_shift_m = 0.02;
+  return Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi < most_turn_deg &&
+         initial_from_final.translation().norm() < most_shift_m;
+}
+
+std::vector<InfraredView> views_of(const Captures& side, const std::vector<Transform>& first_from_view,
+                                   const Transform& first_from_reference) {
+  std::vector<InfraredView> views;
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    throw_if_interrupted();
+    views.emplace_back(side[k]->infrared_mean().value(),
+                       first_from_view[k].inverse() * first_from_reference);
+  }
+  return views;
+}
+
+AppearanceChange change_between(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
+                                const Transform& initial_from_final) {
+  const ReferenceSurface surface = reference_surface(
+      placed.final_view.camera, placed.final_view.disparity_px, placed.final_view.disparity_m_px);
+  std::vector<InfraredView> after = views_of(final, placed.first_from_final, Transform::Identity());
+  align_side(surface, after);
+  const DotFreeImage image_after = fuse(surface, after);
+  std::vector<InfraredView> before = views_of(initial, placed.first_from_initial, initial_from_final);
+  align_to(image_after, surface, before);
+  const DotFreeImage image_before = fuse(surface, before);
+  Mask lit = lit_in_all(surface, after);
+  const Mask lit_before = lit_in_all(surface, before);
+  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] &= lit_before[i];
+  return appearance_change(image_before, image_after, lit);
+}
+
+Mask significant(const AppearanceChange& change, double false_findings, const Mask& left_out) {
+  const auto least = static_cast<float>(usual_tail.height_of(0.5 * false_findings));
+  Mask mask(change.judged.width(), change.judged.height());
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (change.judged[i] == 0 || is_left_out(left_out, i)) continue;
+    if (std::abs(change.deviations[i]) > least && std::abs(change.contrast[i]) > least_contrast)
+      mask[i] = mask_set;
+  }
+  return mask;
+}
+
+Finding finding_of(Region region, const AppearanceChange& change, const Image<float>& final_m,
+                   const Intrinsics& camera) {
+  Finding finding;
+  finding.kind = ChangeKind::appearance;
+  finding.evidence = {.depth = false, .appearance = true};
+  finding.box = region.box;
+  finding.pixels = std::move(region.pixels);
+  const auto width = static_cast<std::uint32_t>(final_m.width());
+  Eigen::Vector2d sum(0.0, 0.0);
+  float strongest = 0.0F;
+  std::vector<float> depths_m;
+  for (const std::uint32_t i : finding.pixels) {
+    sum += Eigen::Vector2d(i % width, i / width);
+    strongest = std::max(strongest, std::abs(change.deviations[i]));
+    if (final_m[i] > 0.0F) depths_m.push_back(final_m[i]);
+  }
+  finding.centroid = sum / static_cast<double>(finding.pixels.size());
+  place(camera, depths_m, finding);
+  const double expected = 2.0 * usual_tail.expected_above(static_cast<double>(strongest));
+  finding.score = -std::log10(expected);
+  finding.p_value = -std::expm1(-expected);
+  return finding;
+}
+
+/// Pixels of findings of depth, and those beside them, by the position of the finding in its list plus one.
+Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int height) {
+  constexpr int beside_px = 4;
+  Image<std::uint16_t> owner(width, height);
+  for (std::size_t k = 0; k < findings.size(); ++k) {
+    for (const std::uint32_t i : findings[k].pixels) owner[i] = static_cast<std::uint16_t>(k + 1);
+  }
+  cv::Mat pixels = as_mat(owner);
+  cv::dilate(pixels, pixels, cv::Mat::ones(2 * beside_px + 1, 2 * beside_px + 1, CV_8U));
+  return owner;
+}
+
+}  // namespace
+
+bool have_infrared(const Captures& initial, const Captures& final, std::vector<std::string>& warnings) {
+  const std::size_t before = with_infrared(initial);
+  const std::size_t after = with_infrared(final);
+  if (before == initial.size() && after == final.size())
+    return std::min(before, after) >= least_captures;
+  if (before + after > 0)
+    warnings.emplace_back("not every capture has infrared images: depth alone was compared");
+  return false;
+}
+
+void add_appearance(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
+                    double false_findings, const RegionOptions& regions, Detection& detection) {
+  const Transform initial_from_final = detection.findings.final_from_initial.inverse();
+  if (placed.final_view.disparity_px.empty() || !is_near(initial_from_final)) return;
+  const AppearanceChange change = change_between(initial, final, placed, initial_from_final);
+  const Mask mask = significant(change, false_findings, detection.left_out);
+  std::vector<Finding>& findings = detection.findings.findings;
+  const Image<std::uint16_t> owner = owners(findings, mask.width(), mask.height());
+  std::vector<Finding> others;
+  for (Region& region :
+       find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
+                           .join_px = std::min(join_px, regions.join_px)})) {
+    const auto touched = std::ranges::find_if(region.pixels, [&](std::uint32_t i) { return owner[i] > 0; });
+    if (touched != region.pixels.end()) {
+      findings[owner[*touched] - 1U].evidence.appearance = true;
+      continue;
+    }
+    for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
+    others.push_back(finding_of(std::move(region), change, detection.final_m, placed.final_view.camera));
+  }
+  std::ranges::stable_sort(others, [](const Finding& a, const Finding& b) { return a.score > b.score; });
+  for (Finding& finding : others) {
+    finding.id = static_cast<int>(findings.size()) + 1;
+    findings.push_back(std::move(finding));
+  }
+  const auto judged = std::ranges::count(change.judged.pixels(), mask_set);
+  detection.findings.appearance_judged =
+      static_cast<double>(judged) / static_cast<double>(change.judged.size());
+}
+
+}  // namespace rva

@@ -1,0 +1,121 @@
+#include "infrared/dot_free_image.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "depth/mat_view.hpp"
+#include "infrared/dot_mask.hpp"
+
+namespace rva {
+namespace {
+
+cv::Mat window_sum(const Image<float>& values, int window_px) {
+  cv::Mat sums;
+  cv::boxFilter(as_mat(values), sums, CV_32F, {window_px, window_px}, {-1, -1}, false, cv::BORDER_REFLECT);
+  return sums;
+}
+
+/// Sums over the views, pixel by pixel.
+struct Samples {
+  Samples(int width, int height) : sum(width, height), squares(width, height), count(width, height) {}
+
+  void add(const Image<float>& values, const Mask& clear) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (clear[i] == 0) continue;
+      sum[i] += values[i];
+      squares[i] += values[i] * values[i];
+      ++count[i];
+    }
+  }
+  // Of one sample: what the samples of a pixel differ by, over its neighbours together.
+  [[nodiscard]] Image<float> variance() const {
+    constexpr int window_px = 9;
+    constexpr float least_differences = 16.0F;  // of the 81 pixels of the window
+    Image<float> about_mean(sum.width(), sum.height());
+    Image<float> freedom(sum.width(), sum.height());
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      const auto n = static_cast<float>(count[i]);
+      if (n < 2.0F) continue;
+      about_mean[i] = std::max(squares[i] - sum[i] * sum[i] / n, 0.0F);
+      freedom[i] = n - 1.0F;
+    }
+    const cv::Mat squares_around = window_sum(about_mean, window_px);
+    const cv::Mat freedom_around = window_sum(freedom, window_px);
+    Image<float> variance(sum.width(), sum.height());
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      const float differences = freedom_around.ptr<float>()[i];
+      if (differences >= least_differences) variance[i] = squares_around.ptr<float>()[i] / differences;
+    }
+    return variance;
+  }
+
+  Image<float> sum;
+  Image<float> squares;
+  Image<std::uint8_t> count;
+};
+
+}  // namespace
+
+InfraredView::InfraredView(const Image<float>& grey, const Transform& pose)
+    : log_image(log_grey(grey)), dots(dot_mask(log_image)), view_from_reference(pose) {}
+
+DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView> views) {
+  const int width = surface.inverse_depth_per_m.width();
+  const int height = surface.inverse_depth_per_m.height();
+  Samples samples(width, height);
+  for (const InfraredView& view : views) {
+    const Warp warp(surface, view.view_from_reference);
+    samples.add(warp.image(view.log_image), warp.clear_of(view.dots));
+  }
+  DotFreeImage fused{Image<float>(width, height), samples.variance(), std::move(samples.count)};
+  for (std::size_t i = 0; i < fused.samples.size(); ++i) {
+    const auto n = static_cast<float>(fused.samples[i]);
+    fused.log_image[i] = n > 0.0F ? samples.sum[i] / n : 0.0F;
+    fused.variance[i] = n > 0.0F ? fused.variance[i] / n : 0.0F;
+  }
+  return fused;
+}
+
+Image<float> without_gaps(const DotFreeImage& image) {
+  const cv::Mat unknown = as_mat(image.samples) == 0;
+  Image<float> filled = image.log_image;
+  if (static_cast<std::size_t>(cv::countNonZero(unknown)) == filled.size()) return filled;
+  cv::Mat distance;
+  cv::Mat nearest;
+  cv::distanceTransform(unknown, distance, nearest, cv::DIST_L2, cv::DIST_MASK_3, cv::DIST_LABEL_PIXEL);
+  std::vector<float> of_number(filled.size() + 1, 0.0F);
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    if (image.known(i)) of_number[static_cast<std::size_t>(nearest.ptr<int>()[i])] = filled[i];
+  }
+  for (std::size_t i = 0; i < filled.size(); ++i)
+    filled[i] = of_number[static_cast<std::size_t>(nearest.ptr<int>()[i])];
+  return filled;
+}
+
+Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views) {
+  constexpr int dots_window_px = 25;
+  constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
+  constexpr int within_field_px = 13;
+  constexpr float within_image_px = 6.0F;
+  const int width = surface.inverse_depth_per_m.width();
+  const int height = surface.inverse_depth_per_m.height();
+  Mask lit(width, height, mask_set);
+  for (const InfraredView& view : views) {
+    cv::Mat share;
+    cv::blur(as_mat(view.dots), share, {dots_window_px, dots_window_px});
+    Mask dark(width, height);
+    cv::Mat target = as_mat(dark);
+    cv::dilate(share < least_dots, target, cv::Mat::ones(within_field_px, within_field_px, CV_8U));
+    const Warp warp(surface, view.view_from_reference);
+    const Mask clear = warp.clear_of(dark);
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        if (clear(u, v) == 0 || !warp.inside(u, v, within_image_px)) lit(u, v) = 0;
+      }
+    }
+  }
+  return lit;
+}
+
+}  // namespace rva

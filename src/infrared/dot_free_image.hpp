@@ -1,0 +1,46 @@
+// Infrared images of a dithered side, without the projector's dots: what the surface itself looks like.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "depth/image.hpp"
+#include "geometry/transform.hpp"
+#include "infrared/reference_surface.hpp"
+
+namespace rva {
+
+/// A capture's left infrared image, and where it was taken.
+struct InfraredView {
+  /// @param grey mean of the capture's frames, levels of 8 bits
+  /// @param pose view_from_reference, as far as it is known
+  InfraredView(const Image<float>& grey, const Transform& pose);
+
+  Image<float> log_image;  ///< as of log_grey()
+  Mask dots;               ///< as of dot_mask()
+  Transform view_from_reference;
+};
+
+/// All images are in the reference's view.
+struct DotFreeImage {
+  Image<float> log_image;       ///< mean of what no dot covers; 0 where there is none
+  Image<float> variance;        ///< of that mean, by how far the views differ nearby; 0 where unknown
+  Image<std::uint8_t> samples;  ///< views that see the pixel without a dot
+
+  [[nodiscard]] bool known(std::size_t i) const { return samples[i] > 0; }
+};
+
+/// Views from a few servo steps apart have their dots elsewhere: between them they show nearly every place
+/// without one.
+/// @param views at least one
+[[nodiscard]] DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView> views);
+
+/// A pixel without a sample gets what the nearest one has.
+[[nodiscard]] Image<float> without_gaps(const DotFreeImage& image);
+
+/// Set where every view sees the pixel well inside its image and its projector's field: beyond, light falls
+/// off with the camera's pose.
+[[nodiscard]] Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views);
+
+}  // namespace rva

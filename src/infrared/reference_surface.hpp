@@ -1,0 +1,47 @@
+// The surface in one camera's view, by which images of other views are laid upon it.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "depth/image.hpp"
+#include "geometry/intrinsics.hpp"
+#include "geometry/transform.hpp"
+
+namespace rva {
+
+/// Depth without holes. Between views a degree apart, an error of a tenth of the depth moves a pixel by a few
+/// hundredths.
+struct ReferenceSurface {
+  Intrinsics camera;                  ///< without lens distortion; all views share it
+  Image<float> inverse_depth_per_m;  ///< above 0
+};
+
+/// A pixel without a disparity gets that of the nearest one that has it.
+/// @param disparity_px   0 where there is none
+/// @param disparity_m_px focal length times baseline
+/// @return an empty image when no pixel has a disparity
+[[nodiscard]] ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>& disparity_px,
+                                                 double disparity_m_px);
+
+/// Where each pixel of the reference is seen in another view.
+class Warp {
+ public:
+  Warp(const ReferenceSurface& surface, const Transform& view_from_reference);
+
+  /// By cubic interpolation; 0 outside the view.
+  [[nodiscard]] Image<float> image(const Image<float>& of_view) const;
+  /// Set where none of the pixels around it is set, and all are within the view.
+  [[nodiscard]] Mask clear_of(const Mask& of_view) const;
+  /// False where the pixel is seen within `within_px` of the view's border, or not at all.
+  [[nodiscard]] bool inside(int u, int v, float within_px) const {
+    return u_.at<float>(v, u) >= within_px && v_.at<float>(v, u) >= within_px &&
+           u_.at<float>(v, u) <= static_cast<float>(u_.cols - 1) - within_px &&
+           v_.at<float>(v, u) <= static_cast<float>(u_.rows - 1) - within_px;
+  }
+
+ private:
+  cv::Mat u_;
+  cv::Mat v_;
+};
+
+}  // namespace rva
