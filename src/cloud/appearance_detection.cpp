@@ -26,8 +26,9 @@ constexpr float least_contrast = 0.015F;
 constexpr int least_pixels = 3;
 // Blobs of one thing: a collar, and its shadow in what the dots light up.
 constexpr double join_px = 9.0;
-// Of one sign, beyond three deviations, in an inspection without change (docs/infrared.md).
-const FalseAlarmTail usual_tail(1.0, 2.0, 10.0);
+// Of one sign, beyond three deviations, in an inspection without change: from the greatest deviations of
+// simulated ones, with cameras drawn by chance (docs/infrared.md).
+const FalseAlarmTail usual_tail(0.6, 2.0, 20.0);
 
 std::size_t with_infrared(const Captures& side) {
   return static_cast<std::size_t>(
