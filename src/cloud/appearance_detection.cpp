@@ -26,9 +26,9 @@ constexpr float least_contrast = 0.015F;
 constexpr int least_pixels = 3;
 // Blobs of one thing: a collar, and its shadow in what the dots light up.
 constexpr double join_px = 9.0;
-// Of one sign, beyond three deviations, in an inspection without change: from the greatest deviations of
-// simulated ones, with cameras drawn by chance (docs/infrared.md).
-const FalseAlarmTail usual_tail(0.6, 2.0, 20.0);
+// Of peaks beyond three deviations, per deviation: in simulated inspections without change, with cameras
+// drawn by chance (docs/infrared.md).
+constexpr double usual_slope = 2.0;
 
 std::size_t with_infrared(const Captures& side) {
   return static_cast<std::size_t>(
@@ -48,16 +48,15 @@ std::vector<InfraredView> views_of(const Captures& side, const std::vector<Trans
   std::vector<InfraredView> views;
   for (std::size_t k = 0; k < side.size(); ++k) {
     throw_if_interrupted();
-    views.emplace_back(side[k]->infrared_mean().value(),
-                       first_from_view[k].inverse() * first_from_reference);
+    views.emplace_back(side[k]->infrared_mean().value(), first_from_view[k].inverse() * first_from_reference);
   }
   return views;
 }
 
 AppearanceChange change_between(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
                                 const Transform& initial_from_final) {
-  const ReferenceSurface surface = reference_surface(
-      placed.final_view.camera, placed.final_view.disparity_px, placed.final_view.disparity_m_px);
+  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
+                                                     placed.final_view.disparity_m_px);
   std::vector<InfraredView> after = views_of(final, placed.first_from_final, Transform::Identity());
   align_side(surface, after);
   const DotFreeImage image_after = fuse(surface, after);
@@ -70,8 +69,29 @@ AppearanceChange change_between(const Captures& initial, const Captures& final, 
   return appearance_change(image_before, image_after, lit);
 }
 
-Mask significant(const AppearanceChange& change, double false_findings, const Mask& left_out) {
-  const auto least = static_cast<float>(usual_tail.height_of(0.5 * false_findings));
+// Peaks of what is not beside a thing that changed beyond doubt. Where dots leave few samples, there are more
+// and higher ones.
+FalseAlarmTail tail_of(const AppearanceChange& change) {
+  constexpr int apart_px = 11;
+  constexpr int beside_px = 31;
+  constexpr double beyond_doubt = 7.0;
+  const cv::Mat sizes = cv::abs(as_mat(change.deviations));
+  cv::Mat highest;
+  cv::dilate(sizes, highest, cv::Mat::ones(apart_px, apart_px, CV_8U));
+  cv::Mat beside;
+  cv::dilate(sizes > beyond_doubt, beside, cv::Mat::ones(beside_px, beside_px, CV_8U));
+  std::vector<float> peaks;
+  for (std::size_t i = 0; i < change.judged.size(); ++i) {
+    const float size = sizes.ptr<float>()[i];
+    const bool is_peak = size > static_cast<float>(FalseAlarmTail::onset) && size >= highest.ptr<float>()[i];
+    if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
+  }
+  return fit_tail(peaks, usual_slope);
+}
+
+Mask significant(const AppearanceChange& change, const FalseAlarmTail& tail, double false_findings,
+                 const Mask& left_out) {
+  const auto least = static_cast<float>(tail.height_of(0.5 * false_findings));
   Mask mask(change.judged.width(), change.judged.height());
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (change.judged[i] == 0 || is_left_out(left_out, i)) continue;
@@ -81,8 +101,8 @@ Mask significant(const AppearanceChange& change, double false_findings, const Ma
   return mask;
 }
 
-Finding finding_of(Region region, const AppearanceChange& change, const Image<float>& final_m,
-                   const Intrinsics& camera) {
+Finding finding_of(Region region, const AppearanceChange& change, const FalseAlarmTail& tail,
+                   const Image<float>& final_m, const Intrinsics& camera) {
   Finding finding;
   finding.kind = ChangeKind::appearance;
   finding.evidence = {.depth = false, .appearance = true};
@@ -99,9 +119,9 @@ Finding finding_of(Region region, const AppearanceChange& change, const Image<fl
   }
   finding.centroid = sum / static_cast<double>(finding.pixels.size());
   place(camera, depths_m, finding);
-  const double expected = 2.0 * usual_tail.expected_above(static_cast<double>(strongest));
-  finding.score = -std::log10(expected);
-  finding.p_value = -std::expm1(-expected);
+  constexpr double both_signs = 2.0;
+  finding.score = -std::log10(both_signs) - tail.log10_expected_above(static_cast<double>(strongest));
+  finding.p_value = -std::expm1(-std::pow(10.0, -*finding.score));
   return finding;
 }
 
@@ -122,8 +142,7 @@ Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int
 bool have_infrared(const Captures& initial, const Captures& final, std::vector<std::string>& warnings) {
   const std::size_t before = with_infrared(initial);
   const std::size_t after = with_infrared(final);
-  if (before == initial.size() && after == final.size())
-    return std::min(before, after) >= least_captures;
+  if (before == initial.size() && after == final.size()) return std::min(before, after) >= least_captures;
   if (before + after > 0)
     warnings.emplace_back("not every capture has infrared images: depth alone was compared");
   return false;
@@ -134,20 +153,21 @@ void add_appearance(const Captures& initial, const Captures& final, const Placed
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();
   if (placed.final_view.disparity_px.empty() || !is_near(initial_from_final)) return;
   const AppearanceChange change = change_between(initial, final, placed, initial_from_final);
-  const Mask mask = significant(change, false_findings, detection.left_out);
+  const FalseAlarmTail tail = tail_of(change);
+  const Mask mask = significant(change, tail, false_findings, detection.left_out);
   std::vector<Finding>& findings = detection.findings.findings;
   const Image<std::uint16_t> owner = owners(findings, mask.width(), mask.height());
   std::vector<Finding> others;
-  for (Region& region :
-       find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
-                           .join_px = std::min(join_px, regions.join_px)})) {
+  for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
+                                           .join_px = std::min(join_px, regions.join_px)})) {
     const auto touched = std::ranges::find_if(region.pixels, [&](std::uint32_t i) { return owner[i] > 0; });
     if (touched != region.pixels.end()) {
       findings[owner[*touched] - 1U].evidence.appearance = true;
       continue;
     }
     for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
-    others.push_back(finding_of(std::move(region), change, detection.final_m, placed.final_view.camera));
+    others.push_back(
+        finding_of(std::move(region), change, tail, detection.final_m, placed.final_view.camera));
   }
   std::ranges::stable_sort(others, [](const Finding& a, const Finding& b) { return a.score > b.score; });
   for (Finding& finding : others) {

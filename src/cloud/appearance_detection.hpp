@@ -14,9 +14,9 @@ inline constexpr double share_of_depth = 0.5;
 [[nodiscard]] bool have_infrared(const Captures& initial, const Captures& final,
                                  std::vector<std::string>& warnings);
 
-/// Compares the sides' infrared images without the projector's dots (infrared/appearance_change.hpp), where the
-/// camera came back nearly to where it was. Findings of depth get the evidence of what looks different there;
-/// what looks different elsewhere becomes findings of kind `appearance`, after all others.
+/// Compares the sides' infrared images without the projector's dots (infrared/appearance_change.hpp), where
+/// the camera came back nearly to where it was. Findings of depth get the evidence of what looks different
+/// there; what looks different elsewhere becomes findings of kind `appearance`, after all others.
 /// @param initial, final  as of have_infrared()
 /// @param false_findings  allowed for appearance alone
 /// @throws Error when an image cannot be read; Interrupted

@@ -31,9 +31,7 @@ cv::Mat masked_mean(const cv::Mat& values, const cv::Mat& weights, const auto& b
   return mean;
 }
 
-const auto narrow = [](const cv::Mat& from, cv::Mat& to) {
-  cv::GaussianBlur(from, to, {}, smoothing_px);
-};
+const auto narrow = [](const cv::Mat& from, cv::Mat& to) { cv::GaussianBlur(from, to, {}, smoothing_px); };
 const auto wide = [](const cv::Mat& from, cv::Mat& to) { cv::blur(from, to, {wide_px, wide_px}); };
 
 cv::Mat as_weights(const cv::Mat& mask) {
@@ -146,8 +144,7 @@ bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views)
   double most_deg = 0.0;
   for (std::size_t k = 0; k < views.size(); ++k) {
     const Transform motion = poses[k] * views[k].view_from_reference.inverse();
-    most_deg =
-        std::max(most_deg, Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi);
+    most_deg = std::max(most_deg, Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi);
     views[k].view_from_reference = poses[k];
   }
   return most_deg < settled_deg;

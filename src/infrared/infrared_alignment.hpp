@@ -9,11 +9,12 @@ namespace rva {
 
 /// Refines where the views of one side were taken. The first one stays: it is the reference.
 ///
-/// In turns, the views are fused and each is turned until it lies upon the result (Gauss and Newton, over three
-/// rotations), pixels under dots left out, what differs in brightness over a wide window taken off, outliers
-/// given Tukey's weights. Positions are taken as known: a turn of a sixth of a degree about the robot's joints
-/// shifts the camera by 0.3 mm, which a turn of its own makes up for but for a tenth of a pixel. With six
-/// degrees of freedom poses wandered along what a turn and a shift have in common, and twice as much differed.
+/// In turns, the views are fused and each is turned until it lies upon the result (Gauss and Newton, over
+/// three rotations), pixels under dots left out, what differs in brightness over a wide window taken off,
+/// outliers given Tukey's weights. Positions are taken as known: a turn of a sixth of a degree about the
+/// robot's joints shifts the camera by 0.3 mm, which a turn of its own makes up for but for a tenth of a
+/// pixel. With six degrees of freedom poses wandered along what a turn and a shift have in common, and twice
+/// as much differed.
 /// @param views at least one; their poses are known to half a degree
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views);
 

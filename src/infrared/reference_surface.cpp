@@ -39,8 +39,7 @@ Warp::Warp(const ReferenceSurface& surface, const Transform& view_from_reference
   const auto cy = static_cast<float>(camera.cy);
   parallel_bands(u_.rows, [&](int first, int end) {
     for (int v = first; v < end; ++v) {
-      const Eigen::Vector3f row =
-          turn * Eigen::Vector3f(-cx / fx, (static_cast<float>(v) - cy) / fy, 1.0F);
+      const Eigen::Vector3f row = turn * Eigen::Vector3f(-cx / fx, (static_cast<float>(v) - cy) / fy, 1.0F);
       const Eigen::Vector3f step = turn.col(0) / fx;
       float* const to_u = u_.ptr<float>(v);
       float* const to_v = v_.ptr<float>(v);

@@ -12,7 +12,7 @@ namespace rva {
 /// Depth without holes. Between views a degree apart, an error of a tenth of the depth moves a pixel by a few
 /// hundredths.
 struct ReferenceSurface {
-  Intrinsics camera;                  ///< without lens distortion; all views share it
+  Intrinsics camera;                 ///< without lens distortion; all views share it
   Image<float> inverse_depth_per_m;  ///< above 0
 };
 
