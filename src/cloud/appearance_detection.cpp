@@ -86,7 +86,9 @@ FalseAlarmTail tail_of(const AppearanceChange& change) {
     const bool is_peak = size > static_cast<float>(FalseAlarmTail::onset) && size >= highest.ptr<float>()[i];
     if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
   }
-  return fit_tail(peaks, usual_slope);
+  // Things that hardly show have peaks beyond, which are not noise.
+  constexpr double end = 5.0;
+  return fit_tail(peaks, usual_slope, end);
 }
 
 Mask significant(const AppearanceChange& change, const FalseAlarmTail& tail, double false_findings,

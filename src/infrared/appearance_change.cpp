@@ -1,9 +1,7 @@
 #include "infrared/appearance_change.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -105,55 +103,6 @@ Image<float> beyond_misregistration(const cv::Mat& before, const cv::Mat& after)
   return excess;
 }
 
-// Kinds of places: flat or steep in brightness, seen without dots once, twice or more often in the view that
-// saw it least.
-constexpr std::size_t sample_levels = 3;
-constexpr std::size_t place_count = 2 * sample_levels;
-
-Image<std::uint8_t> places_of(const DotFreeImage& a, const DotFreeImage& b, const Mask& judged) {
-  constexpr double steep_share = 0.15;
-  const cv::Mat image = as_mat(without_gaps(b)).clone();
-  cv::Mat along_u;
-  cv::Mat along_v;
-  cv::Sobel(image, along_u, CV_32F, 1, 0);
-  cv::Sobel(image, along_v, CV_32F, 0, 1);
-  cv::Mat steepness = cv::abs(along_u) + cv::abs(along_v);
-  cv::blur(steepness, steepness, {window_px, window_px});
-  std::vector<float> samples;
-  for (std::size_t i = 0; i < judged.size(); i += sampling) {
-    if (judged[i] != 0) samples.push_back(steepness.ptr<float>()[i]);
-  }
-  const float steep = samples.empty() ? 0.0F : quantile(samples, 1.0 - steep_share);
-  Image<std::uint8_t> places(judged.width(), judged.height());
-  for (std::size_t i = 0; i < judged.size(); ++i) {
-    const std::size_t seen = std::clamp<std::size_t>(std::min(a.samples[i], b.samples[i]), 1, sample_levels);
-    places[i] = static_cast<std::uint8_t>(2 * (seen - 1) + (steepness.ptr<float>()[i] > steep ? 1 : 0));
-  }
-  return places;
-}
-
-// Neighbours share noise through interpolation and lenses, and edges move: by how much what is unchanged
-// exceeds the noise of its samples, in each kind of place, not less than in the whole image.
-std::array<float, place_count> agreements_of(const Image<float>& bulk, const Mask& judged,
-                                             const Image<std::uint8_t>& places) {
-  constexpr std::size_t least_samples = 200;
-  std::array<std::vector<float>, place_count> sizes;
-  std::vector<float> all;
-  for (std::size_t i = 0; i < judged.size(); i += sampling) {
-    if (judged[i] == 0) continue;
-    sizes.at(places[i]).push_back(std::abs(bulk[i]));
-    all.push_back(std::abs(bulk[i]));
-  }
-  std::array<float, place_count> agreements{};
-  agreements.fill(1.0F);
-  if (all.empty()) return agreements;
-  const float whole = std::max(robust_deviation(all), 1.0F);
-  for (std::size_t k = 0; k < place_count; ++k)
-    agreements.at(k) =
-        sizes.at(k).size() < least_samples ? whole : std::max(robust_deviation(sizes.at(k)), whole);
-  return agreements;
-}
-
 }  // namespace
 
 AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeImage& final, const Mask& lit) {
@@ -184,9 +133,10 @@ AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeIma
     change.deviations[i] = change.contrast[i] / deviation;
     bulk[i] = plain.ptr<float>()[i] / deviation;
   }
-  const Image<std::uint8_t> places = places_of(initial, final, change.judged);
-  const std::array<float, place_count> agreements = agreements_of(bulk, change.judged, places);
-  for (std::size_t i = 0; i < places.size(); ++i) change.deviations[i] /= agreements.at(places[i]);
+  // Neighbours share noise through interpolation and lenses: how much, the unchanged bulk of the image shows.
+  constexpr float normal_per_median = 1.4826F;
+  const float agreement = std::max(normal_per_median * median_of(as_mat(bulk), change.judged, true), 1.0F);
+  for (float& deviations : change.deviations.pixels()) deviations /= agreement;
   return change;
 }
 

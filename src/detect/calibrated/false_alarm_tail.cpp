@@ -6,13 +6,11 @@
 namespace rva {
 namespace {
 
-constexpr double end = 7.0;
-constexpr double length = end - FalseAlarmTail::onset;
 constexpr double usual_peaks = 10.0;
 
 // The most probable slope of an exponential distribution that is cut off at `length`, by the likelihood of
 // `count` excesses of such a sum and of as many usual ones as are believed in.
-double most_probable_slope(double count, double sum, double usual_slope) {
+double most_probable_slope(double count, double sum, double usual_slope, double length) {
   const auto rises_at = [&](double slope) {
     const double cut_off = count > 0.0 ? count * length / std::expm1(slope * length) : 0.0;
     return (count + usual_peaks) / slope > sum + usual_peaks / usual_slope + cut_off;
@@ -43,7 +41,8 @@ double FalseAlarmTail::height_of(double expected) const {
   return onset + std::expm1(fallen / peaks_) * peaks_ / slope_;
 }
 
-FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope) {
+FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope, double end) {
+  const double length = end - FalseAlarmTail::onset;
   double count = 0.0;
   double sum = 0.0;
   for (const float peak : peaks) {
@@ -52,7 +51,7 @@ FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope) {
     count += 1.0;
     sum += excess;
   }
-  const double slope = most_probable_slope(count, sum, usual_slope);
+  const double slope = most_probable_slope(count, sum, usual_slope, length);
   const double beyond_too = count / -std::expm1(-slope * length);
   return {std::max(beyond_too, 1.0) / 2.0, slope, count + usual_peaks};
 }
