@@ -121,11 +121,15 @@ export interface Decision {
   decided_at: string;
 }
 
+export type FindingKind = 'added' | 'removed' | 'appearance';
+
 export interface Finding {
   number: number;
   view: number;
   same_as: number;
-  kind: 'added' | 'removed';
+  kind: FindingKind;
+  /** What speaks for it: depth, infrared images that look different, or both. */
+  evidence?: ('depth' | 'appearance')[];
   bbox: [number, number, number, number];
   centroid: [number, number];
   position_m?: Point3;

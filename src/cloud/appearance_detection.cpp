@@ -53,15 +53,36 @@ std::vector<InfraredView> views_of(const Captures& side, const std::vector<Trans
   return views;
 }
 
-AppearanceChange change_between(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
-                                const Transform& initial_from_final) {
+// Servos are a third of a degree off at most: what turned more was laid upon the wrong thing.
+bool turned_far(const std::vector<InfraredView>& views, const std::vector<Transform>& stated) {
+  constexpr double far_deg = 1.0;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const Transform turn = views[k].view_from_reference * stated[k].inverse();
+    if (Eigen::AngleAxisd(turn.linear()).angle() * 180.0 / std::numbers::pi > far_deg) return true;
+  }
+  return false;
+}
+
+std::vector<Transform> poses_of(const std::vector<InfraredView>& views) {
+  std::vector<Transform> poses;
+  for (const InfraredView& view : views) poses.push_back(view.view_from_reference);
+  return poses;
+}
+
+// Empty where the images could not be laid over each other.
+std::optional<AppearanceChange> change_between(const Captures& initial, const Captures& final,
+                                               const PlacedCaptures& placed,
+                                               const Transform& initial_from_final) {
   const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
                                                      placed.final_view.disparity_m_px);
   std::vector<InfraredView> after = views_of(final, placed.first_from_final, Transform::Identity());
+  const std::vector<Transform> stated_after = poses_of(after);
   align_side(surface, after);
   const DotFreeImage image_after = fuse(surface, after);
   std::vector<InfraredView> before = views_of(initial, placed.first_from_initial, initial_from_final);
+  const std::vector<Transform> stated_before = poses_of(before);
   align_to(image_after, surface, before);
+  if (turned_far(after, stated_after) || turned_far(before, stated_before)) return std::nullopt;
   const DotFreeImage image_before = fuse(surface, before);
   Mask lit = lit_in_all(surface, after);
   const Mask lit_before = lit_in_all(surface, before);
@@ -154,7 +175,13 @@ void add_appearance(const Captures& initial, const Captures& final, const Placed
                     double false_findings, const RegionOptions& regions, Detection& detection) {
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();
   if (placed.final_view.disparity_px.empty() || !is_near(initial_from_final)) return;
-  const AppearanceChange change = change_between(initial, final, placed, initial_from_final);
+  const std::optional<AppearanceChange> found = change_between(initial, final, placed, initial_from_final);
+  if (!found) {
+    detection.warnings.emplace_back(
+        "the infrared images could not be laid over each other: depth alone was compared");
+    return;
+  }
+  const AppearanceChange& change = *found;
   const FalseAlarmTail tail = tail_of(change);
   const Mask mask = significant(change, tail, false_findings, detection.left_out);
   std::vector<Finding>& findings = detection.findings.findings;

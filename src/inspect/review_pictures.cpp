@@ -101,6 +101,19 @@ ColorScale scale_of(Image<float> depth_m) {
   return scale_of_depth(depth_m);
 }
 
+Rgb color_of(ChangeKind kind, std::uint8_t level) {
+  const auto part = [level](int of) { return static_cast<std::uint8_t>(level / of); };
+  switch (kind) {
+    case ChangeKind::added:
+      return {level, part(3), 0};
+    case ChangeKind::removed:
+      return {0, part(2), level};
+    case ChangeKind::appearance:
+      break;
+  }
+  return {part(2), level, part(3)};
+}
+
 // Brighter the higher the change, to be added to a picture. Where depth was lost there is no height.
 ColorImage draw_changed(const Detection& detection) {
   constexpr double strong_mm = 20.0;
@@ -109,9 +122,7 @@ ColorImage draw_changed(const Detection& detection) {
   for (const Finding& finding : detection.findings.findings) {
     const double share = std::clamp(std::abs(finding.height_mm.value_or(strong_mm)) / strong_mm, 0.0, 1.0);
     const auto level = static_cast<std::uint8_t>(255.0 * (least + (1.0 - least) * share));
-    const bool added = finding.kind == ChangeKind::added;
-    const Rgb color = added ? Rgb{level, static_cast<std::uint8_t>(level / 3), 0}
-                            : Rgb{0, static_cast<std::uint8_t>(level / 2), level};
+    const Rgb color = color_of(finding.kind, level);
     for (const std::uint32_t pixel : finding.pixels) picture[pixel] = color;
   }
   return picture;

@@ -134,7 +134,7 @@ std::vector<std::string> comparison_files() {
 
 std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m) {
   std::ranges::stable_sort(findings, std::greater<>{}, [](const ReviewedFinding& finding) {
-    return finding.finding.score.value_or(0.0);
+    return std::pair(finding.finding.evidence.depth, finding.finding.score.value_or(0.0));
   });
   int number = 0;
   for (ReviewedFinding& finding : findings) {

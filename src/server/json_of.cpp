@@ -68,6 +68,9 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (finding.height_mm) json["height_mm"] = *finding.height_mm;
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
+  json["evidence"] = Json::array();
+  if (finding.evidence.depth) json["evidence"].push_back("depth");
+  if (finding.evidence.appearance) json["evidence"].push_back("appearance");
   if (reviewed.moved_from) json["moved_from"] = *reviewed.moved_from;
   if (reviewed.decision) json["decision"] = json_of(*reviewed.decision);
   return json;

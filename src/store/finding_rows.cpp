@@ -62,6 +62,7 @@ Finding finding_of(SQLite::Statement& row) {
   finding.height_mm = number(row.getColumn("height_mm"));
   finding.score = number(row.getColumn("score"));
   finding.p_value = number(row.getColumn("p_value"));
+  finding.evidence = {row.getColumn("by_depth").getInt() != 0, row.getColumn("by_appearance").getInt() != 0};
   return finding;
 }
 
@@ -73,8 +74,9 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   const Box& box = finding.box;
   SQLite::Statement insert(database,
                            "insert into finding (inspection, comparison, number, view, same_as, kind, box, "
-                           "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from) "
-                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from, "
+                           "by_depth, by_appearance) "
+                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
   insert.bind(2, comparison);
   insert.bind(3, reviewed.number);
@@ -90,6 +92,8 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   bind(insert, 13, finding.score);
   bind(insert, 14, finding.p_value);
   if (reviewed.moved_from) insert.bind(15, *reviewed.moved_from);
+  insert.bind(16, finding.evidence.depth ? 1 : 0);
+  insert.bind(17, finding.evidence.appearance ? 1 : 0);
   insert.exec();
 }
 

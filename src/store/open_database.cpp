@@ -21,7 +21,8 @@ void bring_up_to_date(SQLite::Database& database, int version) {
   SQLite::Transaction transaction(database);
   if (version < 1) database.exec(schema);
   if (version < 2) database.exec(schema_2_from_1);
-  database.exec(schema_3_from_2);
+  if (version < 3) database.exec(schema_3_from_2);
+  database.exec(schema_4_from_3);
   database.exec(fmt::format("pragma application_id = {}", our_application));
   database.exec(fmt::format("pragma user_version = {}", schema_version));
   transaction.commit();

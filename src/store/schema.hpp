@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 /// The tables of version 1. Lists within a row are JSON. `decision` only grows: the last one of a finding
 /// holds.
@@ -120,6 +120,27 @@ alter table side_3 rename to side;
 
 alter table account add column generation text not null default '';
 update account set generation = lower(hex(randomblob(16)));
+)sql";
+
+/// What version 4 has beyond version 3: findings of appearance, and what speaks for each finding.
+inline constexpr const char* schema_4_from_3 = R"sql(
+create table finding_4 (
+  inspection integer not null, comparison integer not null, number integer not null,
+  view integer not null, same_as integer not null,
+  kind text not null check (kind in ('added', 'removed', 'appearance')),
+  box text not null, centroid text not null, position_m text, in_foot_m text, size_mm text,
+  height_mm real, score real, p_value real, moved_from integer,
+  by_depth integer not null default 1, by_appearance integer not null default 0,
+  primary key (inspection, comparison, number),
+  foreign key (inspection, comparison) references comparison
+) strict, without rowid;
+insert into finding_4 (inspection, comparison, number, view, same_as, kind, box, centroid, position_m, in_foot_m,
+                       size_mm, height_mm, score, p_value, moved_from)
+  select inspection, comparison, number, view, same_as, kind, box, centroid, position_m, in_foot_m, size_mm,
+         height_mm, score, p_value, moved_from
+  from finding;
+drop table finding;
+alter table finding_4 rename to finding;
 )sql";
 
 }  // namespace rva

@@ -1,5 +1,5 @@
 // How things are called on the console.
-import type { Finding, InspectionSummary, Stage, Verdict } from '../types';
+import type { Finding, FindingKind, InspectionSummary, Stage, Verdict } from '../types';
 
 export const stageNames: Record<Stage, string> = {
   baseline: 'Before the work',
@@ -40,7 +40,13 @@ export function suspicion(finding: Finding): { level: 1 | 2 | 3; says: string } 
 }
 
 export function whatChanged(finding: Finding): string {
-  return finding.kind === 'added' ? 'Something new' : 'Something gone';
+  const says = { added: 'Something new', removed: 'Something gone', appearance: 'Looks different' };
+  return says[finding.kind];
+}
+
+/** In a character, beside the finding's number. */
+export function signOf(kind: FindingKind): string {
+  return { added: '+', removed: '−', appearance: '≈' }[kind];
 }
 
 /** Size, distance and how many millimetres nearer or farther than before. */
@@ -48,6 +54,7 @@ export function whereAndHow(finding: Finding): string {
   const parts: string[] = [];
   if (finding.size_mm) parts.push(`${millimetres(finding.size_mm[0])} × ${millimetres(finding.size_mm[1])}`);
   if (finding.position_m) parts.push(`${finding.position_m[2].toFixed(2)} m away`);
+  if (finding.kind === 'appearance') parts.push('brighter or darker than before; depth cannot tell');
   if (finding.height_mm !== undefined)
     parts.push(`surface ${millimetres(Math.abs(finding.height_mm))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
   return parts.join(', ');

@@ -4,7 +4,7 @@ import { api } from '../link/api';
 import { person } from '../link/client';
 import { attempt } from '../inspection/inspections';
 import { percent } from '../regions/region_words';
-import { suspicion, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
+import { signOf, suspicion, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
 import type { Decision, Inspection, Session } from '../types';
 import { DecisionForm } from './DecisionForm';
@@ -40,7 +40,7 @@ function FindingCard({ inspection, groups, group, session, selected }: { inspect
       <button type="button" class="row" aria-expanded={selected} onClick={() => show({ group: lead.number, view: lead.view, findings: true })}>
         <span class={`finding-number ${lead.kind}`}>
           {group.label}
-          <span aria-hidden="true">{lead.kind === 'added' ? '+' : '−'}</span>
+          <span aria-hidden="true">{signOf(lead.kind)}</span>
         </span>
         <span>
           <strong>{whatChanged(lead)}</strong>

@@ -2,6 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { pictureAddress } from '../link/api';
+import { signOf } from '../inspection/words';
 import { useStore } from '../store';
 import type { Finding, Inspection } from '../types';
 import { CoverageText } from './CoverageText';
@@ -47,8 +48,7 @@ function FindingBox({ finding, number, selected, onPick }: { finding: Finding; n
       <rect class="halo" x={x - gap} y={y - gap} width={width + 2 * gap} height={height + 2 * gap} rx="4" />
       <rect x={x - gap} y={y - gap} width={width + 2 * gap} height={height + 2 * gap} rx="4" />
       <text x={x - gap} y={y - gap - 5}>
-        {number}
-        {finding.kind === 'added' ? ' +' : ' −'}
+        {`${number} ${signOf(finding.kind)}`}
       </text>
     </g>
   );

@@ -1,17 +1,19 @@
 // Findings in the map: a ring and a number at each.
 import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
+import { signOf } from '../inspection/words';
 import type { Group as FindingGroup } from '../review/groups';
+import type { FindingKind } from '../types';
 
 const size_px = 128;
 
-function picture(number: number, kind: 'added' | 'removed', selected: boolean): CanvasTexture {
+function picture(number: number, kind: FindingKind, selected: boolean): CanvasTexture {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = size_px;
   const draw = canvas.getContext('2d');
   if (draw) {
     const middle = size_px / 2;
     draw.lineWidth = selected ? 16 : 10;
-    draw.strokeStyle = kind === 'added' ? '#ff7a1a' : '#2aa8ff';
+    draw.strokeStyle = { added: '#ff7a1a', removed: '#2aa8ff', appearance: '#9be15d' }[kind];
     draw.fillStyle = 'rgba(10, 14, 20, 0.75)';
     draw.beginPath();
     draw.arc(middle, middle, middle - 12, 0, 2 * Math.PI);
@@ -21,7 +23,7 @@ function picture(number: number, kind: 'added' | 'removed', selected: boolean): 
     draw.font = 'bold 52px sans-serif';
     draw.textAlign = 'center';
     draw.textBaseline = 'middle';
-    draw.fillText(`${number}${kind === 'added' ? '+' : '−'}`, middle, middle + 3);
+    draw.fillText(`${number}${signOf(kind)}`, middle, middle + 3);
   }
   return new CanvasTexture(canvas);
 }
