@@ -88,12 +88,12 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
         findings.initial_frames, findings.final_frames);
   if (!findings.findings.empty()) {
-    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", "id", "kind", "box x y w h (px)", "area px",
+    print("{:>4}  {:10}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", "id", "kind", "box x y w h (px)", "area px",
           "height mm", "distance m", "score");
   }
   for (const Finding& finding : findings.findings) {
     const Box& box = finding.box;
-    print("{:>4}  {:7}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", finding.id, name_of(finding.kind),
+    print("{:>4}  {:10}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", finding.id, name_of(finding.kind),
           fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height), finding.pixels.size(),
           or_none("{:.1f}", finding.height_mm),
           or_none("{:.2f}", finding.position_m ? std::optional(finding.position_m->z()) : std::nullopt),

@@ -36,6 +36,7 @@ CaptureInfo full_info() {
   info.color_from_depth = odd_transform();
   info.pose = Pose{"b1", 1.5, -18.2, odd_transform()};
   info.camera = CameraInfo{"Intel RealSense D435", "123", 0.05};
+  info.infrared = InfraredCounts{256.0, 10};
   info.captured_at = "2026-01-01T00:00:00Z";
   return info;
 }
@@ -51,6 +52,7 @@ void expect_same(const CaptureInfo& a, const CaptureInfo& b) {
   EXPECT_EQ(a.depth, b.depth);
   EXPECT_EQ(a.depth_unit_m, b.depth_unit_m);
   EXPECT_EQ(a.color, b.color);
+  EXPECT_EQ(a.infrared, b.infrared);
   expect_near(a.color_from_depth, b.color_from_depth);
   ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
   if (a.pose) {

@@ -24,6 +24,14 @@ TEST(RankedFindings, AreMostSuspiciousFirstAndNumberedSo) {
   EXPECT_EQ(ranked[2].finding.score, 2.0);
 }
 
+TEST(RankedFindings, OfAppearanceAloneComeAfterAllOthers) {
+  ReviewedFinding seen = at(0, 0.3, 50.0, ChangeKind::appearance);
+  seen.finding.evidence = {.depth = false, .appearance = true};
+  const std::vector<ReviewedFinding> ranked = rank({seen, at(0, 0.0, 2.0), at(1, 0.6, 5.0)});
+  EXPECT_EQ(ranked[0].finding.score, 5.0);
+  EXPECT_EQ(ranked[2].finding.kind, ChangeKind::appearance);
+}
+
 TEST(RankedFindings, OfOneThingInSeveralViewsNameTheFirst) {
   const std::vector<ReviewedFinding> ranked = rank({at(0, 0.00, 9.0), at(1, 0.02, 5.0), at(2, -0.01, 7.0)});
   for (const ReviewedFinding& finding : ranked) EXPECT_EQ(finding.same_as, 1);

@@ -141,6 +141,18 @@ TEST_F(Kept, RegionsThatAreLeftOutComeBackAndEndTheComparison) {
   EXPECT_THROW(records_->set_ignored(7, 0, {}), Error);
 }
 
+TEST_F(Kept, AFindingOfAppearanceIsKeptWithItsEvidence) {
+  const std::int64_t id = add();
+  ReviewedFinding seen = finding(1);
+  seen.finding.kind = ChangeKind::appearance;
+  seen.finding.evidence = {.depth = false, .appearance = true};
+  records_->set_comparison(id, comparison(1), {}, {seen, finding(2)});
+  const Inspection back = *records_->find(id);
+  EXPECT_EQ(back.findings[0].finding.kind, ChangeKind::appearance);
+  EXPECT_EQ(back.findings[0].finding.evidence, seen.finding.evidence);
+  EXPECT_EQ(back.findings[1].finding.evidence, Evidence{});
+}
+
 TEST_F(Kept, AThingThatWasMovedNamesWhereItWas) {
   const std::int64_t id = add();
   ReviewedFinding moved = finding(1);
@@ -174,6 +186,7 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   EXPECT_EQ(back.findings[0].decision->note, "a bolt");
   EXPECT_EQ(back.comparison->number, 1);
   EXPECT_EQ(back.comparison->compared_at, "t1");
+  EXPECT_EQ(back.findings[0].finding.evidence, Evidence{}) << "depth, as all were";
   EXPECT_EQ(back.final->round, 1);
   EXPECT_EQ(records.accounts().at(0).generation.size(), 32U);
   EXPECT_NO_THROW(records.decide(1, 1, 1, {Verdict::false_alarm, "", "Ann", "t3"}));
