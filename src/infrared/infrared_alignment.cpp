@@ -106,7 +106,7 @@ class Target {
   }
 
   [[nodiscard]] Eigen::Vector3d turn_between(const cv::Mat& residual, const cv::Mat& weights) const {
-    Eigen::Matrix3d normal = prior_ * Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d normal = prior * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (const cv::Point& pixel : pixels_) {
       const float r = residual.at<float>(pixel);
@@ -133,7 +133,7 @@ class Target {
   // in residuals of which ten neighbours share the noise.
   static constexpr double usual_turn_rad = 0.16 * std::numbers::pi / 180.0;
   static constexpr double noise_log = 0.02;
-  static constexpr double prior_ = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
+  static constexpr double prior = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
 };
 
 std::vector<Transform> stepped(const Target& target, const std::vector<InfraredView>& views) {

@@ -36,7 +36,8 @@ float greatest(const AppearanceChange& change) {
 
 TEST(AppearanceChange, OfNothingIsWithinNoise) {
   for (std::uint64_t seed = 1; seed < 6; ++seed) {
-    const AppearanceChange change = between(views_at(dithers(8, seed), 100 + seed), views_at(dithers(8, seed), 200 + seed));
+    const AppearanceChange change =
+        between(views_at(dithers(8, seed), 100 + seed), views_at(dithers(8, seed), 200 + seed));
     EXPECT_LT(greatest(change), 5.0F) << seed;
     EXPECT_GT(std::ranges::count(change.judged.pixels(), mask_set), 40000) << seed;
   }
@@ -45,8 +46,7 @@ TEST(AppearanceChange, OfNothingIsWithinNoise) {
 TEST(AppearanceChange, OfASmallSpotStandsOutAndHasItsContrast) {
   // Seven millimetres: five pixels across.
   const std::vector<Spot> spot{{0.03, 0.02, 0.0075, 0.85}};
-  const AppearanceChange change =
-      between(views_at(dithers(8, 7), 31), views_at(dithers(8, 7), 32, {}, spot));
+  const AppearanceChange change = between(views_at(dithers(8, 7), 31), views_at(dithers(8, 7), 32, {}, spot));
   const int u = static_cast<int>(std::lround(159.5 + 400.0 * 0.03 / 0.6));
   const int v = static_cast<int>(std::lround(119.5 + 400.0 * 0.02 / 0.6));
   EXPECT_LT(change.deviations(u, v), -8.0F);
@@ -56,7 +56,8 @@ TEST(AppearanceChange, OfASmallSpotStandsOutAndHasItsContrast) {
 }
 
 TEST(AppearanceChange, ExposureAndAmbientLevelAreNone) {
-  const AppearanceChange change = between(views_at(dithers(8, 3), 41), views_at(dithers(8, 3), 42, {.brightness = 1.4}));
+  const AppearanceChange change =
+      between(views_at(dithers(8, 3), 41), views_at(dithers(8, 3), 42, {.brightness = 1.4}));
   EXPECT_LT(greatest(change), 6.0F);
 }
 

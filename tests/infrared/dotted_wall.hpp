@@ -12,7 +12,8 @@
 
 namespace rva::test {
 
-inline const Intrinsics wall_camera{.width = 320, .height = 240, .fx = 400.0, .fy = 400.0, .cx = 159.5, .cy = 119.5};
+inline const Intrinsics wall_camera{
+    .width = 320, .height = 240, .fx = 400.0, .fy = 400.0, .cx = 159.5, .cy = 119.5};
 inline constexpr double wall_m = 0.6;
 
 /// A square of the wall, in metres of its own plane, that is brighter or darker.
@@ -33,13 +34,20 @@ struct WallLight {
 /// Stripes and a checkerboard: edges in both directions.
 inline double albedo(double x_m, double y_m) {
   const double waves = 0.1 * std::sin(260.0 * x_m) * std::sin(190.0 * y_m + 1.0);
-  const bool odd = (static_cast<int>(std::floor(x_m / 0.05)) + static_cast<int>(std::floor(y_m / 0.07))) % 2 != 0;
+  const bool odd =
+      (static_cast<int>(std::floor(x_m / 0.05)) + static_cast<int>(std::floor(y_m / 0.07))) % 2 != 0;
   return (odd ? 0.8 : 1.0) + waves;
 }
 
+/// From the middle of the nearest dot: rows 11 pixels apart, each shifted by 3 against the one before.
+inline Eigen::Vector2d from_dot(int u, int v) {
+  const int row = v / 11;
+  return {std::fmod(u + 3.0 * row, 13.0) - 6.0, std::fmod(v, 11.0) - 5.0};
+}
+
 /// What the camera sees when turned by this rotation vector against the reference.
-inline Image<float> wall_seen(const Eigen::Vector3d& turn_rad, std::uint64_t seed, const WallLight& light = {},
-                              const std::vector<Spot>& spots = {}) {
+inline Image<float> wall_seen(const Eigen::Vector3d& turn_rad, std::uint64_t seed,
+                              const WallLight& light = {}, const std::vector<Spot>& spots = {}) {
   Random random(seed);
   Eigen::Matrix3d view_from_reference = Eigen::Matrix3d::Identity();
   if (turn_rad.norm() > 0.0)
@@ -55,9 +63,7 @@ inline Image<float> wall_seen(const Eigen::Vector3d& turn_rad, std::uint64_t see
         if (std::abs(x_m - spot.x_m) < spot.side_m / 2 && std::abs(y_m - spot.y_m) < spot.side_m / 2)
           reflected *= spot.brightness;
       }
-      const double du = std::fmod(u + 3.0 * (v / 11), 13.0) - 6.0;
-      const double dv = std::fmod(v, 11.0) - 5.0;
-      const double dot = light.dots * std::exp(-(du * du + dv * dv) / 2.0);
+      const double dot = light.dots * std::exp(-std::pow(from_dot(u, v).norm(), 2) / 2.0);
       grey(u, v) = static_cast<float>(light.brightness * reflected * (light.background + dot) *
                                       (1.0 + light.noise * random.normal()));
     }
@@ -79,7 +85,8 @@ inline std::vector<Eigen::Vector3d> dithers(std::size_t count, std::uint64_t see
   Random random(seed);
   std::vector<Eigen::Vector3d> turns{Eigen::Vector3d::Zero()};
   while (turns.size() < count)
-    turns.emplace_back(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.001, 0.001));
+    turns.emplace_back(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02),
+                       random.uniform(-0.001, 0.001));
   return turns;
 }
 

@@ -21,7 +21,8 @@ double off_px(const Transform& pose, const Transform& truth) {
   for (int v = 20; v < test::wall_camera.height; v += 40) {
     for (int u = 20; u < test::wall_camera.width; u += 40) {
       const Eigen::Vector3d point = test::wall_camera.deproject({u, v}, test::wall_m);
-      squares += (test::wall_camera.project(pose * point) - test::wall_camera.project(truth * point)).squaredNorm();
+      squares +=
+          (test::wall_camera.project(pose * point) - test::wall_camera.project(truth * point)).squaredNorm();
       ++points;
     }
   }
@@ -33,8 +34,8 @@ void misstate(std::vector<InfraredView>& views, std::uint64_t seed) {
   Random random(seed);
   constexpr double half_a_step = 0.16 * rad_per_deg;
   for (std::size_t k = 1; k < views.size(); ++k) {
-    const Eigen::Vector3d error(random.uniform(-half_a_step, half_a_step), random.uniform(-half_a_step, half_a_step),
-                                0.0);
+    const Eigen::Vector3d error(random.uniform(-half_a_step, half_a_step),
+                                random.uniform(-half_a_step, half_a_step), 0.0);
     views[k].view_from_reference = test::turned(error) * views[k].view_from_reference;
   }
 }
