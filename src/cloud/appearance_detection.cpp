@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/interrupt.hpp"
-#include "core/quantile.hpp"
+#include "core/stopwatch.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/calibrated/false_alarm_tail.hpp"
 #include "detect/regions.hpp"
@@ -26,21 +26,13 @@ constexpr float least_contrast = 0.015F;
 constexpr int least_pixels = 3;
 // Blobs of one thing: a collar, and its shadow in what the dots light up.
 constexpr double join_px = 9.0;
-// Of peaks beyond three deviations, per deviation: in simulated inspections without change, with cameras
-// drawn by chance (docs/infrared.md).
+// How fast peaks beyond three deviations get rarer, per deviation, in simulated inspections without change,
+// with cameras drawn by chance (docs/infrared.md).
 constexpr double usual_slope = 2.0;
 
 std::size_t with_infrared(const Captures& side) {
   return static_cast<std::size_t>(
       std::ranges::count_if(side, [](const auto& capture) { return capture->has_infrared(); }));
-}
-
-// Further away, surfaces hide others, and light comes from elsewhere.
-bool is_near(const Transform& initial_from_final) {
-  constexpr double most_turn_deg = 3.0;
-  constexpr double most_shift_m = 0.02;
-  return Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi < most_turn_deg &&
-         initial_from_final.translation().norm() < most_shift_m;
 }
 
 std::vector<InfraredView> views_of(const Captures& side, const std::vector<Transform>& first_from_view,
@@ -173,8 +165,9 @@ bool have_infrared(const Captures& initial, const Captures& final, std::vector<s
 
 void add_appearance(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
                     double false_findings, const RegionOptions& regions, Detection& detection) {
+  const Stopwatch start;
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();
-  if (placed.final_view.disparity_px.empty() || !is_near(initial_from_final)) return;
+  if (placed.final_view.disparity_px.empty() || !came_back_nearly(initial_from_final)) return;
   const std::optional<AppearanceChange> found = change_between(initial, final, placed, initial_from_final);
   if (!found) {
     detection.warnings.emplace_back(
@@ -206,6 +199,8 @@ void add_appearance(const Captures& initial, const Captures& final, const Placed
   const auto judged = std::ranges::count(change.judged.pixels(), mask_set);
   detection.findings.appearance_judged =
       static_cast<double>(judged) / static_cast<double>(change.judged.size());
+  detection.findings.runtime.detect_ms += start.ms();
+  detection.findings.runtime.total_ms += start.ms();
 }
 
 }  // namespace rva

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -138,7 +139,8 @@ class Run {
     SpatialChange change = change_from_elsewhere(before, after, registration, options_.known);
     leave_out_regions(initial, final, change, registration.initial_from_final);
     placed_.final_view = after;
-    CalibratedComparison calibrated = compare_spatial(change, final.front().info.depth_unit_m, allowed());
+    CalibratedComparison calibrated =
+        compare_spatial(change, final.front().info.depth_unit_m, allowed(registration.initial_from_final));
     return {std::move(calibrated), std::move(registration)};
   }
 
@@ -173,7 +175,8 @@ class Run {
         known_transform(initial.front().info, first).value_or(Transform::Identity());
     SpatialChange change = change_from_same_places(std::move(changes), first.depth, disparity_m_px(first));
     leave_out_regions(initial, final, change, registration.initial_from_final);
-    CalibratedComparison calibrated = compare_spatial(change, first.depth_unit_m, allowed());
+    CalibratedComparison calibrated =
+        compare_spatial(change, first.depth_unit_m, allowed(registration.initial_from_final));
     return {std::move(calibrated), std::move(registration)};
   }
 
@@ -197,9 +200,9 @@ class Run {
     RegionOptions::describe(options_.regions, state);
   }
 
-  [[nodiscard]] CalibratedOptions allowed() const {
+  [[nodiscard]] CalibratedOptions allowed(const Transform& initial_from_final) const {
     CalibratedOptions options = options_.calibrated;
-    options.false_findings *= options_.share;
+    if (came_back_nearly(initial_from_final)) options.false_findings *= options_.share;
     return options;
   }
 
@@ -263,6 +266,13 @@ class Run {
 };
 
 }  // namespace
+
+bool came_back_nearly(const Transform& initial_from_final) {
+  constexpr double most_turn_deg = 3.0;
+  constexpr double most_shift_m = 0.02;
+  return Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi < most_turn_deg &&
+         initial_from_final.translation().norm() < most_shift_m;
+}
 
 SpatialDetection detect_spatial(const Captures& initial, const Captures& final,
                                 const SpatialDetectionOptions& options, const Progress& progress,

@@ -21,7 +21,9 @@ struct SpatialDetectionOptions {
   CalibratedOptions calibrated;
   RegionOptions regions;
   KnownMotion known = KnownMotion::moved;
-  double share = 1.0;  ///< of the false findings that are allowed: what other evidence leaves to depth
+  /// Share of the allowed false findings that is left to depth where the camera came back nearly: infrared
+  /// images take the rest there.
+  double share = 1.0;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
@@ -46,6 +48,9 @@ struct SpatialDetection {
 };
 
 using Captures = std::vector<std::unique_ptr<Capture>>;
+
+/// True within 3 degrees and 20 mm: farther away, surfaces hide others, and light comes from elsewhere.
+[[nodiscard]] bool came_back_nearly(const Transform& initial_from_final);
 
 /// Lays the views over each other, and compares what each saw through with what the other saw there
 /// (docs/spatial.md). Poses of one base are where the search begins; they are believed to the last digit

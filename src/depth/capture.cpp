@@ -16,20 +16,7 @@ std::optional<ColorImage> Capture::color_of(std::size_t depth_frame) const {
 
 std::optional<GrayImage> Capture::infrared_of(std::size_t /*depth_frame*/) const { return std::nullopt; }
 
-std::optional<Image<float>> Capture::infrared_mean() const {
-  Image<float> sum;
-  float images = 0.0F;
-  for (std::size_t frame = 0; frame < depth_frames(); ++frame) {
-    const std::optional<GrayImage> image = infrared_of(frame);
-    if (!image) continue;
-    if (sum.empty()) sum = Image<float>(image->width(), image->height());
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<float>((*image)[i]);
-    images += 1.0F;
-  }
-  if (sum.empty()) return std::nullopt;
-  for (float& value : sum.pixels()) value /= images;
-  return sum;
-}
+std::optional<Image<float>> Capture::infrared_mean() const { return std::nullopt; }
 
 FrameMetadata Capture::metadata_of(std::size_t /*depth_frame*/) const { return {}; }
 

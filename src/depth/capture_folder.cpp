@@ -81,9 +81,13 @@ CameraInfo parse_camera(const JsonObject& object) {
 
 InfraredCounts parse_infrared(const JsonObject& object) {
   constexpr double most_counts = 65535.0;
+  constexpr double most_frames = 1e6;
   InfraredCounts counts;
   counts.per_grey_level = object.optional_number("scale").value_or(1.0);
-  counts.frames = static_cast<int>(object.optional_number("frames").value_or(1.0));
+  const double frames = object.optional_number("frames").value_or(1.0);
+  if (!(frames >= 1.0 && frames <= most_frames))
+    throw Error(object.name_of("frames"), "no number of frames from 1 to a million", "correct the file");
+  counts.frames = static_cast<int>(frames);
   if (!(counts.per_grey_level > 0.0 && counts.per_grey_level <= most_counts))
     throw Error(object.name_of("scale"), "no number of counts above 0 and up to 65535", "correct the file");
   return counts;

@@ -32,7 +32,7 @@ struct RobotSideOptions {
 
 /// A robot with play goes to the scene's view and its dithers, from below (robot/dither.hpp), and each
 /// capture is written into a folder of its own (take_views()).
-/// @param scene  its stand says where the robot's foot is, the base's name, and the view's angles
+/// @param scene  its stand has the position of the robot's foot, the name of the base, and the view's angles
 /// @param folder made; captures of the same arguments are always the same
 /// @throws Error when a capture cannot be written; Interrupted
 [[nodiscard]] RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,

@@ -38,26 +38,34 @@ cv::Mat as_weights(const Mask& mask) {
   return weights;
 }
 
-float median_of(const cv::Mat& values, const Mask& judged, bool of_sizes) {
+std::vector<float> sampled(const cv::Mat& values, const Mask& judged) {
   std::vector<float> samples;
   for (std::size_t i = 0; i < judged.size(); i += sampling) {
-    if (judged[i] == 0) continue;
-    const float value = values.ptr<float>()[i];
-    samples.push_back(of_sizes ? std::abs(value) : value);
+    if (judged[i] != 0) samples.push_back(values.ptr<float>()[i]);
   }
+  return samples;
+}
+
+float median_of(const cv::Mat& values, const Mask& judged) {
+  std::vector<float> samples = sampled(values, judged);
   return samples.empty() ? 0.0F : quantile(samples, 0.5);
+}
+
+float deviation_of(const cv::Mat& values, const Mask& judged) {
+  std::vector<float> sizes = sampled(cv::abs(values), judged);
+  return sizes.empty() ? 0.0F : robust_deviation(sizes);
 }
 
 // What the whole image and wide windows of calm pixels differ by. Windows around things that changed lean on
 // what is calm beside them.
 cv::Mat level_between(const cv::Mat& difference, const Mask& judged) {
   constexpr float least_calm = 0.012F;
-  constexpr float calm_deviations = 3.0F * 1.4826F;
+  constexpr float calm_deviations = 3.0F;
   const cv::Mat weights = as_weights(judged);
-  const float median = median_of(difference, judged, false);
+  const float median = median_of(difference, judged);
   const cv::Mat about_median = difference - static_cast<double>(median);
   const cv::Mat local = window_mean(about_median, weights, window_px);
-  const float calm = std::max(least_calm, calm_deviations * median_of(local, judged, true));
+  const float calm = std::max(least_calm, calm_deviations * deviation_of(local, judged));
   cv::Mat calm_weights;
   cv::Mat(cv::abs(local) < static_cast<double>(calm)).convertTo(calm_weights, CV_32F, 1.0 / mask_set);
   return window_mean(about_median, weights.mul(calm_weights), wide_px) + static_cast<double>(median);
@@ -134,8 +142,7 @@ AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeIma
     bulk[i] = plain.ptr<float>()[i] / deviation;
   }
   // Neighbours share noise through interpolation and lenses: how much, the unchanged bulk of the image shows.
-  constexpr float normal_per_median = 1.4826F;
-  const float agreement = std::max(normal_per_median * median_of(as_mat(bulk), change.judged, true), 1.0F);
+  const float agreement = std::max(deviation_of(as_mat(bulk), change.judged), 1.0F);
   for (float& deviations : change.deviations.pixels()) deviations /= agreement;
   return change;
 }

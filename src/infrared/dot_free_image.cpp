@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
-#include <vector>
+#include <utility>
 
 #include "depth/mat_view.hpp"
 #include "infrared/dot_mask.hpp"
+#include "infrared/gaps.hpp"
 
 namespace rva {
 namespace {
@@ -28,7 +29,7 @@ struct Samples {
       ++count[i];
     }
   }
-  // Of one sample: what the samples of a pixel differ by, over its neighbours together.
+  // The variance of a single sample, from the differences between the samples of each pixel nearby.
   [[nodiscard]] Image<float> variance() const {
     constexpr int window_px = 9;
     constexpr float least_differences = 16.0F;  // of the 81 pixels of the window
@@ -78,18 +79,8 @@ DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView>
 }
 
 Image<float> without_gaps(const DotFreeImage& image) {
-  const cv::Mat unknown = as_mat(image.samples) == 0;
   Image<float> filled = image.log_image;
-  if (static_cast<std::size_t>(cv::countNonZero(unknown)) == filled.size()) return filled;
-  cv::Mat distance;
-  cv::Mat nearest;
-  cv::distanceTransform(unknown, distance, nearest, cv::DIST_L2, cv::DIST_MASK_3, cv::DIST_LABEL_PIXEL);
-  std::vector<float> of_number(filled.size() + 1, 0.0F);
-  for (std::size_t i = 0; i < filled.size(); ++i) {
-    if (image.known(i)) of_number[static_cast<std::size_t>(nearest.ptr<int>()[i])] = filled[i];
-  }
-  for (std::size_t i = 0; i < filled.size(); ++i)
-    filled[i] = of_number[static_cast<std::size_t>(nearest.ptr<int>()[i])];
+  fill_gaps(as_mat(image.samples) == 0, filled);
   return filled;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t sampling = 7;
 
-// Of neighbouring pixels, by what each has beyond the median of its window.
+// The deviation of single pixels from the median of their neighbours.
 float noise_of(const cv::Mat& image) {
   cv::Mat median;
   cv::medianBlur(image, median, 5);

@@ -4,30 +4,20 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <vector>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
+#include "infrared/gaps.hpp"
 
 namespace rva {
 
 ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>& disparity_px,
                                    double disparity_m_px) {
-  const cv::Mat empty = as_mat(disparity_px) <= 0.0;
-  if (static_cast<std::size_t>(cv::countNonZero(empty)) == disparity_px.size()) return {camera, {}};
-  cv::Mat distance;
-  cv::Mat nearest;  // the number of the nearest pixel that is not set
-  cv::distanceTransform(empty, distance, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-  std::vector<float> of_number(disparity_px.size() + 1, 0.0F);
-  for (std::size_t i = 0; i < disparity_px.size(); ++i) {
-    if (disparity_px[i] > 0.0F)
-      of_number[static_cast<std::size_t>(nearest.ptr<int>()[i])] =
-          disparity_px[i] / static_cast<float>(disparity_m_px);
-  }
-  ReferenceSurface surface{camera, Image<float>(disparity_px.width(), disparity_px.height())};
-  for (std::size_t i = 0; i < disparity_px.size(); ++i)
-    surface.inverse_depth_per_m[i] = of_number[static_cast<std::size_t>(nearest.ptr<int>()[i])];
-  return surface;
+  Image<float> filled_px = disparity_px;
+  if (!fill_gaps(as_mat(disparity_px) <= 0.0, filled_px)) return {camera, {}};
+  for (float& value : filled_px.pixels()) value /= static_cast<float>(disparity_m_px);
+  return {camera, std::move(filled_px)};
 }
 
 namespace {

@@ -47,7 +47,7 @@ class Inspector {
 
   /// A new one, with the view where the camera is now. @throws Error when nobody's name is given
   [[nodiscard]] std::int64_t begin(const InspectionOrder& order);
-  /// Of all inspections, newest first.
+  /// Summaries of all inspections, newest first.
   [[nodiscard]] std::vector<InspectionSummary> summaries() const { return records_.summaries(); }
   [[nodiscard]] bool has(std::int64_t id) const { return records_.find(id).has_value(); }
   /// @throws Error when there is none of this id

@@ -96,8 +96,9 @@ class InfraredTest(program.ProgramTest):
                                                'infrared': {'scale': 256, 'frames': FRAMES}}))
         result, _ = self.compare(self.before, self.after)
         self.assertGreaterEqual(len(result['detections']), 3)
-        description.write_text(description.read_text().replace('256', '0'))
-        self.check_fails('info', self.after[-1], names=['scale'])
+        for bad in ({'scale': 0}, {'scale': 256, 'frames': 1e300}, {'scale': 256, 'frames': 0}):
+            description.write_text(json.dumps({**json.loads(description.read_text()), 'infrared': bad}))
+            self.check_fails('info', self.after[-1], names=[list(bad)[-1]])
 
 
 if __name__ == '__main__':

@@ -29,7 +29,7 @@ double off_px(const Transform& pose, const Transform& truth) {
   return std::sqrt(squares / points);
 }
 
-// As servos have it: each pose up to half a step off what is stated.
+// Turns each pose but the first by up to half a servo step, which the servos do not notice.
 void misstate(std::vector<InfraredView>& views, std::uint64_t seed) {
   Random random(seed);
   constexpr double half_a_step = 0.16 * rad_per_deg;
