@@ -40,6 +40,7 @@ struct EvaluateArguments {
   bool octree = false;
   std::string how = "elsewhere";
   std::vector<int> captures{MovedStudyOptions{}.captures};
+  std::vector<double> allowed{MovedStudyOptions{}.allowed};
   std::string cameras = "d435";
   std::vector<std::string> bay;
   bool overwrite = false;
@@ -105,14 +106,15 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.inspections = arguments.study.inspections;
   options.first_seed = arguments.study.first_seed;
   options.captures = arguments.captures;
+  options.allowed = arguments.allowed;
   options.how = returns.at(arguments.how);
   options.octree = arguments.octree;
   options.sensor = cameras_of(arguments.cameras);
   options.bay = bay_features(arguments.bay);
-  const std::string begun_with =
-      fmt::format("return {}, cameras {}, first seed {}, captures {}{}{}", arguments.how, arguments.cameras,
-                  options.first_seed, fmt::join(options.captures, ","), options.octree ? ", octree" : "",
-                  arguments.bay.empty() ? "" : ", bay " + name_of_bay(arguments));
+  const std::string begun_with = fmt::format(
+      "return {}, cameras {}, first seed {}, captures {}, allowed {}{}{}", arguments.how, arguments.cameras,
+      options.first_seed, fmt::join(options.captures, ","), fmt::join(options.allowed, ","),
+      options.octree ? ", octree" : "", arguments.bay.empty() ? "" : ", bay " + name_of_bay(arguments));
   Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
@@ -165,6 +167,12 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
   command.add_option("--captures", arguments->captures, "--moved: dithered captures a side, ascending")
       ->delimiter(',')
       ->type_name("M,M...")
+      ->capture_default_str()
+      ->needs(moved);
+  command
+      .add_option("--allowed", arguments->allowed, "--moved: false findings allowed an inspection, ascending")
+      ->delimiter(',')
+      ->type_name("X,X...")
       ->capture_default_str()
       ->needs(moved);
   command

@@ -28,7 +28,6 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-constexpr std::array allowed_settings{0.05, 0.5};
 constexpr std::array cells_m{0.02, 0.05, 0.1, 0.2};  // the thesis has 5 cm
 constexpr double join_px = 9.0;                      // of the thesis' findings: as in the static study
 
@@ -165,10 +164,10 @@ MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t se
       work_pixels(camera_at(before, sensor, sides.changed.rested.front()),
                   camera_at(wing.after, sensor, sides.changed.rested.front()));
   for (const int captures : options.captures) {
-    for (const double allowed : allowed_settings) {
+    for (const double allowed : options.allowed) {
       const SidesDetection clean = compare(sides.before, sides.unchanged, captures, allowed);
       const SidesDetection littered = compare(sides.before, sides.changed, captures, allowed);
-      if (allowed == allowed_settings.front()) {
+      if (allowed == options.allowed.front()) {
         note_error(clean.registration, initial_from_unchanged.inverse(), captures, inspection);
         note_error(littered.registration, initial_from_final.inverse(), captures, inspection);
       }

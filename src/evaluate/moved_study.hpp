@@ -8,6 +8,7 @@
 
 #include "core/options.hpp"
 #include "core/progress.hpp"
+#include "detect/calibrated/calibrated.hpp"
 #include "evaluate/moved_targets.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
@@ -18,9 +19,10 @@ struct MovedStudyOptions {
   CameraReturn how = CameraReturn::elsewhere;
   int inspections = 20;
   std::uint64_t first_seed = 1;
-  std::vector<int> captures{1, 4, 8};  ///< a side, dithered; ascending
-  int frames = 10;                     ///< of each capture
-  bool octree = false;                 ///< the thesis' pipeline too, on one frame a side: a minute each time
+  std::vector<int> captures{1, 4, 8};                               ///< a side, dithered; ascending
+  std::vector<double> allowed{CalibratedOptions{}.false_findings};  ///< false findings; ascending
+  int frames = 10;                                                  ///< of each capture
+  bool octree = false;  ///< the thesis' pipeline too, on one frame a side: a minute each time
   BayFeatures bay;
   /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
@@ -59,10 +61,13 @@ struct MovedInspection {
   std::vector<MovedResult> results;
 };
 
-/// Runs one inspection after the other: dithered captures before, others after it in which nothing changed,
-/// and others with debris (random_moved_wing()), taken and compared as `rva serve` does it.
-/// @param earlier those of a study that was interrupted, which is gone on with
-/// @param keep    called after each
+/// Runs inspections, as many at a time as the processor has cores: dithered captures before, others after it
+/// in which nothing changed, and others with debris (random_moved_wing()), taken and compared as `rva serve`
+/// does it. An inspection's result depends on its seed alone.
+/// @param earlier  those of a study that was interrupted, which is gone on with
+/// @param progress called from one thread at a time
+/// @param keep     gets the inspections that are done without a gap, in the order of their seeds, whenever
+///                 there are more of them; called from one thread at a time
 /// @throws UsageError for options out of range; Interrupted
 [[nodiscard]] std::vector<MovedInspection> run_moved_study(
     const MovedStudyOptions& options, std::vector<MovedInspection> earlier, const Progress& progress,

@@ -53,8 +53,8 @@ class EvaluateTest(program.ProgramTest):
         self.assertEqual(json.loads((self.out / 'evaluation.json').read_text()), whole)
 
     def test_a_robot_that_was_put_back_elsewhere(self):
-        done = self.succeed('evaluate', '--moved', '--captures', '1,2', '--inspections', 1, '--first-seed', 7, '--out',
-                            self.out)
+        done = self.succeed('evaluate', '--moved', '--captures', '1,2', '--allowed', '0.05,0.5', '--inspections', 1,
+                            '--first-seed', 7, '--out', self.out)
         report = json.loads((self.out / 'evaluation.json').read_text())
         self.assertEqual((report['format'], report['version']), ('rva-evaluation-moved', 2))
         (inspection,) = report['inspections']
@@ -83,28 +83,29 @@ class EvaluateTest(program.ProgramTest):
 
     def test_the_robots_own_path_goes_on_where_it_was_ended(self):
         path = ['evaluate', '--moved', '--return', 'rest', '--captures', 1, '--first-seed', 7, '--out', self.out]
-        self.succeed(*path, '--inspections', 1)
-        first = json.loads((self.out / 'evaluation.json').read_text())['inspections']
+        self.succeed(*path, '--inspections', 2)
+        at_a_time = json.loads((self.out / 'evaluation.json').read_text())
+        self.succeed(*path, '--inspections', 1, '--overwrite')
         done = self.succeed(*path, '--inspections', 2, '--resume')
         report = json.loads((self.out / 'evaluation.json').read_text())
-        self.assertEqual(report['inspections'][:1], first)
+        self.assertEqual(report, at_a_time)
         self.assertEqual([entry['seed'] for entry in report['inspections']], [7, 8])
         for inspection in report['inspections']:
             self.assertEqual([(entry['method'], entry['setting']) for entry in inspection['results']],
-                             [('auto', 0.05), ('auto', 0.5)])
+                             [('auto', 0.05)])
             self.assertTrue(0.0 < inspection['turn_deg'] < 0.5, 'each side rests somewhere else')
         self.assertIn('big, light', done.stdout)
-        done = self.rva(*path[:-4], '--first-seed', 8, '--out', self.out, '--inspections', 2, '--resume')
-        self.assertEqual(done.returncode, 2)
-        self.check_line(done.stderr, ['--resume'])
+        for other in (['--first-seed', 8], ['--first-seed', 7, '--allowed', '0.5']):
+            done = self.rva(*path[:-4], *other, '--out', self.out, '--inspections', 2, '--resume')
+            self.assertEqual(done.returncode, 2)
+            self.check_line(done.stderr, ['--resume'])
 
     def test_harder_bays_and_other_cameras(self):
         done = self.succeed('evaluate', '--moved', '--return', 'rest', '--captures', 1, '--first-seed', 7, '--out', self.out,
                             '--inspections', 1, '--bay', 'all', '--cameras', 'random:3')
         moved = json.loads((self.out / 'evaluation.json').read_text())
         self.assertIn('bay all', moved['arguments'])
-        self.assertEqual({entry['setting'] for entry in moved['tallies']}, {0.05, 0.5})
-        self.assertGreaterEqual(moved['tallies'][1]['work_findings'], 0)
+        self.assertGreaterEqual(moved['tallies'][0]['work_findings'], 0)
         static = ['evaluate', '--out', self.out, '--inspections', 1, '--frames', 2, '--first-seed', 7, '--bay',
                   'dirt,cables', '--cameras', 'correlation-9']
         done = self.succeed(*static, '--overwrite')

@@ -109,6 +109,14 @@ TEST(MovedReport, IsReadBackToGoOnWith) {
   EXPECT_THROW((void)moved_inspections_from_json("{}", "here", "return near"), Error);
 }
 
+TEST(MovedStudy, RefusesFalseFindingsThatCannotBeAllowed) {
+  for (const std::vector<double>& allowed : {std::vector<double>{}, {0.5, 0.05}, {0.0}, {-1.0}}) {
+    MovedStudyOptions options;
+    options.allowed = allowed;
+    EXPECT_THROW((void)run_moved_study(options, {}, {}, {}), UsageError);
+  }
+}
+
 TEST(MovedStudy, RefusesCapturesThatDoNotGrow) {
   for (const std::vector<int>& captures : {std::vector<int>{}, {0}, {4, 4}, {8, 1}, {17}}) {
     MovedStudyOptions options;
