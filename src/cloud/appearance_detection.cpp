@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/interrupt.hpp"
+#include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/calibrated/false_alarm_tail.hpp"
@@ -37,11 +38,14 @@ std::size_t with_infrared(const Captures& side) {
 
 std::vector<InfraredView> views_of(const Captures& side, const std::vector<Transform>& first_from_view,
                                    const Transform& first_from_reference) {
-  std::vector<InfraredView> views;
-  for (std::size_t k = 0; k < side.size(); ++k) {
-    throw_if_interrupted();
-    views.emplace_back(side[k]->infrared_mean().value(), first_from_view[k].inverse() * first_from_reference);
-  }
+  std::vector<InfraredView> views(side.size());
+  parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
+      throw_if_interrupted();
+      views[k] =
+          InfraredView(side[k]->infrared_mean().value(), first_from_view[k].inverse() * first_from_reference);
+    }
+  });
   return views;
 }
 

@@ -13,13 +13,14 @@ namespace rva {
 
 /// A capture's left infrared image, and where it was taken.
 struct InfraredView {
+  InfraredView() = default;
   /// @param grey mean of the capture's frames, levels of 8 bits
   /// @param pose view_from_reference, as far as it is known
   InfraredView(const Image<float>& grey, const Transform& pose);
 
   Image<float> log_image;  ///< as of log_grey()
   Mask dots;               ///< as of dot_mask()
-  Transform view_from_reference;
+  Transform view_from_reference = Transform::Identity();
 };
 
 /// All images are in the reference's view.

@@ -15,9 +15,9 @@ namespace {
 constexpr double smoothing_px = 0.8;
 constexpr int wide_px = 61;
 constexpr int border_px = 3;
-constexpr float tukey_log = 0.4F;
-constexpr int most_rounds = 12;
-constexpr double settled_deg = 0.002;
+constexpr float tukey_log = 0.2F;
+constexpr int most_rounds = 8;
+constexpr double settled_rad = 0.002 * std::numbers::pi / 180.0;
 
 /// The mean of the set pixels around each; `missing` where hardly any is.
 cv::Mat masked_mean(const cv::Mat& values, const cv::Mat& weights, const auto& blur, const cv::Mat& missing) {
@@ -40,31 +40,58 @@ cv::Mat as_weights(const cv::Mat& mask) {
   return weights;
 }
 
+/// A view's image without its dots, smooth, made once for all steps.
+struct SmoothView {
+  SmoothView() = default;
+  explicit SmoothView(const InfraredView& view) : clear(view.dots.width(), view.dots.height()) {
+    const cv::Mat between_dots = as_mat(view.dots) == 0;
+    const cv::Mat mean =
+        masked_mean(as_mat(view.log_image), as_weights(between_dots), narrow, as_mat(view.log_image));
+    cv::Mat target = as_mat(clear);
+    cv::erode(between_dots, target, cv::Mat::ones(3, 3, CV_8U));  // beside a dot, the mean leans to one side
+    image = Image<float>(clear.width(), clear.height());
+    cv::Mat image_target = as_mat(image);
+    mean.copyTo(image_target);
+  }
+  // The four pixels around lie within the image, and none is under a dot.
+  [[nodiscard]] bool shows(const Eigen::Vector2f& at) const {
+    if (!(at.x() >= 0.0F && at.y() >= 0.0F)) return false;
+    const int u = static_cast<int>(at.x());
+    const int v = static_cast<int>(at.y());
+    return u + 1 < clear.width() && v + 1 < clear.height() && clear(u, v) != 0 && clear(u + 1, v) != 0 &&
+           clear(u, v + 1) != 0 && clear(u + 1, v + 1) != 0;
+  }
+
+  Mask clear;
+  Image<float> image;
+};
+
+std::vector<SmoothView> smooth_views(const std::vector<InfraredView>& views) {
+  std::vector<SmoothView> smooth(views.size());
+  parallel_bands(static_cast<int>(views.size()), [&](int first, int end) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k)
+      smooth[k] = SmoothView(views[k]);
+  });
+  return smooth;
+}
+
 /// What views are laid upon.
 class Target {
  public:
   Target(const DotFreeImage& image, const ReferenceSurface& surface)
-      : surface_(surface),
-        filled_(without_gaps(image)),
-        weights_(as_weights(as_mat(image.samples) > 0)),
-        smooth_(masked_mean(as_mat(filled_), weights_, narrow, as_mat(filled_))) {
+      : surface_(surface), weights_(as_weights(as_mat(image.samples) > 0)) {
     constexpr double per_px = 1.0 / 8.0;  // of Sobel's sums
+    const Image<float> filled = without_gaps(image);
+    smooth_ = masked_mean(as_mat(filled), weights_, narrow, as_mat(filled));
     cv::Sobel(smooth_, along_u_, CV_32F, 1, 0, 3, per_px);
     cv::Sobel(smooth_, along_v_, CV_32F, 0, 1, 3, per_px);
     choose_pixels();
   }
 
-  /// The view's pose after one step.
-  [[nodiscard]] Transform step(const InfraredView& view) const {
-    const Warp warp(surface_, view.view_from_reference);
-    const Mask clear = warp.clear_of(view.dots);
-    const cv::Mat clear_weights = as_weights(as_mat(clear));
-    const cv::Mat weights = clear_weights.mul(weights_);
-    const Image<float> image = warp.image(view.log_image);
-    const cv::Mat smooth = masked_mean(as_mat(image), clear_weights, narrow, smooth_);
-    const cv::Mat difference = smooth - smooth_;
-    const cv::Mat level = masked_mean(difference, weights, wide, cv::Mat::zeros(difference.size(), CV_32F));
-    return turned(view.view_from_reference, -turn_between(difference - level, weights));
+  /// The view's pose after one step. A second step upon the same image would be held back by the view's own
+  /// noise, of which the image has a share.
+  [[nodiscard]] Transform step(const SmoothView& view, const Transform& view_from_reference) const {
+    return turned(view_from_reference, -turn_between(view, view_from_reference));
   }
 
  private:
@@ -105,12 +132,23 @@ class Target {
     return {-x * y * gu - (1.0 + y * y) * gv, (1.0 + x * x) * gu + x * y * gv, x * gv - y * gu};
   }
 
-  [[nodiscard]] Eigen::Vector3d turn_between(const cv::Mat& residual, const cv::Mat& weights) const {
+  [[nodiscard]] Eigen::Vector3d turn_between(const SmoothView& view,
+                                             const Transform& view_from_reference) const {
+    const ViewOfSurface seen(surface_, view_from_reference);
+    cv::Mat difference = cv::Mat::zeros(smooth_.size(), CV_32F);
+    cv::Mat compared = cv::Mat::zeros(smooth_.size(), CV_32F);
+    for (const cv::Point& pixel : pixels_) {
+      const Eigen::Vector2f at = seen.seen_at(pixel.x, pixel.y);
+      if (!view.shows(at)) continue;
+      difference.at<float>(pixel) = cubic_at(view.image, at) - smooth_.at<float>(pixel);
+      compared.at<float>(pixel) = 1.0F;
+    }
+    const cv::Mat level = masked_mean(difference, compared, wide, cv::Mat::zeros(difference.size(), CV_32F));
     Eigen::Matrix3d normal = prior * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (const cv::Point& pixel : pixels_) {
-      const float r = residual.at<float>(pixel);
-      if (weights.at<float>(pixel) < 0.5F || std::abs(r) >= tukey_log) continue;
+      const float r = difference.at<float>(pixel) - level.at<float>(pixel);
+      if (compared.at<float>(pixel) == 0.0F || std::abs(r) >= tukey_log) continue;
       const auto share = static_cast<double>(r / tukey_log);
       const double weight = (1.0 - share * share) * (1.0 - share * share);
       const Eigen::Vector3d j = slope(pixel);
@@ -123,7 +161,6 @@ class Target {
   }
 
   const ReferenceSurface& surface_;
-  Image<float> filled_;
   cv::Mat weights_;
   cv::Mat smooth_;
   cv::Mat along_u_;
@@ -136,32 +173,33 @@ class Target {
   static constexpr double prior = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
 };
 
-std::vector<Transform> stepped(const Target& target, const std::vector<InfraredView>& views) {
+std::vector<Transform> stepped(const Target& target, const std::vector<SmoothView>& smooth,
+                               const std::vector<InfraredView>& views) {
   std::vector<Transform> poses(views.size());
   parallel_bands(static_cast<int>(views.size()), [&](int first, int end) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k)
-      poses[k] = target.step(views[k]);
+      poses[k] = target.step(smooth[k], views[k].view_from_reference);
   });
   return poses;
 }
 
 // @return true when no view turned any more
 bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views) {
-  double most_deg = 0.0;
+  double most_rad = 0.0;
   for (std::size_t k = 0; k < views.size(); ++k) {
     const Transform motion = poses[k] * views[k].view_from_reference.inverse();
-    most_deg = std::max(most_deg, Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi);
+    most_rad = std::max(most_rad, Eigen::AngleAxisd(motion.linear()).angle());
     views[k].view_from_reference = poses[k];
   }
-  return most_deg < settled_deg;
+  return most_rad < settled_rad;
 }
 
 }  // namespace
 
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views) {
+  const std::vector<SmoothView> smooth = smooth_views(views);
   for (int round = 0; round < most_rounds; ++round) {
-    const DotFreeImage image = fuse(surface, views);
-    std::vector<Transform> poses = stepped(Target(image, surface), views);
+    std::vector<Transform> poses = stepped(Target(fuse(surface, views), surface), smooth, views);
     const Transform reference_from_first = poses.front().inverse();
     for (Transform& pose : poses) pose = pose * reference_from_first;
     if (take(poses, views)) return;
@@ -169,9 +207,10 @@ void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& view
 }
 
 void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views) {
+  const std::vector<SmoothView> smooth = smooth_views(views);
   const Target target(image, surface);
   for (int round = 0; round < most_rounds; ++round) {
-    if (take(stepped(target, views), views)) return;
+    if (take(stepped(target, smooth, views), views)) return;
   }
 }
 

@@ -33,30 +33,49 @@ std::array<float, 4> cubic_weights(float t) {
 
 }  // namespace
 
+ViewOfSurface::ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference)
+    : surface_(surface),
+      fx_(static_cast<float>(surface.camera.fx)),
+      fy_(static_cast<float>(surface.camera.fy)),
+      cx_(static_cast<float>(surface.camera.cx)),
+      cy_(static_cast<float>(surface.camera.cy)),
+      shift_(view_from_reference.translation().cast<float>()) {
+  const Eigen::Matrix3f turn = view_from_reference.linear().cast<float>();
+  ray_along_u_ = turn.col(0) / fx_;
+  ray_along_v_ = turn.col(1) / fy_;
+  ray_of_corner_ = turn.col(2) - cx_ * ray_along_u_ - cy_ * ray_along_v_;
+}
+
+float cubic_at(const Image<float>& image, const Eigen::Vector2f& at) {
+  const int last_u = image.width() - 1;
+  const int last_v = image.height() - 1;
+  const int left = static_cast<int>(at.x());
+  const int top = static_cast<int>(at.y());
+  const std::array<float, 4> across = cubic_weights(at.x() - static_cast<float>(left));
+  const std::array<float, 4> down = cubic_weights(at.y() - static_cast<float>(top));
+  // Beyond the border, the last pixel counts.
+  const std::array<int, 4> columns{std::max(left - 1, 0), left, std::min(left + 1, last_u),
+                                   std::min(left + 2, last_u)};
+  float sum = 0.0F;
+  for (std::size_t k = 0; k < down.size(); ++k) {
+    const int row = std::clamp(top - 1 + static_cast<int>(k), 0, last_v);
+    const float* const pixels = &image(0, row);
+    sum += down[k] * (across[0] * pixels[columns[0]] + across[1] * pixels[columns[1]] +
+                      across[2] * pixels[columns[2]] + across[3] * pixels[columns[3]]);
+  }
+  return sum;
+}
+
 Warp::Warp(const ReferenceSurface& surface, const Transform& view_from_reference)
     : u_(surface.inverse_depth_per_m.height(), surface.inverse_depth_per_m.width(), CV_32F),
       v_(u_.rows, u_.cols, CV_32F) {
-  const Intrinsics& camera = surface.camera;
-  const Eigen::Matrix3f turn = view_from_reference.linear().cast<float>();
-  const Eigen::Vector3f shift = view_from_reference.translation().cast<float>();
-  const auto fx = static_cast<float>(camera.fx);
-  const auto fy = static_cast<float>(camera.fy);
-  const auto cx = static_cast<float>(camera.cx);
-  const auto cy = static_cast<float>(camera.cy);
+  const ViewOfSurface view(surface, view_from_reference);
   parallel_bands(u_.rows, [&](int first, int end) {
     for (int v = first; v < end; ++v) {
-      const Eigen::Vector3f row = turn * Eigen::Vector3f(-cx / fx, (static_cast<float>(v) - cy) / fy, 1.0F);
-      const Eigen::Vector3f step = turn.col(0) / fx;
-      float* const to_u = u_.ptr<float>(v);
-      float* const to_v = v_.ptr<float>(v);
-      const float* const inverse = &surface.inverse_depth_per_m(0, v);
       for (int u = 0; u < u_.cols; ++u) {
-        const auto at = static_cast<float>(u);
-        const float x = row.x() + at * step.x() + inverse[u] * shift.x();
-        const float y = row.y() + at * step.y() + inverse[u] * shift.y();
-        const float z = row.z() + at * step.z() + inverse[u] * shift.z();
-        to_u[u] = fx * x / z + cx;
-        to_v[u] = fy * y / z + cy;
+        const Eigen::Vector2f at = view.seen_at(u, v);
+        u_.at<float>(v, u) = at.x();
+        v_.at<float>(v, u) = at.y();
       }
     }
   });
@@ -64,32 +83,13 @@ Warp::Warp(const ReferenceSurface& surface, const Transform& view_from_reference
 
 Image<float> Warp::image(const Image<float>& of_view) const {
   Image<float> result(u_.cols, u_.rows);
-  const int last_u = of_view.width() - 1;
-  const int last_v = of_view.height() - 1;
-  for (int v = 0; v < u_.rows; ++v) {
-    const float* const to_u = u_.ptr<float>(v);
-    const float* const to_v = v_.ptr<float>(v);
-    for (int u = 0; u < u_.cols; ++u) {
-      const bool within = to_u[u] >= 0.0F && to_v[u] >= 0.0F && to_u[u] <= static_cast<float>(last_u) &&
-                          to_v[u] <= static_cast<float>(last_v);
-      if (!within) continue;
-      const int left = static_cast<int>(to_u[u]);
-      const int top = static_cast<int>(to_v[u]);
-      const std::array<float, 4> across = cubic_weights(to_u[u] - static_cast<float>(left));
-      const std::array<float, 4> down = cubic_weights(to_v[u] - static_cast<float>(top));
-      // Beyond the border, the last pixel counts.
-      const std::array<int, 4> columns{std::max(left - 1, 0), left, std::min(left + 1, last_u),
-                                       std::min(left + 2, last_u)};
-      float sum = 0.0F;
-      for (std::size_t k = 0; k < down.size(); ++k) {
-        const int row = std::clamp(top - 1 + static_cast<int>(k), 0, last_v);
-        const float* const pixels = &of_view(0, row);
-        sum += down[k] * (across[0] * pixels[columns[0]] + across[1] * pixels[columns[1]] +
-                          across[2] * pixels[columns[2]] + across[3] * pixels[columns[3]]);
+  parallel_bands(u_.rows, [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      for (int u = 0; u < u_.cols; ++u) {
+        if (inside(u, v, 0.0F)) result(u, v) = cubic_at(of_view, {u_.at<float>(v, u), v_.at<float>(v, u)});
       }
-      result(u, v) = sum;
     }
-  }
+  });
   return result;
 }
 

@@ -23,6 +23,35 @@ struct ReferenceSurface {
 [[nodiscard]] ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>& disparity_px,
                                                  double disparity_m_px);
 
+/// Where single pixels of the reference are seen in another view.
+class ViewOfSurface {
+ public:
+  ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference);
+
+  /// In pixels of the view, which may lie outside its image.
+  [[nodiscard]] Eigen::Vector2f seen_at(int u, int v) const {
+    const float inverse = surface_.inverse_depth_per_m(u, v);
+    const Eigen::Vector3f ray = ray_of_corner_ + static_cast<float>(u) * ray_along_u_ +
+                                static_cast<float>(v) * ray_along_v_ + inverse * shift_;
+    return {fx_ * ray.x() / ray.z() + cx_, fy_ * ray.y() / ray.z() + cy_};
+  }
+
+ private:
+  const ReferenceSurface& surface_;
+  float fx_;
+  float fy_;
+  float cx_;
+  float cy_;
+  Eigen::Vector3f ray_along_u_;
+  Eigen::Vector3f ray_along_v_;
+  Eigen::Vector3f ray_of_corner_;
+  Eigen::Vector3f shift_;
+};
+
+/// The image between its pixels, by Catmull and Rom's cubic.
+/// @param at within [0, width - 1] x [0, height - 1]
+[[nodiscard]] float cubic_at(const Image<float>& image, const Eigen::Vector2f& at);
+
 /// Where each pixel of the reference is seen in another view.
 class Warp {
  public:

@@ -1,6 +1,7 @@
 // A textured wall in the light of a projector that turns with the camera.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -45,6 +46,27 @@ inline Eigen::Vector2d from_dot(int u, int v) {
   return {std::fmod(u + 3.0 * row, 13.0) - 6.0, std::fmod(v, 11.0) - 5.0};
 }
 
+/// The mean over the area of a pixel, as a sensor has it.
+inline double mean_reflected(const Eigen::Matrix3d& reference_from_view, int u, int v,
+                             const std::vector<Spot>& spots) {
+  constexpr std::array within_px{-1.0 / 3.0, 0.0, 1.0 / 3.0};
+  double sum = 0.0;
+  for (const double dv : within_px) {
+    for (const double du : within_px) {
+      const Eigen::Vector3d ray = reference_from_view * wall_camera.deproject({u + du, v + dv}, 1.0);
+      const double x_m = wall_m * ray.x() / ray.z();
+      const double y_m = wall_m * ray.y() / ray.z();
+      double reflected = albedo(x_m, y_m);
+      for (const Spot& spot : spots) {
+        if (std::abs(x_m - spot.x_m) < spot.side_m / 2 && std::abs(y_m - spot.y_m) < spot.side_m / 2)
+          reflected *= spot.brightness;
+      }
+      sum += reflected;
+    }
+  }
+  return sum / static_cast<double>(within_px.size() * within_px.size());
+}
+
 /// What the camera sees when turned by this rotation vector against the reference.
 inline Image<float> wall_seen(const Eigen::Vector3d& turn_rad, std::uint64_t seed,
                               const WallLight& light = {}, const std::vector<Spot>& spots = {}) {
@@ -55,14 +77,7 @@ inline Image<float> wall_seen(const Eigen::Vector3d& turn_rad, std::uint64_t see
   Image<float> grey(wall_camera.width, wall_camera.height);
   for (int v = 0; v < grey.height(); ++v) {
     for (int u = 0; u < grey.width(); ++u) {
-      const Eigen::Vector3d ray = view_from_reference.transpose() * wall_camera.deproject({u, v}, 1.0);
-      const double x_m = wall_m * ray.x() / ray.z();
-      const double y_m = wall_m * ray.y() / ray.z();
-      double reflected = albedo(x_m, y_m);
-      for (const Spot& spot : spots) {
-        if (std::abs(x_m - spot.x_m) < spot.side_m / 2 && std::abs(y_m - spot.y_m) < spot.side_m / 2)
-          reflected *= spot.brightness;
-      }
+      const double reflected = mean_reflected(view_from_reference.transpose(), u, v, spots);
       const double dot = light.dots * std::exp(-std::pow(from_dot(u, v).norm(), 2) / 2.0);
       grey(u, v) = static_cast<float>(light.brightness * reflected * (light.background + dot) *
                                       (1.0 + light.noise * random.normal()));
