@@ -27,9 +27,9 @@ constexpr float least_contrast = 0.015F;
 constexpr int least_pixels = 3;
 // Blobs of one thing: a collar, and its shadow in what the dots light up.
 constexpr double join_px = 9.0;
-// How fast peaks beyond three deviations get rarer, per deviation, in simulated inspections without change,
-// with cameras drawn by chance (docs/infrared.md).
-constexpr double usual_slope = 2.0;
+// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras drawn
+// by chance (docs/infrared.md). It varies little from one to the next.
+constexpr UsualSlope usual{.slope = 2.0, .peaks = 40.0};
 
 std::size_t with_infrared(const Captures& side) {
   return static_cast<std::size_t>(
@@ -104,8 +104,8 @@ FalseAlarmTail tail_of(const AppearanceChange& change) {
     if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
   }
   // Things that hardly show have peaks beyond, which are not noise.
-  constexpr double end = 5.0;
-  return fit_tail(peaks, usual_slope, end);
+  constexpr double end = 4.0;
+  return fit_tail(peaks, usual, end);
 }
 
 Mask significant(const AppearanceChange& change, const FalseAlarmTail& tail, double false_findings,

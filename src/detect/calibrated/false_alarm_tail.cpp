@@ -6,17 +6,16 @@
 namespace rva {
 namespace {
 
-constexpr double usual_peaks = 10.0;
-
 // The most probable slope of an exponential distribution that is cut off at `length`, by the likelihood of
 // `count` excesses of such a sum and of as many usual ones as are believed in.
-double most_probable_slope(double count, double sum, double usual_slope, double length) {
+double most_probable_slope(double count, double sum, const UsualSlope& usual, double length) {
+  const double usual_sum = usual.peaks / usual.slope;
   const auto rises_at = [&](double slope) {
     const double cut_off = count > 0.0 ? count * length / std::expm1(slope * length) : 0.0;
-    return (count + usual_peaks) / slope > sum + usual_peaks / usual_slope + cut_off;
+    return (count + usual.peaks) / slope > sum + usual_sum + cut_off;
   };
   double low = 0.0;
-  double high = (count + usual_peaks) / (sum + usual_peaks / usual_slope);
+  double high = (count + usual.peaks) / (sum + usual_sum);
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i) {
     const double slope = 0.5 * (low + high);
@@ -41,7 +40,7 @@ double FalseAlarmTail::height_of(double expected) const {
   return onset + std::expm1(fallen / peaks_) * peaks_ / slope_;
 }
 
-FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope, double end) {
+FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual, double end) {
   const double length = end - FalseAlarmTail::onset;
   double count = 0.0;
   double sum = 0.0;
@@ -51,9 +50,9 @@ FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope, dou
     count += 1.0;
     sum += excess;
   }
-  const double slope = most_probable_slope(count, sum, usual_slope, length);
+  const double slope = most_probable_slope(count, sum, usual, length);
   const double beyond_too = count / -std::expm1(-slope * length);
-  return {std::max(beyond_too, 1.0) / 2.0, slope, count + usual_peaks};
+  return {std::max(beyond_too, 1.0) / 2.0, slope, count + usual.peaks};
 }
 
 }  // namespace rva

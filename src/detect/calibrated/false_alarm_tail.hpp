@@ -31,12 +31,17 @@ class FalseAlarmTail {
   double peaks_;
 };
 
+/// What is known of a tail's slope beforehand.
+struct UsualSlope {
+  double slope = 1.0;   ///< per deviation
+  double peaks = 10.0;  ///< it counts as much as a slope that was learnt from so many peaks
+};
+
 /// The most probable tail of an image most of which is unchanged. Only peaks between `onset` and `end` have a
 /// say: those of changes lie beyond, for the most part.
 /// @param peaks       places that no other nearby exceeds, in deviations, of both signs
-/// @param usual_slope counts as much as one that was learnt from ten peaks
 /// @param end         in deviations, above `onset`
 /// @return of one sign: half of the peaks
-[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, double usual_slope, double end = 7.0);
+[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual, double end = 7.0);
 
 }  // namespace rva

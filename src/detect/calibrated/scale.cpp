@@ -83,8 +83,8 @@ class Peaks {
 Scale look_at(PooledEvidence evidence, const Mask& unsure, const ByPlace<double>& usual_slopes,
               double false_findings) {
   const Peaks peaks(evidence, unsure);
-  const ByPlace<FalseAlarmTail> tails{fit_tail(peaks.heights().sure, usual_slopes.sure),
-                                      fit_tail(peaks.heights().unsure, usual_slopes.unsure)};
+  const ByPlace<FalseAlarmTail> tails{fit_tail(peaks.heights().sure, {usual_slopes.sure}),
+                                      fit_tail(peaks.heights().unsure, {usual_slopes.unsure})};
   return {std::move(evidence),
           tails,
           {tails.sure.height_of(false_findings), tails.unsure.height_of(false_findings)}};

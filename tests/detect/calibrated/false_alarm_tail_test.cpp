@@ -40,7 +40,7 @@ TEST(FalseAlarmTail, NumbersTooSmallForADoubleStillRank) {
 
 TEST(FalseAlarmTail, LearnsTheTailOfItsPeaks) {
   for (const double slope : {0.4, 0.8, 1.2, 2.0, 4.0}) {
-    const FalseAlarmTail tail = fit_tail(peaks_of(20000, slope, 1), 1.5);
+    const FalseAlarmTail tail = fit_tail(peaks_of(20000, slope, 1), {1.5});
     const FalseAlarmTail truth(10000.0, slope, 1e9);
     EXPECT_NEAR(tail.height_of(1.0), truth.height_of(1.0), 0.05 * truth.height_of(1.0)) << slope;
   }
@@ -51,7 +51,7 @@ TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
   constexpr int repetitions = 4000;
   int beyond = 0;
   for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
-    const float height = static_cast<float>(fit_tail(peaks_of(30, 1.5, 2 * seed), 1.5).height_of(0.1));
+    const float height = static_cast<float>(fit_tail(peaks_of(30, 1.5, 2 * seed), {1.5}).height_of(0.1));
     for (const float peak : peaks_of(30, 1.5, 2 * seed + 1)) beyond += peak > height ? 1 : 0;
   }
   EXPECT_GT(beyond, 0.1 * repetitions);
@@ -60,18 +60,27 @@ TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
 
 TEST(FalseAlarmTail, ChangesDoNotPassForNoise) {
   std::vector<float> peaks = peaks_of(200, 1.8, 2);
-  const double clean = fit_tail(peaks, 1.5).height_of(0.01);
+  const double clean = fit_tail(peaks, {1.5}).height_of(0.01);
   for (int i = 0; i < 40; ++i) peaks.push_back(10.0F + static_cast<float>(i));
-  const double with_changes = fit_tail(peaks, 1.5).height_of(0.01);
+  const double with_changes = fit_tail(peaks, {1.5}).height_of(0.01);
   EXPECT_NEAR(with_changes, clean, 0.01 * clean);
 }
 
 TEST(FalseAlarmTail, WithoutPeaksTheUsualTailHolds) {
-  const FalseAlarmTail tail = fit_tail({}, 2.0);
+  const FalseAlarmTail tail = fit_tail({}, {2.0});
   EXPECT_NEAR(tail.height_of(0.01), FalseAlarmTail(0.5, 2.0, 10.0).height_of(0.01), 1e-9);
-  const FalseAlarmTail flat = fit_tail({6.9F, 6.9F}, 2.0);
+  const FalseAlarmTail flat = fit_tail({6.9F, 6.9F}, {2.0});
   EXPECT_GT(flat.height_of(0.01), tail.height_of(0.01)) << "two peaks have a say";
   EXPECT_LT(flat.height_of(0.01), 30.0) << "but no more";
+}
+
+TEST(FalseAlarmTail, ASlopeThatIsKnownWellNeedsNoReserve) {
+  const std::vector<float> steep = peaks_of(10, 6.0, 3);
+  const double doubted = fit_tail(steep, {2.0, 10.0}).height_of(0.01);
+  const double known = fit_tail(steep, {2.0, 1e6}).height_of(0.01);
+  EXPECT_NEAR(known, FalseAlarmTail(5.0, 2.0, 1e6).height_of(0.01), 0.01) << "what was learnt does not count";
+  EXPECT_LT(fit_tail({}, {2.0, 1e6}).height_of(0.01), fit_tail({}, {2.0, 10.0}).height_of(0.01));
+  EXPECT_NE(doubted, known);
 }
 
 }  // namespace
