@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
 
-#include "core/interrupt.hpp"
-#include "core/parallel.hpp"
+#include "cloud/appearance_evidence.hpp"
 #include "core/stopwatch.hpp"
 #include "depth/mat_view.hpp"
-#include "detect/calibrated/false_alarm_tail.hpp"
 #include "detect/regions.hpp"
-#include "infrared/appearance_change.hpp"
-#include "infrared/dot_free_image.hpp"
-#include "infrared/infrared_alignment.hpp"
-#include "infrared/reference_surface.hpp"
 
 namespace rva {
 namespace {
@@ -27,85 +20,10 @@ constexpr float least_contrast = 0.015F;
 constexpr int least_pixels = 3;
 // Blobs of one thing: a collar, and its shadow in what the dots light up.
 constexpr double join_px = 9.0;
-// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras drawn
-// by chance (docs/infrared.md). It varies little from one to the next.
-constexpr UsualSlope usual{.slope = 2.0, .peaks = 40.0};
 
 std::size_t with_infrared(const Captures& side) {
   return static_cast<std::size_t>(
       std::ranges::count_if(side, [](const auto& capture) { return capture->has_infrared(); }));
-}
-
-std::vector<InfraredView> views_of(const Captures& side, const std::vector<Transform>& first_from_view,
-                                   const Transform& first_from_reference) {
-  std::vector<InfraredView> views(side.size());
-  parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
-    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
-      throw_if_interrupted();
-      views[k] =
-          InfraredView(side[k]->infrared_mean().value(), first_from_view[k].inverse() * first_from_reference);
-    }
-  });
-  return views;
-}
-
-// Servos are a third of a degree off at most: what turned more was laid upon the wrong thing.
-bool turned_far(const std::vector<InfraredView>& views, const std::vector<Transform>& stated) {
-  constexpr double far_deg = 1.0;
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    const Transform turn = views[k].view_from_reference * stated[k].inverse();
-    if (Eigen::AngleAxisd(turn.linear()).angle() * 180.0 / std::numbers::pi > far_deg) return true;
-  }
-  return false;
-}
-
-std::vector<Transform> poses_of(const std::vector<InfraredView>& views) {
-  std::vector<Transform> poses;
-  for (const InfraredView& view : views) poses.push_back(view.view_from_reference);
-  return poses;
-}
-
-// Empty where the images could not be laid over each other.
-std::optional<AppearanceChange> change_between(const Captures& initial, const Captures& final,
-                                               const PlacedCaptures& placed,
-                                               const Transform& initial_from_final) {
-  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
-                                                     placed.final_view.disparity_m_px);
-  std::vector<InfraredView> after = views_of(final, placed.first_from_final, Transform::Identity());
-  const std::vector<Transform> stated_after = poses_of(after);
-  align_side(surface, after);
-  const DotFreeImage image_after = fuse(surface, after);
-  std::vector<InfraredView> before = views_of(initial, placed.first_from_initial, initial_from_final);
-  const std::vector<Transform> stated_before = poses_of(before);
-  align_to(image_after, surface, before);
-  if (turned_far(after, stated_after) || turned_far(before, stated_before)) return std::nullopt;
-  const DotFreeImage image_before = fuse(surface, before);
-  Mask lit = lit_in_all(surface, after);
-  const Mask lit_before = lit_in_all(surface, before);
-  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] &= lit_before[i];
-  return appearance_change(image_before, image_after, lit);
-}
-
-// Peaks of what is not beside a thing that changed beyond doubt. Where dots leave few samples, there are more
-// and higher ones.
-FalseAlarmTail tail_of(const AppearanceChange& change) {
-  constexpr int apart_px = 11;
-  constexpr int beside_px = 31;
-  constexpr double beyond_doubt = 7.0;
-  const cv::Mat sizes = cv::abs(as_mat(change.deviations));
-  cv::Mat highest;
-  cv::dilate(sizes, highest, cv::Mat::ones(apart_px, apart_px, CV_8U));
-  cv::Mat beside;
-  cv::dilate(sizes > beyond_doubt, beside, cv::Mat::ones(beside_px, beside_px, CV_8U));
-  std::vector<float> peaks;
-  for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    const float size = sizes.ptr<float>()[i];
-    const bool is_peak = size > static_cast<float>(FalseAlarmTail::onset) && size >= highest.ptr<float>()[i];
-    if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
-  }
-  // Things that hardly show have peaks beyond, which are not noise.
-  constexpr double end = 4.0;
-  return fit_tail(peaks, usual, end);
 }
 
 Mask significant(const AppearanceChange& change, const FalseAlarmTail& tail, double false_findings,
@@ -156,6 +74,18 @@ Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int
   return owner;
 }
 
+// Blobs that touch a finding of depth are evidence for it and leave the mask: what stands a few pixels beside
+// it is a thing of its own.
+void give_evidence(Mask& mask, std::vector<Finding>& findings) {
+  const Image<std::uint16_t> owner = owners(findings, mask.width(), mask.height());
+  for (const Region& blob : find_regions(mask, {.min_blob_px = 0, .join_px = 0.0})) {
+    const auto touched = std::ranges::find_if(blob.pixels, [&](std::uint32_t i) { return owner[i] > 0; });
+    if (touched == blob.pixels.end()) continue;
+    findings[owner[*touched] - 1U].evidence.appearance = true;
+    for (const std::uint32_t i : blob.pixels) mask[i] = 0;
+  }
+}
+
 }  // namespace
 
 bool have_infrared(const Captures& initial, const Captures& final, std::vector<std::string>& warnings) {
@@ -172,25 +102,19 @@ void add_appearance(const Captures& initial, const Captures& final, const Placed
   const Stopwatch start;
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();
   if (placed.final_view.disparity_px.empty() || !came_back_nearly(initial_from_final)) return;
-  const std::optional<AppearanceChange> found = change_between(initial, final, placed, initial_from_final);
+  const std::optional<JudgedChange> found = change_between(initial, final, placed, initial_from_final);
   if (!found) {
     detection.warnings.emplace_back(
         "the infrared images could not be laid over each other: depth alone was compared");
     return;
   }
-  const AppearanceChange& change = *found;
-  const FalseAlarmTail tail = tail_of(change);
-  const Mask mask = significant(change, tail, false_findings, detection.left_out);
+  const auto& [change, tail] = *found;
+  Mask mask = significant(change, tail, false_findings, detection.left_out);
   std::vector<Finding>& findings = detection.findings.findings;
-  const Image<std::uint16_t> owner = owners(findings, mask.width(), mask.height());
+  give_evidence(mask, findings);
   std::vector<Finding> others;
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
-    const auto touched = std::ranges::find_if(region.pixels, [&](std::uint32_t i) { return owner[i] > 0; });
-    if (touched != region.pixels.end()) {
-      findings[owner[*touched] - 1U].evidence.appearance = true;
-      continue;
-    }
     for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
     others.push_back(
         finding_of(std::move(region), change, tail, detection.final_m, placed.final_view.camera));

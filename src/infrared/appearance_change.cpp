@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
-#include "core/quantile.hpp"
 #include "depth/mat_view.hpp"
+#include "infrared/level.hpp"
 
 namespace rva {
 namespace {
 
 constexpr int window_px = 5;
-constexpr int wide_px = 81;
-constexpr std::size_t sampling = 7;
 
 Mask judged_pixels(const DotFreeImage& a, const DotFreeImage& b, const Mask& lit) {
   Mask judged(lit.width(), lit.height());
@@ -22,53 +19,6 @@ Mask judged_pixels(const DotFreeImage& a, const DotFreeImage& b, const Mask& lit
     judged[i] = both ? lit[i] : std::uint8_t{0};
   }
   return judged;
-}
-
-cv::Mat window_mean(const cv::Mat& values, const cv::Mat& weights, int side_px) {
-  cv::Mat sum;
-  cv::Mat share;
-  cv::blur(values.mul(weights), sum, {side_px, side_px});
-  cv::blur(weights, share, {side_px, side_px});
-  return sum / (share + 1e-6);
-}
-
-cv::Mat as_weights(const Mask& mask) {
-  cv::Mat weights;
-  as_mat(mask).convertTo(weights, CV_32F, 1.0 / mask_set);
-  return weights;
-}
-
-std::vector<float> sampled(const cv::Mat& values, const Mask& judged) {
-  std::vector<float> samples;
-  for (std::size_t i = 0; i < judged.size(); i += sampling) {
-    if (judged[i] != 0) samples.push_back(values.ptr<float>()[i]);
-  }
-  return samples;
-}
-
-float median_of(const cv::Mat& values, const Mask& judged) {
-  std::vector<float> samples = sampled(values, judged);
-  return samples.empty() ? 0.0F : quantile(samples, 0.5);
-}
-
-float deviation_of(const cv::Mat& values, const Mask& judged) {
-  std::vector<float> sizes = sampled(cv::abs(values), judged);
-  return sizes.empty() ? 0.0F : robust_deviation(sizes);
-}
-
-// What the whole image and wide windows of calm pixels differ by. Windows around things that changed lean on
-// what is calm beside them.
-cv::Mat level_between(const cv::Mat& difference, const Mask& judged) {
-  constexpr float least_calm = 0.012F;
-  constexpr float calm_deviations = 3.0F;
-  const cv::Mat weights = as_weights(judged);
-  const float median = median_of(difference, judged);
-  const cv::Mat about_median = difference - static_cast<double>(median);
-  const cv::Mat local = window_mean(about_median, weights, window_px);
-  const float calm = std::max(least_calm, calm_deviations * deviation_of(local, judged));
-  cv::Mat calm_weights;
-  cv::Mat(cv::abs(local) < static_cast<double>(calm)).convertTo(calm_weights, CV_32F, 1.0 / mask_set);
-  return window_mean(about_median, weights.mul(calm_weights), wide_px) + static_cast<double>(median);
 }
 
 /// The least and the greatest value within half a pixel.
@@ -116,11 +66,11 @@ Image<float> beyond_misregistration(const cv::Mat& before, const cv::Mat& after)
 AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeImage& final, const Mask& lit) {
   constexpr float least_pixels = 13.0F;  // of the window
   const Mask judged = judged_pixels(initial, final, lit);
-  const cv::Mat weights = as_weights(judged);
+  const cv::Mat weights = as_weights(as_mat(judged));
   const Image<float> before = without_gaps(initial);
   const Image<float> after = without_gaps(final);
   const cv::Mat difference = as_mat(after) - as_mat(before);
-  const cv::Mat level = level_between(difference, judged);
+  const cv::Mat level = level_of(difference, judged);
   const cv::Mat levelled = as_mat(after) - level;
   const Image<float> excess = beyond_misregistration(as_mat(before), levelled);
 

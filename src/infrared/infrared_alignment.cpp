@@ -8,6 +8,7 @@
 #include "core/parallel.hpp"
 #include "core/quantile.hpp"
 #include "depth/mat_view.hpp"
+#include "infrared/level.hpp"
 
 namespace rva {
 namespace {
@@ -33,12 +34,6 @@ cv::Mat masked_mean(const cv::Mat& values, const cv::Mat& weights, const auto& b
 
 const auto narrow = [](const cv::Mat& from, cv::Mat& to) { cv::GaussianBlur(from, to, {}, smoothing_px); };
 const auto wide = [](const cv::Mat& from, cv::Mat& to) { cv::blur(from, to, {wide_px, wide_px}); };
-
-cv::Mat as_weights(const cv::Mat& mask) {
-  cv::Mat weights;
-  mask.convertTo(weights, CV_32F, 1.0 / mask_set);
-  return weights;
-}
 
 /// A view's image without its dots, smooth, made once for all steps.
 struct SmoothView {

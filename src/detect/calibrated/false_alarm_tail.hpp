@@ -42,6 +42,7 @@ struct UsualSlope {
 /// @param peaks       places that no other nearby exceeds, in deviations, of both signs
 /// @param end         in deviations, above `onset`
 /// @return of one sign: half of the peaks
-[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual, double end = 7.0);
+[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual,
+                                      double end = 7.0);
 
 }  // namespace rva

@@ -1,0 +1,130 @@
+#include "cloud/appearance_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
+
+#include "core/interrupt.hpp"
+#include "core/parallel.hpp"
+#include "depth/mat_view.hpp"
+#include "infrared/dot_free_image.hpp"
+#include "infrared/infrared_alignment.hpp"
+#include "infrared/paired_change.hpp"
+#include "infrared/reference_surface.hpp"
+
+namespace rva {
+namespace {
+
+/// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras
+/// drawn by chance (docs/infrared.md), and up to where an inspection's own peaks are taken for unchanged:
+/// things that hardly show have peaks beyond.
+struct UsualTail {
+  UsualSlope slope;
+  double end;
+};
+constexpr UsualTail between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
+constexpr UsualTail with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
+
+std::vector<InfraredView> views_of(const Captures& side, const std::vector<Transform>& first_from_view,
+                                   const Transform& first_from_reference) {
+  std::vector<InfraredView> views(side.size());
+  parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
+      throw_if_interrupted();
+      views[k] =
+          InfraredView(side[k]->infrared_mean().value(), first_from_view[k].inverse() * first_from_reference);
+    }
+  });
+  return views;
+}
+
+// Servos are a third of a degree off at most: what turned more was laid upon the wrong thing.
+bool turned_far(const std::vector<InfraredView>& views, const std::vector<Transform>& stated) {
+  constexpr double far_deg = 1.0;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const Transform turn = views[k].view_from_reference * stated[k].inverse();
+    if (Eigen::AngleAxisd(turn.linear()).angle() * 180.0 / std::numbers::pi > far_deg) return true;
+  }
+  return false;
+}
+
+std::vector<Transform> poses_of(const std::vector<InfraredView>& views) {
+  std::vector<Transform> poses;
+  for (const InfraredView& view : views) poses.push_back(view.view_from_reference);
+  return poses;
+}
+
+// Peaks of what is not beside a thing that changed beyond doubt. Where dots leave few samples, there are more
+// and higher ones.
+FalseAlarmTail tail_of(const AppearanceChange& change, const UsualTail& usual) {
+  constexpr int apart_px = 11;
+  constexpr int beside_px = 31;
+  constexpr double beyond_doubt = 7.0;
+  const cv::Mat sizes = cv::abs(as_mat(change.deviations));
+  cv::Mat highest;
+  cv::dilate(sizes, highest, cv::Mat::ones(apart_px, apart_px, CV_8U));
+  cv::Mat beside;
+  cv::dilate(sizes > beyond_doubt, beside, cv::Mat::ones(beside_px, beside_px, CV_8U));
+  std::vector<float> peaks;
+  for (std::size_t i = 0; i < change.judged.size(); ++i) {
+    const float size = sizes.ptr<float>()[i];
+    const bool is_peak = size > static_cast<float>(FalseAlarmTail::onset) && size >= highest.ptr<float>()[i];
+    if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
+  }
+  return fit_tail(peaks, usual.slope, usual.end);
+}
+
+// What is seen between the dots, and half of what pairs show with them: the noise of the first is known,
+// while pairs lean on texture that moved.
+AppearanceChange both(AppearanceChange change, const PairedChange& pairs) {
+  constexpr float share_of_pairs = 0.5F;
+  for (std::size_t i = 0; i < change.judged.size(); ++i) {
+    if (pairs.judged[i] == 0) continue;
+    change.judged[i] = mask_set;
+    change.deviations[i] += share_of_pairs * pairs.deviations[i];
+    if (std::abs(pairs.contrast[i]) > std::abs(change.contrast[i])) change.contrast[i] = pairs.contrast[i];
+  }
+  return change;
+}
+
+// Where the projector's field ends, dots come and go.
+Mask well_within(const Mask& lit) {
+  constexpr int margin_px = 6;
+  Mask within(lit.width(), lit.height());
+  cv::Mat target = as_mat(within);
+  cv::erode(as_mat(lit), target, cv::Mat::ones(2 * margin_px + 1, 2 * margin_px + 1, CV_8U), {-1, -1}, 1,
+            cv::BORDER_CONSTANT, 0);
+  return within;
+}
+
+}  // namespace
+
+std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
+                                           const PlacedCaptures& placed,
+                                           const Transform& initial_from_final) {
+  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
+                                                     placed.final_view.disparity_m_px);
+  std::vector<InfraredView> after = views_of(final, placed.first_from_final, Transform::Identity());
+  const std::vector<Transform> stated_after = poses_of(after);
+  align_side(surface, after);
+  const DotFreeImage image_after = fuse(surface, after);
+  std::vector<InfraredView> before = views_of(initial, placed.first_from_initial, initial_from_final);
+  const std::vector<Transform> stated_before = poses_of(before);
+  align_to(image_after, surface, before);
+  if (turned_far(after, stated_after) || turned_far(before, stated_before)) return std::nullopt;
+  const DotFreeImage image_before = fuse(surface, before);
+  Mask lit = lit_in_all(surface, after);
+  const Mask lit_before = lit_in_all(surface, before);
+  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] &= lit_before[i];
+  AppearanceChange change = appearance_change(image_before, image_after, lit);
+  const PairedChange pairs = paired_change(surface, before, after, image_before, well_within(lit));
+  const bool has_pairs = cv::countNonZero(as_mat(pairs.judged)) > 0;
+  if (has_pairs) change = both(std::move(change), pairs);
+  const FalseAlarmTail tail = tail_of(change, has_pairs ? with_pairs : between_dots);
+  return JudgedChange{std::move(change), tail};
+}
+
+}  // namespace rva

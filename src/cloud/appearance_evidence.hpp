@@ -1,0 +1,27 @@
+// What infrared images show of change, and how often so much shows by chance.
+#pragma once
+
+#include <optional>
+
+#include "cloud/spatial_detection.hpp"
+#include "detect/calibrated/false_alarm_tail.hpp"
+#include "infrared/appearance_change.hpp"
+
+namespace rva {
+
+struct JudgedChange {
+  AppearanceChange change;  ///< in the view of the first final capture
+  FalseAlarmTail tail;      ///< of its peaks, of either sign
+};
+
+/// Lays the images of both sides upon each other and compares them: without dots, and where captures of both
+/// sides are from nearly one pose, pair by pair with them.
+/// @param initial, final     captures that have infrared images
+/// @param initial_from_final as registered from depth
+/// @return empty where the images could not be laid over each other
+/// @throws Error when an image cannot be read; Interrupted
+[[nodiscard]] std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
+                                                         const PlacedCaptures& placed,
+                                                         const Transform& initial_from_final);
+
+}  // namespace rva

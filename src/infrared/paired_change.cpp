@@ -1,0 +1,158 @@
+#include "infrared/paired_change.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+#include <span>
+#include <utility>
+
+#include "core/parallel.hpp"
+#include "depth/mat_view.hpp"
+#include "infrared/level.hpp"
+#include "infrared/pair_difference.hpp"
+
+namespace rva {
+namespace {
+
+constexpr int window_px = 5;
+constexpr std::size_t least_pairs = 3;
+
+struct Pair {
+  const InfraredView* initial;
+  const InfraredView* final;
+};
+
+double turn_deg(const InfraredView& a, const InfraredView& b) {
+  const Transform motion = a.view_from_reference * b.view_from_reference.inverse();
+  return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
+}
+
+// Within half a servo step in both joints, on either side.
+std::vector<Pair> pairs_of(const std::vector<InfraredView>& initial, const std::vector<InfraredView>& final) {
+  constexpr double nearly_one_pose_deg = 0.6;
+  std::vector<Pair> pairs;
+  for (const InfraredView& view : final) {
+    const auto nearest = std::ranges::min_element(
+        initial, {}, [&](const InfraredView& candidate) { return turn_deg(candidate, view); });
+    if (nearest != initial.end() && turn_deg(*nearest, view) < nearly_one_pose_deg)
+      pairs.push_back({&*nearest, &view});
+  }
+  return pairs;
+}
+
+/// One pair's evidence around each pixel.
+struct Evidence {
+  cv::Mat deviations;  ///< of the window's sum
+  cv::Mat contrast;    ///< the window's mean
+  cv::Mat pixels;      ///< of the window that are valid
+};
+
+Evidence evidence_of(const PairDifference& difference, const PixelNoise& noise) {
+  constexpr float most_deviations = 4.0F;
+  Image<float> clipped(difference.change.width(), difference.change.height());
+  for (std::size_t i = 0; i < clipped.size(); ++i) {
+    if (difference.valid[i] != 0)
+      clipped[i] =
+          std::clamp(difference.change[i] / noise.at(difference, i), -most_deviations, most_deviations);
+  }
+  const auto window_sum = [](const cv::Mat& of) {
+    cv::Mat sum;
+    cv::boxFilter(of, sum, CV_32F, {window_px, window_px}, {-1, -1}, false);
+    return sum;
+  };
+  Evidence evidence{window_sum(as_mat(clipped)), window_sum(as_mat(difference.change)),
+                    window_sum(as_weights(as_mat(difference.valid)))};
+  const cv::Mat some = cv::max(evidence.pixels, 1.0);
+  cv::Mat root;
+  cv::sqrt(some, root);
+  evidence.deviations /= root;
+  evidence.contrast /= some;
+  return evidence;
+}
+
+float median_of(std::span<float> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5F * (values[middle - 1] + values[middle]);
+}
+
+/// What pairs show at one pixel.
+struct Votes {
+  std::vector<float> deviations;
+  std::vector<float> contrasts;
+
+  void collect(const std::vector<Evidence>& pairs, int u, int v) {
+    constexpr float least_pixels = 10.0F;  // of the window
+    deviations.clear();
+    contrasts.clear();
+    for (const Evidence& pair : pairs) {
+      if (pair.pixels.at<float>(v, u) < least_pixels) continue;
+      deviations.push_back(pair.deviations.at<float>(v, u));
+      contrasts.push_back(pair.contrast.at<float>(v, u));
+    }
+  }
+};
+
+PairedChange median_over(const std::vector<Evidence>& pairs, const Mask& lit) {
+  PairedChange change{Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
+                      Mask(lit.width(), lit.height())};
+  const std::size_t least = std::max(least_pairs, pairs.size() / 2);
+  const float independent = std::sqrt(static_cast<float>(pairs.size()));
+  const auto judge_row = [&](int v, Votes& votes) {
+    for (int u = 0; u < lit.width(); ++u) {
+      if (lit(u, v) == 0) continue;
+      votes.collect(pairs, u, v);
+      if (votes.deviations.size() < least) continue;
+      change.judged(u, v) = mask_set;
+      change.deviations(u, v) = median_of(votes.deviations) * independent;
+      change.contrast(u, v) = median_of(votes.contrasts);
+    }
+  };
+  parallel_bands(lit.height(), [&](int first, int end) {
+    Votes votes;
+    for (int v = first; v < end; ++v) judge_row(v, votes);
+  });
+  return change;
+}
+
+// Neighbours share noise, and medians spread less than what they are of: how much, the unchanged bulk shows.
+void divide_by_bulk(PairedChange& change) {
+  const float deviation = deviation_of(as_mat(change.deviations), change.judged);
+  if (deviation <= 0.0F) return;
+  for (float& value : change.deviations.pixels()) value /= deviation;
+}
+
+template <typename Result>
+std::vector<Result> each(std::size_t count, const auto& work) {
+  std::vector<Result> results(count);
+  parallel_bands(static_cast<int>(count), [&](int first, int end) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k)
+      results[k] = work(k);
+  });
+  return results;
+}
+
+}  // namespace
+
+PairedChange paired_change(const ReferenceSurface& surface, const std::vector<InfraredView>& initial,
+                           const std::vector<InfraredView>& final, const DotFreeImage& texture,
+                           const Mask& lit) {
+  const std::vector<Pair> pairs = pairs_of(initial, final);
+  if (pairs.size() < least_pairs)
+    return {Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
+            Mask(lit.width(), lit.height())};
+  const Image<float> filled = without_gaps(texture);
+  const auto differences = each<PairDifference>(pairs.size(), [&](std::size_t k) {
+    return pair_difference(*pairs[k].initial, *pairs[k].final, surface, filled);
+  });
+  const PixelNoise noise(differences);
+  const auto evidence =
+      each<Evidence>(pairs.size(), [&](std::size_t k) { return evidence_of(differences[k], noise); });
+  PairedChange change = median_over(evidence, lit);
+  divide_by_bulk(change);
+  return change;
+}
+
+}  // namespace rva
