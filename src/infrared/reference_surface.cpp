@@ -53,15 +53,21 @@ float cubic_at(const Image<float>& image, const Eigen::Vector2f& at) {
   const int top = static_cast<int>(at.y());
   const std::array<float, 4> across = cubic_weights(at.x() - static_cast<float>(left));
   const std::array<float, 4> down = cubic_weights(at.y() - static_cast<float>(top));
-  // Beyond the border, the last pixel counts.
-  const std::array<int, 4> columns{std::max(left - 1, 0), left, std::min(left + 1, last_u),
-                                   std::min(left + 2, last_u)};
+  const auto row_sum = [&](float a, float b, float c, float d) {
+    return across[0] * a + across[1] * b + across[2] * c + across[3] * d;
+  };
   float sum = 0.0F;
+  if (left >= 1 && top >= 1 && left + 2 <= last_u && top + 2 <= last_v) {
+    const float* pixels = &image(left - 1, top - 1);
+    for (std::size_t k = 0; k < down.size(); ++k, pixels += image.width())
+      sum += down[k] * row_sum(pixels[0], pixels[1], pixels[2], pixels[3]);
+    return sum;
+  }
+  // Beyond the border, the last pixel counts.
   for (std::size_t k = 0; k < down.size(); ++k) {
-    const int row = std::clamp(top - 1 + static_cast<int>(k), 0, last_v);
-    const float* const pixels = &image(0, row);
-    sum += down[k] * (across[0] * pixels[columns[0]] + across[1] * pixels[columns[1]] +
-                      across[2] * pixels[columns[2]] + across[3] * pixels[columns[3]]);
+    const float* const pixels = &image(0, std::clamp(top - 1 + static_cast<int>(k), 0, last_v));
+    sum += down[k] * row_sum(pixels[std::max(left - 1, 0)], pixels[left], pixels[std::min(left + 1, last_u)],
+                             pixels[std::min(left + 2, last_u)]);
   }
   return sum;
 }
