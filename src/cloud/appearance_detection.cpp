@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
 
 #include "cloud/appearance_evidence.hpp"
+#include "cloud/joint_evidence.hpp"
 #include "core/stopwatch.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/regions.hpp"
@@ -61,68 +61,6 @@ Finding finding_of(Region region, const AppearanceChange& change, const FalseAla
   finding.score = -std::log10(both_signs) - tail.log10_expected_above(static_cast<double>(strongest));
   finding.p_value = -std::expm1(-std::pow(10.0, -*finding.score));
   return finding;
-}
-
-/// Pixels of findings of depth, and those beside them, by the position of the finding in its list plus one.
-Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int height) {
-  constexpr int beside_px = 4;
-  Image<std::uint16_t> owner(width, height);
-  for (std::size_t k = 0; k < findings.size(); ++k) {
-    for (const std::uint32_t i : findings[k].pixels) owner[i] = static_cast<std::uint16_t>(k + 1);
-  }
-  cv::Mat pixels = as_mat(owner);
-  cv::dilate(pixels, pixels, cv::Mat::ones(2 * beside_px + 1, 2 * beside_px + 1, CV_8U));
-  return owner;
-}
-
-// Blobs that touch a finding of depth are evidence for it and leave the mask: what stands a few pixels beside
-// it is a thing of its own.
-void give_evidence(Mask& mask, std::vector<Finding>& findings) {
-  const Image<std::uint16_t> owner = owners(findings, mask.width(), mask.height());
-  for (const Region& blob : find_regions(mask, {.min_blob_px = 0, .join_px = 0.0})) {
-    const auto touched = std::ranges::find_if(blob.pixels, [&](std::uint32_t i) { return owner[i] > 0; });
-    if (touched == blob.pixels.end()) continue;
-    findings[owner[*touched] - 1U].evidence.appearance = true;
-    for (const std::uint32_t i : blob.pixels) mask[i] = 0;
-  }
-}
-
-// Infrared images respond to nearly all that changed in depth: of 64 findings of debris in development, to
-// all but one with eight captures (docs/infrared.md). Where they were compared and show nothing, a finding of
-// depth is believed if it is so many times rarer by chance.
-constexpr double unsupported_factor = 50.0;
-
-bool is_unsupported(const Finding& finding, const AppearanceChange& change, double false_findings) {
-  if (finding.evidence.appearance || !finding.score) return false;
-  const auto judged =
-      std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return change.judged[i] != 0; });
-  return 2 * static_cast<std::size_t>(judged) > finding.pixels.size() &&
-         *finding.score < std::log10(unsupported_factor / false_findings);
-}
-
-// Numbers the findings anew, and mends what they say of each other.
-void number(std::vector<Finding>& findings) {
-  std::map<int, int> now_from_before;
-  for (Finding& finding : findings) {
-    const int now = static_cast<int>(now_from_before.size()) + 1;
-    now_from_before.emplace(finding.id, now);
-    finding.id = now;
-  }
-  for (Finding& finding : findings) {
-    if (!finding.moved_from) continue;
-    const auto found = now_from_before.find(*finding.moved_from);
-    finding.moved_from = found == now_from_before.end() ? std::nullopt : std::optional(found->second);
-  }
-}
-
-void drop_unsupported(const AppearanceChange& change, double false_findings, Detection& detection) {
-  std::vector<Finding>& findings = detection.findings.findings;
-  std::erase_if(findings, [&](const Finding& finding) {
-    if (!is_unsupported(finding, change, false_findings)) return false;
-    for (const std::uint32_t i : finding.pixels) detection.changed[i] = 0;
-    return true;
-  });
-  number(findings);
 }
 
 }  // namespace
