@@ -86,8 +86,10 @@ PixelNoise::PixelNoise(const std::vector<PairDifference>& differences) {
     }
   }
   constexpr float unknown = 1.0F;  // more than any that was learnt
+  constexpr float least = 1e-3F;   // of images that are equal to the last bit
   for (std::size_t kind = 0; kind < kinds; ++kind)
-    deviation_[kind] = sizes[kind].size() < least_samples ? unknown : robust_deviation(sizes[kind]);
+    deviation_[kind] =
+        sizes[kind].size() < least_samples ? unknown : std::max(robust_deviation(sizes[kind]), least);
 }
 
 std::size_t PixelNoise::kind_of(const PairDifference& difference, std::size_t i) {

@@ -29,7 +29,8 @@ double turn_deg(const InfraredView& a, const InfraredView& b) {
   return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
 }
 
-// Within half a servo step in both joints, on either side.
+// Servos rest within half a step of where they should, on either side and in both joints: 0.46 degrees
+// together.
 std::vector<Pair> pairs_of(const std::vector<InfraredView>& initial, const std::vector<InfraredView>& final) {
   constexpr double nearly_one_pose_deg = 0.6;
   std::vector<Pair> pairs;
@@ -43,13 +44,13 @@ std::vector<Pair> pairs_of(const std::vector<InfraredView>& initial, const std::
 }
 
 /// One pair's evidence around each pixel.
-struct Evidence {
+struct PairEvidence {
   cv::Mat deviations;  ///< of the window's sum
   cv::Mat contrast;    ///< the window's mean
   cv::Mat pixels;      ///< of the window that are valid
 };
 
-Evidence evidence_of(const PairDifference& difference, const PixelNoise& noise) {
+PairEvidence evidence_of(const PairDifference& difference, const PixelNoise& noise) {
   constexpr float most_deviations = 4.0F;
   Image<float> clipped(difference.change.width(), difference.change.height());
   for (std::size_t i = 0; i < clipped.size(); ++i) {
@@ -62,8 +63,8 @@ Evidence evidence_of(const PairDifference& difference, const PixelNoise& noise) 
     cv::boxFilter(of, sum, CV_32F, {window_px, window_px}, {-1, -1}, false);
     return sum;
   };
-  Evidence evidence{window_sum(as_mat(clipped)), window_sum(as_mat(difference.change)),
-                    window_sum(as_weights(as_mat(difference.valid)))};
+  PairEvidence evidence{window_sum(as_mat(clipped)), window_sum(as_mat(difference.change)),
+                        window_sum(as_weights(as_mat(difference.valid)))};
   const cv::Mat some = cv::max(evidence.pixels, 1.0);
   cv::Mat root;
   cv::sqrt(some, root);
@@ -78,16 +79,16 @@ float median_of(std::span<float> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5F * (values[middle - 1] + values[middle]);
 }
 
-/// What pairs show at one pixel.
-struct Votes {
+/// The values of all pairs at one pixel.
+struct PixelValues {
   std::vector<float> deviations;
   std::vector<float> contrasts;
 
-  void collect(const std::vector<Evidence>& pairs, int u, int v) {
+  void collect(const std::vector<PairEvidence>& pairs, int u, int v) {
     constexpr float least_pixels = 10.0F;  // of the window
     deviations.clear();
     contrasts.clear();
-    for (const Evidence& pair : pairs) {
+    for (const PairEvidence& pair : pairs) {
       if (pair.pixels.at<float>(v, u) < least_pixels) continue;
       deviations.push_back(pair.deviations.at<float>(v, u));
       contrasts.push_back(pair.contrast.at<float>(v, u));
@@ -95,24 +96,24 @@ struct Votes {
   }
 };
 
-PairedChange median_over(const std::vector<Evidence>& pairs, const Mask& lit) {
+PairedChange median_over(const std::vector<PairEvidence>& pairs, const Mask& lit) {
   PairedChange change{Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
                       Mask(lit.width(), lit.height())};
   const std::size_t least = std::max(least_pairs, pairs.size() / 2);
   const float independent = std::sqrt(static_cast<float>(pairs.size()));
-  const auto judge_row = [&](int v, Votes& votes) {
+  const auto judge_row = [&](int v, PixelValues& values) {
     for (int u = 0; u < lit.width(); ++u) {
       if (lit(u, v) == 0) continue;
-      votes.collect(pairs, u, v);
-      if (votes.deviations.size() < least) continue;
+      values.collect(pairs, u, v);
+      if (values.deviations.size() < least) continue;
       change.judged(u, v) = mask_set;
-      change.deviations(u, v) = median_of(votes.deviations) * independent;
-      change.contrast(u, v) = median_of(votes.contrasts);
+      change.deviations(u, v) = median_of(values.deviations) * independent;
+      change.contrast(u, v) = median_of(values.contrasts);
     }
   };
   parallel_bands(lit.height(), [&](int first, int end) {
-    Votes votes;
-    for (int v = first; v < end; ++v) judge_row(v, votes);
+    PixelValues values;
+    for (int v = first; v < end; ++v) judge_row(v, values);
   });
   return change;
 }
@@ -149,7 +150,7 @@ PairedChange paired_change(const ReferenceSurface& surface, const std::vector<In
   });
   const PixelNoise noise(differences);
   const auto evidence =
-      each<Evidence>(pairs.size(), [&](std::size_t k) { return evidence_of(differences[k], noise); });
+      each<PairEvidence>(pairs.size(), [&](std::size_t k) { return evidence_of(differences[k], noise); });
   PairedChange change = median_over(evidence, lit);
   divide_by_bulk(change);
   return change;

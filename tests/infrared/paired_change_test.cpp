@@ -90,6 +90,13 @@ TEST(PairedChange, IsJudgedByPairsFromNearlyOnePoseOnly) {
   EXPECT_EQ(judged(between(views_at(dithers(4, 5), 63), {})), 0);
 }
 
+TEST(PairedChange, TheSameImagesDifferNowhere) {
+  const std::vector<InfraredView> views = views_at(dithers(4, 5), 81);
+  const PairedChange change = between(views, views);
+  EXPECT_TRUE(std::ranges::all_of(change.deviations.pixels(), [](float value) { return value == 0.0F; }));
+  EXPECT_GT(judged(change), 50000);
+}
+
 TEST(PairedChange, SaturatedPixelsAreNotJudged) {
   const WallLight glaring{.background = 400.0};
   EXPECT_EQ(judged(between(views_at(dithers(4, 5), 71, glaring), views_at(dithers(4, 5), 72, glaring))), 0);
