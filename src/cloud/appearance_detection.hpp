@@ -16,8 +16,8 @@ inline constexpr double share_of_depth = 0.5;
 
 /// Compares the sides' infrared images without the projector's dots (infrared/appearance_change.hpp), where
 /// the camera came back nearly to where it was. Findings of depth get the evidence of what looks different
-/// there; those without are dropped where the images were compared and depth alone is not sure enough. What
-/// looks different elsewhere becomes findings of kind `appearance`, after all others.
+/// there; those without are dropped where the images were compared and depth alone is not certain enough.
+/// What looks different elsewhere becomes findings of kind `appearance`, after all others.
 /// @param initial, final  as of have_infrared()
 /// @param false_findings  allowed for appearance alone
 /// @throws Error when an image cannot be read; Interrupted

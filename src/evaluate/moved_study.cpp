@@ -15,7 +15,7 @@
 namespace rva {
 namespace {
 
-// Of memory, an inspection takes half a gigabyte.
+// Each inspection keeps its images in memory, so a machine with many cores does not run one on each.
 constexpr unsigned most_at_a_time = 8;
 
 void check(const MovedStudyOptions& options) {

@@ -15,15 +15,9 @@ using test::Spot;
 using test::views_at;
 using test::WallLight;
 
-Mask everywhere() {
-  Mask lit(320, 240);
-  for (int v = 20; v < 220; ++v) std::fill_n(&lit(20, v), 280, mask_set);
-  return lit;
-}
-
 AppearanceChange between(const std::vector<InfraredView>& before, const std::vector<InfraredView>& after) {
   const ReferenceSurface surface = test::wall_surface();
-  return appearance_change(fuse(surface, before), fuse(surface, after), everywhere());
+  return appearance_change(fuse(surface, before), fuse(surface, after), test::well_inside());
 }
 
 float greatest(const AppearanceChange& change) {

@@ -1,6 +1,7 @@
 // A textured wall in the light of a projector that turns with the camera.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -44,6 +45,14 @@ inline double albedo(double x_m, double y_m) {
 inline Eigen::Vector2d from_dot(int u, int v) {
   const int row = v / 11;
   return {std::fmod(u + 3.0 * row, 13.0) - 6.0, std::fmod(v, 11.0) - 5.0};
+}
+
+/// All pixels but those within 20 of the border.
+inline Mask well_inside() {
+  Mask mask(wall_camera.width, wall_camera.height);
+  for (int v = 20; v < wall_camera.height - 20; ++v)
+    std::fill_n(&mask(20, v), wall_camera.width - 40, mask_set);
+  return mask;
 }
 
 /// The mean over the area of a pixel, as a sensor has it.

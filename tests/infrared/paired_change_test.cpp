@@ -16,12 +16,6 @@ using test::Spot;
 using test::views_at;
 using test::WallLight;
 
-Mask everywhere() {
-  Mask lit(320, 240);
-  for (int v = 20; v < 220; ++v) std::fill_n(&lit(20, v), 280, mask_set);
-  return lit;
-}
-
 // A robot that returns to each pose but for half a servo step on either side.
 std::vector<Eigen::Vector3d> returned(std::vector<Eigen::Vector3d> turns, std::uint64_t seed) {
   constexpr double most_rad = 0.16 * std::numbers::pi / 180.0;
@@ -33,7 +27,7 @@ std::vector<Eigen::Vector3d> returned(std::vector<Eigen::Vector3d> turns, std::u
 
 PairedChange between(const std::vector<InfraredView>& before, const std::vector<InfraredView>& after) {
   const ReferenceSurface surface = test::wall_surface();
-  return paired_change(surface, before, after, fuse(surface, before), everywhere());
+  return paired_change(surface, before, after, fuse(surface, before), test::well_inside());
 }
 
 std::ptrdiff_t judged(const PairedChange& change) {
