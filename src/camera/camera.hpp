@@ -1,7 +1,9 @@
 // What every camera does, whether it is a device, a simulation or a recording.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include "depth/capture.hpp"
@@ -15,7 +17,7 @@ struct CameraFrame {
   std::optional<ColorImage> color;  ///< of the size that info().color states; empty where there is none
   std::uint64_t number = 0;         ///< counts up by one; a gap is frames that were lost
   double time_s = 0.0;              ///< when the depth was exposed, by the camera's clock: for differences
-  std::optional<GrayImage> infrared{};  ///< of the left imager; empty where there is none
+  std::map<Imager, FineGrayImage> infrared{};  ///< of the imagers that the camera gives images of
   FrameMetadata metadata{};  ///< what the device says besides; of a replayed frame, what it said then
 };
 
@@ -40,6 +42,14 @@ class Camera {
   ///                     as before, and asking again is allowed
   /// @throws Interrupted when a person stopped the program meanwhile
   [[nodiscard]] virtual std::optional<CameraFrame> wait_for_frame() = 0;
+
+  /// Whether it has a lamp beside its imagers, or, of a recording, images under one.
+  [[nodiscard]] virtual bool has_lamp() const { return false; }
+
+  /// What lights the next frames; the projector does at first. Frames under the lamp are for their infrared
+  /// images: their depth means nothing.
+  /// @param light the lamp only where has_lamp()
+  virtual void set_light([[maybe_unused]] Light light) { assert(light == Light::projector); }
 
   /// Forgets frames that wait: the next one is exposed after this call. A camera that makes its frames when
   /// they are asked for has none waiting.

@@ -21,11 +21,12 @@ std::unique_ptr<Capture> load_to_memory(const Capture& capture, std::size_t most
   const std::size_t frames = capture.depth_frames();
   for (std::size_t i = 0; i < frames && (i == 0 || bytes < most_bytes); ++i) {
     throw_if_interrupted();
-    loaded.push_back({capture.depth(i), capture.color_of(i), capture.infrared_of(i), capture.metadata_of(i)});
+    loaded.push_back(
+        {capture.depth(i), capture.color_of(i), infrared_of(capture, i), capture.metadata_of(i)});
     const MemoryFrame& frame = loaded.back();
     bytes += frame.depth.size() * sizeof(std::uint16_t);
     if (frame.color) bytes += frame.color->size() * sizeof(Rgb);
-    if (frame.infrared) bytes += frame.infrared->size();
+    for (const auto& [imager, image] : frame.infrared) bytes += image.size() * sizeof(std::uint16_t);
     if (progress) progress("loading", i + 1, frames);
   }
   return std::make_unique<MemoryCapture>(capture.info(), std::move(loaded));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,7 +16,7 @@ namespace rva {
 struct MemoryFrame {
   DepthImage depth;
   std::optional<ColorImage> color{};
-  std::optional<GrayImage> infrared{};
+  std::map<Imager, FineGrayImage> infrared{};
   FrameMetadata metadata{};
 };
 
@@ -32,8 +33,12 @@ class MemoryCapture : public Capture {
   [[nodiscard]] std::optional<ColorImage> color_of(std::size_t i) const override {
     return frames_.at(i).color;
   }
-  [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t i) const override {
-    return frames_.at(i).infrared;
+  [[nodiscard]] std::optional<FineGrayImage> infrared_of(std::size_t i, Imager imager) const override {
+    const auto found = frames_.at(i).infrared.find(imager);
+    return found == frames_.at(i).infrared.end() ? std::nullopt : std::optional(found->second);
+  }
+  [[nodiscard]] bool has_infrared(Imager imager, Light light) const override {
+    return light == Light::projector && frames_.front().infrared.contains(imager);
   }
   [[nodiscard]] FrameMetadata metadata_of(std::size_t i) const override { return frames_.at(i).metadata; }
 

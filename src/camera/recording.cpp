@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "camera/infrared_burst.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 
@@ -25,7 +26,6 @@ CameraFrame next_frame(Camera& camera, std::size_t done, std::size_t frames) {
 void write(const CaptureWriter& writer, std::size_t number, const CameraFrame& frame) {
   writer.write_depth(number, frame.depth);
   if (frame.color) writer.write_color(number, *frame.color);
-  if (frame.infrared) writer.write_infrared(number, *frame.infrared);
 }
 
 FrameMetadata metadata_of(const CameraFrame& frame) {
@@ -35,10 +35,12 @@ FrameMetadata metadata_of(const CameraFrame& frame) {
   return metadata;
 }
 
-}  // namespace
-
-Recorded record(Camera& camera, std::size_t frames, const CaptureWriter& writer, const Progress& progress) {
+void require_frames(std::size_t frames) {
   if (frames == 0) throw UsageError("--frames", "0 is out of range", "give 1 or more");
+}
+
+Recorded record_frames(Camera& camera, std::size_t frames, const CaptureWriter& writer, InfraredSum& infrared,
+                       const Progress& progress) {
   const std::size_t in_flight = 2UL * std::max(1U, std::thread::hardware_concurrency());
   // Its destructor waits for all, so that none outlives the writer when something throws.
   std::deque<std::future<void>> queue;
@@ -52,6 +54,7 @@ Recorded record(Camera& camera, std::size_t frames, const CaptureWriter& writer,
     CameraFrame frame = next_frame(camera, number, frames);
     if (number > 0) recorded.lost += frame.number - next_number;
     next_number = frame.number + 1;
+    infrared.add(frame);
     writer.write_metadata(number, metadata_of(frame));
     queue.push_back(std::async(
         std::launch::async, [&writer, number, frame = std::move(frame)] { write(writer, number, frame); }));
@@ -60,6 +63,47 @@ Recorded record(Camera& camera, std::size_t frames, const CaptureWriter& writer,
   }
   for (std::future<void>& written : queue) written.get();
   return recorded;
+}
+
+/// Turns the projector on again at its end.
+class UnderLamp {
+ public:
+  explicit UnderLamp(Camera& camera) : camera_(camera) { camera_.set_light(Light::lamp); }
+  ~UnderLamp() { camera_.set_light(Light::projector); }
+  UnderLamp(const UnderLamp&) = delete;
+  UnderLamp& operator=(const UnderLamp&) = delete;
+
+ private:
+  Camera& camera_;
+};
+
+}  // namespace
+
+Recorded record(Camera& camera, std::size_t frames, CaptureWriter& writer, const Progress& progress) {
+  require_frames(frames);
+  InfraredSum infrared;
+  Recorded recorded;
+  try {
+    recorded = record_frames(camera, frames, writer, infrared, progress);
+  } catch (...) {
+    infrared.write(Light::projector, writer);
+    throw;
+  }
+  infrared.write(Light::projector, writer);
+  return recorded;
+}
+
+void record_lamp(Camera& camera, std::size_t frames, CaptureWriter& writer, const Progress& progress) {
+  require_frames(frames);
+  const UnderLamp light(camera);
+  InfraredSum infrared;
+  for (std::size_t number = 0; number < frames; ++number) {
+    infrared.add(next_frame(camera, number, frames));
+    if (progress) progress("recording under the lamp", number + 1, frames);
+  }
+  if (infrared.empty())
+    throw Error("camera", "gives no infrared images, which the lamp is for", "record without the lamp");
+  infrared.write(Light::lamp, writer);
 }
 
 }  // namespace rva

@@ -28,7 +28,8 @@ struct ReplayOptions {
 
 /// Gives the frames of a capture in their order, none left out: one that is asked for late comes at once, and
 /// later ones at the rate from there. Each has what the capture has with it: colour, infrared, metadata.
-/// Numbers and times go on when the recording starts again; times are number / rate.
+/// A frame under the lamp is the mean of what the capture has under it, as often as it is asked for. Numbers
+/// and times go on when the recording starts again; times are number / rate.
 class ReplayCamera : public Camera {
  public:
   /// @param capture as open_capture() gives it
@@ -38,14 +39,18 @@ class ReplayCamera : public Camera {
 
   [[nodiscard]] CaptureInfo info() const override { return capture_->info(); }
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
+  [[nodiscard]] bool has_lamp() const override { return capture_->has_infrared(Imager::left, Light::lamp); }
+  void set_light(Light light) override { light_ = light; }
 
  private:
   [[nodiscard]] double next_due_s() const;
+  [[nodiscard]] CameraFrame under_lamp() const;
 
   std::unique_ptr<Capture> capture_;
   ReplayOptions options_;
   Clock clock_;
   std::uint64_t next_ = 0;
+  Light light_ = Light::projector;
   double due_s_ = -std::numeric_limits<double>::infinity();  // of the next frame; the first comes at once
 };
 

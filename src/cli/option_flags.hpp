@@ -44,12 +44,13 @@ inline CLI::Validator any_seed() {
 }
 
 /// A flag for each field of the struct, with its default, unit and sentence from the struct's description.
+/// What is on or off may go without its number: it is on then.
 template <typename Options>
 void add_flags(CLI::App& command, Options& options) {
   Options::describe(options, [&](auto& value, const OptionField& field) {
-    command.add_option(fmt::format("--{}", field.name), value, std::string(field.help))
-        ->type_name(field.unit.empty() ? "NUMBER" : std::string(field.unit))
-        ->capture_default_str();
+    CLI::Option& flag = *command.add_option(fmt::format("--{}", field.name), value, std::string(field.help));
+    flag.type_name(field.unit.empty() ? "NUMBER" : std::string(field.unit))->capture_default_str();
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) flag.expected(0, 1);
   });
 }
 

@@ -33,11 +33,12 @@ struct RecordArguments {
   int dither = 1;
   CaptureFlags recording;
   RealSenseOptions realsense;
+  bool lamp = false;
   bool overwrite = false;
 };
 
 // What a device saw until something failed cannot be seen again: it is kept.
-Recorded record_once(Camera& camera, std::size_t frames, const CaptureWriter& writer, OutputFolder& out) {
+Recorded record_once(Camera& camera, std::size_t frames, CaptureWriter& writer, OutputFolder& out) {
   std::size_t done = 0;
   const Progress shown = terminal_progress();
   const Progress counted = [&](std::string_view step, std::size_t now, std::size_t total) {
@@ -59,6 +60,11 @@ Recorded record_once(Camera& camera, std::size_t frames, const CaptureWriter& wr
   }
 }
 
+void require_lamp(const Camera& camera, const RecordArguments& arguments) {
+  if (arguments.lamp && !camera.has_lamp())
+    throw UsageError("--lamp", printable(arguments.camera) + " has no lamp", "leave it out");
+}
+
 void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   if (command.count("--seed") > 0 && !arguments.camera.starts_with("sim:"))
     throw UsageError("--seed", "has no say in " + printable(arguments.camera),
@@ -74,12 +80,13 @@ void record_capture(const CLI::App& command, const RecordArguments& arguments) {
       open_camera(arguments.camera, arguments.seed, recording, arguments.realsense);
   const CaptureInfo info = camera->info();
   // What a replayed capture says beyond the format stays with it.
-  const CaptureWriter writer(
-      out.path(""), info,
-      info.format == "rva-capture" && !info.source_json.empty() ? info.source_json : "{}");
+  require_lamp(*camera, arguments);
+  CaptureWriter writer(out.path(""), info,
+                       info.format == "rva-capture" && !info.source_json.empty() ? info.source_json : "{}");
   const Recorded recorded = is_device(arguments.camera)
                                 ? record_once(*camera, arguments.frames, writer, out)
                                 : record(*camera, arguments.frames, writer, terminal_progress());
+  if (arguments.lamp) record_lamp(*camera, arguments.frames, writer, terminal_progress());
   out.commit();
   print("{}\n", arguments.out);
   if (recorded.lost > 0) print("{} frame(s) were lost between those recorded\n", recorded.lost);
@@ -113,8 +120,9 @@ void record_dithered(const RecordArguments& arguments) {
     const std::filesystem::path folder = out.path(dither_name(number++));
     std::error_code ignored;  // the writer says what is wrong
     std::filesystem::create_directory(folder, ignored);
-    const CaptureWriter writer(folder, camera.info());
+    CaptureWriter writer(folder, camera.info());
     record(camera, arguments.frames, writer, terminal_progress());
+    if (arguments.lamp) record_lamp(camera, arguments.frames, writer, terminal_progress());
   }
   out.commit();
   print("{}\n", arguments.out);
@@ -140,6 +148,8 @@ void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
                   "captures, a few servo steps apart, in folders dither-00, dither-01, ... of DIR")
       ->check(number_within(1, most_dithers))
       ->capture_default_str();
+  command.add_flag("--lamp", arguments->lamp,
+                   "also infrared images of as many frames with the projector off and the lamp on");
   arguments->recording.add_to(command);
   add_flags(command, arguments->realsense);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier capture in DIR");

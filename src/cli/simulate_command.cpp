@@ -38,6 +38,7 @@ struct SimulateArguments {
   double tilt_deg = 0.0;
   bool all_colors = false;
   bool infrared = false;
+  bool lamp = false;
   std::string camera_model = "d435";
   StereoSensorOptions sensor;
   bool overwrite = false;
@@ -106,10 +107,13 @@ void simulate(const CLI::App& command, SimulateArguments arguments) {
   const SceneOverrides overrides = overrides_from(command, arguments);
   SimulatedCamera camera(load_scene(arguments.scene, overrides), arguments.sensor, arguments.seed,
                          arguments.all_colors ? ColorFrames::all : ColorFrames::first);
-  const CaptureWriter writer(out.path(""), camera.info(), origin_json(arguments, overrides, camera.scene()));
+  if (arguments.lamp && !camera.has_lamp())
+    throw UsageError("--lamp", "there is none with --lamp-light 0", "leave one of them out");
+  CaptureWriter writer(out.path(""), camera.info(), origin_json(arguments, overrides, camera.scene()));
   write_truth(camera, out);
   record(camera, arguments.frames, writer, terminal_progress());
   if (arguments.infrared) write_infrared(camera, out);
+  if (arguments.lamp) record_lamp(camera, arguments.frames, writer, terminal_progress());
   out.commit();
   print("{}\n", arguments.out);
 }
@@ -155,6 +159,8 @@ void add_simulate_command(CLI::App& program, Outcome& /*outcome*/) {
                    "a colour image with every frame, not the first only");
   command.add_flag("--infrared", arguments->infrared,
                    "also write what both infrared imagers saw in the last frame, 10 bits");
+  command.add_flag("--lamp", arguments->lamp,
+                   "also infrared images of as many frames with the projector off and the lamp on");
   add_flags(command, arguments->sensor);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier capture in DIR");
   command.callback([arguments, &command] { simulate(command, *arguments); });

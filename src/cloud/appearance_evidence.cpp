@@ -1,9 +1,13 @@
 #include "cloud/appearance_evidence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +16,7 @@
 #include "depth/mat_view.hpp"
 #include "infrared/dot_free_image.hpp"
 #include "infrared/infrared_alignment.hpp"
+#include "infrared/lamp_check.hpp"
 #include "infrared/paired_change.hpp"
 #include "infrared/reference_surface.hpp"
 
@@ -26,16 +31,18 @@ struct UsualTail {
   double end;
 };
 constexpr UsualTail between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
+constexpr UsualTail lamp_lit{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
 constexpr UsualTail with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
 
-std::vector<InfraredView> views_of(const Captures& side, const std::vector<Transform>& first_from_view,
+std::vector<InfraredView> views_of(const Captures& side, Light light,
+                                   const std::vector<Transform>& first_from_view,
                                    const Transform& first_from_reference) {
   std::vector<InfraredView> views(side.size());
   parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
       throw_if_interrupted();
-      views[k] =
-          InfraredView(side[k]->infrared_mean().value(), first_from_view[k].inverse() * first_from_reference);
+      views[k] = InfraredView(side[k]->infrared_mean(Imager::left, light).value(),
+                              first_from_view[k].inverse() * first_from_reference, light);
     }
   });
   return views;
@@ -100,31 +107,72 @@ Mask well_within(const Mask& lit) {
   return within;
 }
 
-}  // namespace
+Mask both_set(Mask a, const Mask& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
+  return a;
+}
 
-std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
-                                           const PlacedCaptures& placed,
-                                           const Transform& initial_from_final) {
-  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
-                                                     placed.final_view.disparity_m_px);
-  std::vector<InfraredView> after = views_of(final, placed.first_from_final, Transform::Identity());
-  const std::vector<Transform> stated_after = poses_of(after);
-  align_side(surface, after);
-  const DotFreeImage image_after = fuse(surface, after);
-  std::vector<InfraredView> before = views_of(initial, placed.first_from_initial, initial_from_final);
-  const std::vector<Transform> stated_before = poses_of(before);
-  align_to(image_after, surface, before);
-  if (turned_far(after, stated_after) || turned_far(before, stated_before)) return std::nullopt;
-  const DotFreeImage image_before = fuse(surface, before);
-  Mask lit = lit_in_all(surface, after);
-  const Mask lit_before = lit_in_all(surface, before);
-  for (std::size_t i = 0; i < lit.size(); ++i) lit[i] &= lit_before[i];
+JudgedChange under_projector(const ReferenceSurface& surface, const std::vector<InfraredView>& before,
+                             const std::vector<InfraredView>& after, const DotFreeImage& image_before,
+                             const DotFreeImage& image_after) {
+  const Mask lit = both_set(lit_in_all(surface, after), lit_in_all(surface, before));
   AppearanceChange change = appearance_change(image_before, image_after, lit);
   const PairedChange pairs = paired_change(surface, before, after, image_before, well_within(lit));
   const bool has_pairs = cv::countNonZero(as_mat(pairs.judged)) > 0;
   if (has_pairs) change = both(std::move(change), pairs);
   const FalseAlarmTail tail = tail_of(change, has_pairs ? with_pairs : between_dots);
-  return JudgedChange{std::move(change), tail};
+  return {std::move(change), tail};
+}
+
+JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<InfraredView>& before,
+                        const std::vector<InfraredView>& after, const DotFreeImage& image_before,
+                        const DotFreeImage& image_after) {
+  const Mask seen = both_set(seen_in_all(surface, after), seen_in_all(surface, before));
+  AppearanceChange change = appearance_change(image_before, image_after, seen);
+  const FalseAlarmTail tail = tail_of(change, lamp_lit);
+  return {std::move(change), tail};
+}
+
+bool has_lamp_problem(const std::vector<InfraredView>& views, std::string_view side,
+                      std::vector<std::string>& warnings) {
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const std::string problem = problem_under_lamp(views[k]);
+    if (problem.empty()) continue;
+    warnings.push_back(
+        fmt::format("the image under the lamp of {} capture {} was not compared, nor any other: {}", side,
+                    k + 1, problem));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
+                                           const PlacedCaptures& placed, const Transform& initial_from_final,
+                                           Light light, std::vector<std::string>& warnings) {
+  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
+                                                     placed.final_view.disparity_m_px);
+  std::vector<InfraredView> after = views_of(final, light, placed.first_from_final, Transform::Identity());
+  std::vector<InfraredView> before = views_of(initial, light, placed.first_from_initial, initial_from_final);
+  if (light == Light::lamp &&
+      (has_lamp_problem(before, "initial", warnings) || has_lamp_problem(after, "final", warnings)))
+    return std::nullopt;
+  const std::vector<Transform> stated_after = poses_of(after);
+  const std::vector<Transform> stated_before = poses_of(before);
+  align_side(surface, after);
+  const DotFreeImage image_after = fuse(surface, after);
+  align_to(image_after, surface, before);
+  if (turned_far(after, stated_after) || turned_far(before, stated_before)) {
+    warnings.emplace_back(
+        light == Light::projector
+            ? "the infrared images could not be laid over each other: depth alone was compared"
+            : "the images under the lamp could not be laid over each other: they were not compared");
+    return std::nullopt;
+  }
+  const DotFreeImage image_before = fuse(surface, before);
+  return light == Light::projector ? under_projector(surface, before, after, image_before, image_after)
+                                   : under_lamp(surface, before, after, image_before, image_after);
 }
 
 }  // namespace rva

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cloud/spatial_detection.hpp"
 #include "detect/calibrated/false_alarm_tail.hpp"
@@ -14,14 +16,16 @@ struct JudgedChange {
   FalseAlarmTail tail;      ///< of its peaks, of either sign
 };
 
-/// Lays the images of both sides upon each other and compares them: without dots, and where captures of both
-/// sides are from nearly one pose, pair by pair with them.
-/// @param initial, final     captures that have infrared images
+/// Lays the images of both sides upon each other and compares them: those under the projector without its
+/// dots, and where captures of both sides are from nearly one pose, pair by pair with them.
+/// @param initial, final     captures that have infrared images in this light
 /// @param initial_from_final as registered from depth
-/// @return empty where the images could not be laid over each other
+/// @param warnings           gets why the images could not be compared
+/// @return empty where they could not
 /// @throws Error when an image cannot be read; Interrupted
 [[nodiscard]] std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
                                                          const PlacedCaptures& placed,
-                                                         const Transform& initial_from_final);
+                                                         const Transform& initial_from_final, Light light,
+                                                         std::vector<std::string>& warnings);
 
 }  // namespace rva

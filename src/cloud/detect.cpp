@@ -200,12 +200,12 @@ class Run {
 
   SidesDetection spatial(KnownMotion known = KnownMotion::moved) {
     const StaticDetectionOptions& shared = options_.static_camera;
-    const bool infrared = have_infrared(initial_, final_, warnings_);
+    const std::vector<Light> lights = comparable_lights(initial_, final_, warnings_);
     SpatialDetectionOptions options{shared.frames, shared.calibrated, shared.regions, known};
-    if (infrared) options.share = share_of_depth;
+    if (!lights.empty()) options.share = share_of_depth;
     SpatialDetection found = detect_spatial(initial_, final_, options, progress_, left_out_);
-    if (infrared)
-      add_appearance(initial_, final_, found.placed,
+    if (!lights.empty())
+      add_appearance(initial_, final_, lights, found.placed,
                      (1.0 - share_of_depth) * shared.calibrated.false_findings, shared.regions,
                      found.detection);
     prepend_warnings(found.detection);

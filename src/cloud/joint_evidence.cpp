@@ -31,10 +31,10 @@ Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int
 // depth is believed if it is so many times rarer by chance.
 constexpr double unsupported_factor = 50.0;
 
-bool is_unsupported(const Finding& finding, const AppearanceChange& change, double false_findings) {
+bool is_unsupported(const Finding& finding, const Mask& judged_pixels, double false_findings) {
   if (finding.evidence.appearance || !finding.score) return false;
   const auto judged =
-      std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return change.judged[i] != 0; });
+      std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return judged_pixels[i] != 0; });
   return 2 * static_cast<std::size_t>(judged) > finding.pixels.size() &&
          *finding.score < std::log10(unsupported_factor / false_findings);
 }
@@ -66,10 +66,10 @@ void give_evidence(Mask& mask, std::vector<Finding>& findings) {
   }
 }
 
-void drop_unsupported(const AppearanceChange& change, double false_findings, Detection& detection) {
+void drop_unsupported(const Mask& judged, double false_findings, Detection& detection) {
   std::vector<Finding>& findings = detection.findings.findings;
   std::erase_if(findings, [&](const Finding& finding) {
-    if (!is_unsupported(finding, change, false_findings)) return false;
+    if (!is_unsupported(finding, judged, false_findings)) return false;
     for (const std::uint32_t i : finding.pixels) detection.changed[i] = 0;
     return true;
   });

@@ -6,7 +6,6 @@
 #include "depth/image.hpp"
 #include "detect/detection.hpp"
 #include "detect/findings.hpp"
-#include "infrared/appearance_change.hpp"
 
 namespace rva {
 
@@ -17,7 +16,8 @@ void give_evidence(Mask& significant, std::vector<Finding>& findings);
 
 /// Drops findings without evidence in the infrared images where these were compared over most of the finding,
 /// unless depth alone expects fewer such findings than a fiftieth of those allowed. Numbers the others anew.
+/// @param judged         where infrared images were compared
 /// @param false_findings allowed for depth
-void drop_unsupported(const AppearanceChange& change, double false_findings, Detection& detection);
+void drop_unsupported(const Mask& judged, double false_findings, Detection& detection);
 
 }  // namespace rva

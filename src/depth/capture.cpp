@@ -14,11 +14,37 @@ std::optional<ColorImage> Capture::color_of(std::size_t depth_frame) const {
   return depth_frame < color_frames() ? std::optional(color(depth_frame)) : std::nullopt;
 }
 
-std::optional<GrayImage> Capture::infrared_of(std::size_t /*depth_frame*/) const { return std::nullopt; }
+std::optional<FineGrayImage> Capture::infrared_of(std::size_t /*depth_frame*/, Imager /*imager*/) const {
+  return std::nullopt;
+}
 
-std::optional<Image<float>> Capture::infrared_mean() const { return std::nullopt; }
+bool Capture::has_infrared(Imager /*imager*/, Light /*light*/) const { return false; }
+
+// Of the images that frames have; formats of files may know better.
+std::optional<Image<float>> Capture::infrared_mean(Imager imager, Light light) const {
+  if (!has_infrared(imager, light) || light != Light::projector) return std::nullopt;
+  Image<float> mean(info().depth.width, info().depth.height);
+  int images = 0;
+  for (std::size_t frame = 0; frame < depth_frames(); ++frame) {
+    const std::optional<FineGrayImage> image = infrared_of(frame, imager);
+    if (!image) continue;
+    ++images;
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += static_cast<float>((*image)[i]);
+  }
+  if (images == 0) return std::nullopt;
+  for (float& value : mean.pixels()) value /= static_cast<float>(images * fine_steps_per_grey_level);
+  return mean;
+}
 
 FrameMetadata Capture::metadata_of(std::size_t /*depth_frame*/) const { return {}; }
+
+std::map<Imager, FineGrayImage> infrared_of(const Capture& capture, std::size_t depth_frame) {
+  std::map<Imager, FineGrayImage> images;
+  for (const Imager imager : both_imagers) {
+    if (auto image = capture.infrared_of(depth_frame, imager)) images.emplace(imager, std::move(*image));
+  }
+  return images;
+}
 
 std::size_t lost_frames(const Capture& capture) {
   std::size_t lost = 0;

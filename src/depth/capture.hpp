@@ -1,6 +1,7 @@
 // A capture: what one camera saw from one place, as files hold it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -36,11 +37,24 @@ struct CameraInfo {
   std::map<std::string, std::map<std::string, double>> settings{};
 };
 
-/// How infrared images count: of single frames, or of the mean of several (16 bits).
-struct InfraredCounts {
-  double per_grey_level = 1.0;  ///< counts for one level of 8 bits
+/// The infrared imagers of a stereo camera. The left one's pixels are those of the depth images; the right
+/// one is rectified with it.
+enum class Imager { left, right };
+inline constexpr std::array<Imager, 2> both_imagers{Imager::left, Imager::right};
+
+/// What lights the infrared images: the projector, whose dots depth is made from, or a lamp while the
+/// projector is off.
+enum class Light { projector, lamp };
+
+/// How infrared images count, of single frames or of the mean of several (16 bits), and how they were
+/// exposed.
+struct InfraredBurst {
+  double per_grey_level = 1.0;  ///< counts of 16 bits for one level of 8 bits
   int frames = 1;               ///< that an image is the mean of
-  bool operator==(const InfraredCounts&) const = default;
+  std::optional<double> exposure_us{};
+  std::optional<double> gain{};
+  std::optional<double> laser_power_mw{};  ///< 0: the projector was off
+  bool operator==(const InfraredBurst&) const = default;
 };
 
 /// What is known of a capture besides its images.
@@ -52,8 +66,9 @@ struct CaptureInfo {
   std::optional<Transform> color_from_depth;
   std::optional<Pose> pose;
   std::optional<CameraInfo> camera;
-  std::optional<InfraredCounts> infrared{};
-  std::string captured_at;  ///< ISO 8601, empty where unknown
+  std::optional<InfraredBurst> infrared{};  ///< of images under the projector
+  std::optional<InfraredBurst> lamp{};      ///< of images under the lamp
+  std::string captured_at;                  ///< ISO 8601, empty where unknown
   std::string source_json;  ///< the description as it was read, keys that we do not know included
   std::vector<std::uint16_t> no_depth{};  ///< values of depth that mean no measurement, besides 0 and 65535
   std::vector<std::string> notes{};  ///< what a person should know of the files; sentences without full stop
@@ -105,15 +120,17 @@ class Capture {
   /// @param depth_frame below depth_frames(), here and below
   [[nodiscard]] virtual std::optional<ColorImage> color_of(std::size_t depth_frame) const;
 
-  /// The left imager's infrared image of a depth frame, pixel upon pixel; empty where there is none.
-  [[nodiscard]] virtual std::optional<GrayImage> infrared_of(std::size_t depth_frame) const;
+  /// An imager's infrared image of a depth frame under the projector, of the size of the depth images; empty
+  /// where there is none. An image that is the mean of all frames is that of each.
+  [[nodiscard]] virtual std::optional<FineGrayImage> infrared_of(std::size_t depth_frame,
+                                                                 Imager imager) const;
 
-  /// True when every depth frame, or all of them together, have an infrared image.
-  [[nodiscard]] virtual bool has_infrared() const { return false; }
+  /// True when there are infrared images of this imager in this light.
+  [[nodiscard]] virtual bool has_infrared(Imager imager, Light light) const;
 
-  /// The mean of all of the left imager's infrared images, in levels of 8 bits with fractions; empty where
+  /// The mean of an imager's infrared images in a light, in levels of 8 bits with fractions; empty where
   /// there is none. @throws Error as depth()
-  [[nodiscard]] virtual std::optional<Image<float>> infrared_mean() const;
+  [[nodiscard]] virtual std::optional<Image<float>> infrared_mean(Imager imager, Light light) const;
 
   [[nodiscard]] virtual FrameMetadata metadata_of(std::size_t depth_frame) const;
 
@@ -128,6 +145,9 @@ struct CaptureOptions {
   /// Values of depth that mean no measurement, besides those that the capture states.
   std::vector<std::uint16_t> no_depth{};
 };
+
+/// The infrared images that a depth frame has. @throws Error as Capture::depth()
+[[nodiscard]] std::map<Imager, FineGrayImage> infrared_of(const Capture& capture, std::size_t depth_frame);
 
 /// Frames that the camera lost between those of the capture, by its counter; 0 where it tells none.
 /// @throws Error

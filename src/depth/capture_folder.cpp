@@ -79,18 +79,29 @@ CameraInfo parse_camera(const JsonObject& object) {
   return camera;
 }
 
-InfraredCounts parse_infrared(const JsonObject& object) {
+InfraredBurst parse_infrared(const JsonObject& object, double usual_scale) {
   constexpr double most_counts = 65535.0;
   constexpr double most_frames = 1e6;
-  InfraredCounts counts;
-  counts.per_grey_level = object.optional_number("scale").value_or(1.0);
+  InfraredBurst burst;
+  burst.per_grey_level = object.optional_number("scale").value_or(usual_scale);
   const double frames = object.optional_number("frames").value_or(1.0);
   if (!(frames >= 1.0 && frames <= most_frames))
     throw Error(object.name_of("frames"), "no number of frames from 1 to a million", "correct the file");
-  counts.frames = static_cast<int>(frames);
-  if (!(counts.per_grey_level > 0.0 && counts.per_grey_level <= most_counts))
+  burst.frames = static_cast<int>(frames);
+  if (!(burst.per_grey_level > 0.0 && burst.per_grey_level <= most_counts))
     throw Error(object.name_of("scale"), "no number of counts above 0 and up to 65535", "correct the file");
-  return counts;
+  burst.exposure_us = object.optional_number("exposure_us");
+  burst.gain = object.optional_number("gain");
+  burst.laser_power_mw = object.optional_number("laser_power_mw");
+  return burst;
+}
+
+// Other images may lie beside those of the frames, such as what one imager saw last.
+std::vector<fs::path> numbered(std::vector<fs::path> files) {
+  const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
+  std::erase_if(files,
+                [&](const fs::path& file) { return !std::ranges::all_of(file.stem().native(), is_digit); });
+  return files;
 }
 
 // Refused before memory is taken for a single image of that size.
@@ -141,7 +152,10 @@ CaptureInfo parse_capture_json(const std::string& text, const std::string& place
   if (const auto camera = document.optional_object("camera")) {
     info.camera = parse_camera(*camera);
   }
-  if (const auto infrared = document.optional_object("infrared")) info.infrared = parse_infrared(*infrared);
+  if (const auto infrared = document.optional_object("infrared"))
+    info.infrared = parse_infrared(*infrared, InfraredBurst{}.per_grey_level);
+  if (const auto lamp = document.optional_object("lamp"))
+    info.lamp = parse_infrared(*lamp, info.infrared.value_or(InfraredBurst{}).per_grey_level);
   info.captured_at = document.optional_string("captured_at").value_or("");
   return info;
 }
@@ -173,8 +187,12 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const Captu
   const fs::path lines = folder / "frames.jsonl";
   std::error_code ignored;
   FrameFiles files{image_files(folder / "depth", {".png"}),
-                   image_files(folder / "color", {".png", ".jpg", ".jpeg"}),
-                   image_files(folder / "infrared", {".png"})};
+                   image_files(folder / "color", {".png", ".jpg", ".jpeg"})};
+  for (const Imager imager : both_imagers) {
+    for (const Light light : {Light::projector, Light::lamp})
+      files.infrared[{imager, light}] =
+          numbered(image_files(folder / infrared_folder(imager, light), {".png"}));
+  }
   if (fs::exists(lines, ignored)) files.metadata = parse_frame_lines(read_text_file(lines), printable(lines));
   CaptureInfo info = parse_capture_json(read_text_file(description), printable(description));
   info.no_depth.insert(info.no_depth.end(), options.no_depth.begin(), options.no_depth.end());

@@ -51,6 +51,14 @@ Json to_json_value(const CameraInfo& camera) {
           {"settings", camera.settings.empty() ? Json() : Json(camera.settings)}};
 }
 
+Json to_json_value(const InfraredBurst& burst) {
+  return {{"scale", burst.per_grey_level},
+          {"frames", burst.frames},
+          {"exposure_us", or_null(burst.exposure_us)},
+          {"gain", or_null(burst.gain)},
+          {"laser_power_mw", or_null(burst.laser_power_mw)}};
+}
+
 template <typename Pixel>
 void require_size(const fs::path& file, const Image<Pixel>& image, const Intrinsics& stated) {
   if (image.width() == stated.width && image.height() == stated.height) return;
@@ -60,7 +68,7 @@ void require_size(const fs::path& file, const Image<Pixel>& image, const Intrins
               "record the capture again");
 }
 
-fs::path frame_file(const fs::path& folder, const char* kind, std::size_t number) {
+fs::path frame_file(const fs::path& folder, const fs::path& kind, std::size_t number) {
   assert(number <= 999999);
   return folder / kind / fmt::format("{:06}.png", number);
 }
@@ -68,7 +76,7 @@ fs::path frame_file(const fs::path& folder, const char* kind, std::size_t number
 template <typename Pixel>
 void write_image(const fs::path& file, const Image<Pixel>& image) {
   std::error_code ignored;  // where the folder is missing in the end, write_file() says why
-  fs::create_directory(file.parent_path(), ignored);
+  fs::create_directories(file.parent_path(), ignored);
   put_file(file, encode_png(image));
 }
 
@@ -87,9 +95,8 @@ std::string capture_json(const CaptureInfo& info, const std::string& extra_json_
   known["color_from_depth"] = or_null(info.color_from_depth);
   known["pose"] = info.pose ? to_json_value(*info.pose) : Json();
   known["camera"] = info.camera ? to_json_value(*info.camera) : Json();
-  known["infrared"] = info.infrared
-                          ? Json{{"scale", info.infrared->per_grey_level}, {"frames", info.infrared->frames}}
-                          : Json();
+  known["infrared"] = info.infrared ? to_json_value(*info.infrared) : Json();
+  known["lamp"] = info.lamp ? to_json_value(*info.lamp) : Json();
   known["captured_at"] = or_null(info.captured_at);
   document.merge_patch(known);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -109,13 +116,25 @@ std::string frame_line(std::size_t number, const FrameMetadata& metadata) {
 
 std::vector<std::string> capture_files() {
   const std::string frame = "[0-9][0-9][0-9][0-9][0-9][0-9].png";
-  return {"capture.json", "depth/" + frame, "color/" + frame, "infrared/" + frame, "frames.jsonl"};
+  std::vector<std::string> files{"capture.json", "depth/" + frame, "color/" + frame, "frames.jsonl"};
+  for (const Imager imager : both_imagers) {
+    for (const Light light : {Light::projector, Light::lamp})
+      files.push_back((infrared_folder(imager, light) / frame).string());
+  }
+  return files;
+}
+
+fs::path infrared_folder(Imager imager, Light light) {
+  const fs::path name = imager == Imager::left ? "infrared" : "infrared_right";
+  return light == Light::lamp ? "lamp" / name : name;
 }
 
 CaptureWriter::CaptureWriter(fs::path folder, const CaptureInfo& info, const std::string& extra_json_object)
-    : folder_(std::move(folder)), info_(info) {
+    : folder_(std::move(folder)), info_(info), extra_json_object_(extra_json_object) {
+  info_.infrared.reset();
+  info_.lamp.reset();
   const fs::path file = folder_ / "capture.json";
-  const std::string description = capture_json(info, extra_json_object);
+  const std::string description = capture_json(info_, extra_json_object_);
   require_possible(parse_capture_json(description, printable(file)), printable(folder_));
   write_file(file, description);
 }
@@ -132,10 +151,13 @@ void CaptureWriter::write_color(std::size_t number, const ColorImage& image) con
   write_image(file, image);
 }
 
-void CaptureWriter::write_infrared(std::size_t number, const GrayImage& image) const {
-  const fs::path file = frame_file(folder_, "infrared", number);
-  require_size(file, image, info_.depth);
-  write_image(file, image);
+void CaptureWriter::write_infrared(Imager imager, Light light, const FineGrayImage& mean,
+                                   const InfraredBurst& burst) {
+  const fs::path file = frame_file(folder_, infrared_folder(imager, light), 0);
+  require_size(file, mean, info_.depth);
+  (light == Light::lamp ? info_.lamp : info_.infrared) = burst;
+  replace_file(folder_ / "capture.json", capture_json(info_, extra_json_object_));
+  write_image(file, mean);
 }
 
 void CaptureWriter::write_metadata(std::size_t number, const FrameMetadata& metadata) const {

@@ -24,9 +24,9 @@ namespace rva {
 /// What a capture folder may hold, for an OutputFolder.
 [[nodiscard]] std::vector<std::string> capture_files();
 
-/// Writes capture.json at once, then frames as they come, each file whole or not at all: whatever stops the
-/// program, the folder can be read with the frames that were written. The folder is the caller's, as a rule
-/// the place where an OutputFolder is written.
+/// Writes capture.json at once, without what it says of infrared images, then frames as they come, each file
+/// whole or not at all: whatever stops the program, the folder can be read with the frames that were written.
+/// The folder is the caller's, as a rule the place where an OutputFolder is written.
 ///
 /// Frames of different numbers may be written on several threads at the same time.
 class CaptureWriter {
@@ -45,8 +45,11 @@ class CaptureWriter {
   /// As write_depth(); any size where the description states none.
   void write_color(std::size_t number, const ColorImage& image) const;
 
-  /// As write_depth().
-  void write_infrared(std::size_t number, const GrayImage& image) const;
+  /// Writes the only image of an imager in a light, the mean of a burst, and how it counts into capture.json;
+  /// for one thread at a time.
+  /// @param burst its `per_grey_level` is that of a FineGrayImage
+  /// @throws Error when the image is not of the depth images' size, or cannot be written
+  void write_infrared(Imager imager, Light light, const FineGrayImage& mean, const InfraredBurst& burst);
 
   /// Adds a line to frames.jsonl, for one thread at a time. A line without its frame does no harm.
   void write_metadata(std::size_t number, const FrameMetadata& metadata) const;
@@ -54,6 +57,7 @@ class CaptureWriter {
  private:
   std::filesystem::path folder_;
   CaptureInfo info_;
+  std::string extra_json_object_;
 };
 
 }  // namespace rva

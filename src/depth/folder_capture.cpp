@@ -69,8 +69,9 @@ FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, FrameFiles
     : Capture(std::move(info)),
       files_(std::move(files)),
       no_depth_(this->info().no_depth, this->info().depth_unit_m),
-      color_of_(companions(files_.depth, files_.color)),
-      infrared_of_(companions(files_.depth, files_.infrared)) {
+      color_of_(companions(files_.depth, files_.color)) {
+  for (const Imager imager : both_imagers)
+    infrared_of_[imager] = companions(files_.depth, files_.infrared[{imager, Light::projector}]);
   require_possible(this->info(), printable(place));
   if (files_.depth.empty()) throw Error(printable(place), "holds no depth frame", "record the capture again");
 }
@@ -105,32 +106,35 @@ std::optional<ColorImage> FolderCapture::color_of(std::size_t depth_frame) const
   return i ? std::optional(color(*i)) : std::nullopt;
 }
 
-std::optional<GrayImage> FolderCapture::infrared_of(std::size_t depth_frame) const {
-  const auto i = infrared_of_.at(depth_frame);
-  if (!i) return std::nullopt;
-  const Image<float> grey = infrared(*i);
-  constexpr float white = 255.0F;
-  GrayImage image(grey.width(), grey.height());
-  for (std::size_t k = 0; k < grey.size(); ++k)
-    image[k] = static_cast<std::uint8_t>(std::lround(std::min(grey[k], white)));
-  return image;
+std::optional<FineGrayImage> FolderCapture::infrared_of(std::size_t depth_frame, Imager imager) const {
+  const std::vector<fs::path>& files = files_.infrared.at({imager, Light::projector});
+  const auto own = infrared_of_.at(imager).at(depth_frame);
+  const bool of_all_frames = files.size() == 1 && info().infrared && info().infrared->frames > 1;
+  if (!own && !of_all_frames) return std::nullopt;
+  return fine_gray(read_infrared_of(files[own.value_or(0)], Light::projector));
 }
 
-Image<float> FolderCapture::infrared(std::size_t file) const {
-  const fs::path& path = files_.infrared[file];
-  const double counts = info().infrared.value_or(InfraredCounts{}).per_grey_level;
-  return of_size(read_infrared(path, counts), path, info().depth);
+bool FolderCapture::has_infrared(Imager imager, Light light) const {
+  const auto found = files_.infrared.find({imager, light});
+  return found != files_.infrared.end() && !found->second.empty();
 }
 
-std::optional<Image<float>> FolderCapture::infrared_mean() const {
-  if (files_.infrared.empty()) return std::nullopt;
-  Image<float> sum = infrared(0);
-  for (std::size_t file = 1; file < files_.infrared.size(); ++file) {
-    const Image<float> image = infrared(file);
+// Images under the lamp count as those under the projector where nothing else is stated.
+Image<float> FolderCapture::read_infrared_of(const fs::path& file, Light light) const {
+  const std::optional<InfraredBurst>& burst =
+      light == Light::lamp && info().lamp ? info().lamp : info().infrared;
+  return of_size(read_infrared(file, burst.value_or(InfraredBurst{}).per_grey_level), file, info().depth);
+}
+
+std::optional<Image<float>> FolderCapture::infrared_mean(Imager imager, Light light) const {
+  if (!has_infrared(imager, light)) return std::nullopt;
+  const std::vector<fs::path>& files = files_.infrared.at({imager, light});
+  Image<float> sum(info().depth.width, info().depth.height);
+  for (const fs::path& file : files) {
+    const Image<float> image = read_infrared_of(file, light);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += image[i];
   }
-  const auto images = static_cast<float>(files_.infrared.size());
-  for (float& value : sum.pixels()) value /= images;
+  for (float& value : sum.pixels()) value /= static_cast<float>(files.size());
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "depth/capture.hpp"
@@ -17,7 +18,7 @@ namespace rva {
 struct FrameFiles {
   std::vector<std::filesystem::path> depth;
   std::vector<std::filesystem::path> color;
-  std::vector<std::filesystem::path> infrared{};
+  std::map<std::pair<Imager, Light>, std::vector<std::filesystem::path>> infrared{};
   std::map<std::size_t, FrameMetadata> metadata{};  ///< by the number that a depth file is called by
 };
 
@@ -36,19 +37,20 @@ class FolderCapture : public Capture {
   [[nodiscard]] bool marks_no_depth_by_zero() const override;
   [[nodiscard]] ColorImage color(std::size_t i) const override;
   [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override;
-  [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override;
-  [[nodiscard]] bool has_infrared() const override { return !files_.infrared.empty(); }
-  [[nodiscard]] std::optional<Image<float>> infrared_mean() const override;
+  [[nodiscard]] std::optional<FineGrayImage> infrared_of(std::size_t depth_frame,
+                                                         Imager imager) const override;
+  [[nodiscard]] bool has_infrared(Imager imager, Light light) const override;
+  [[nodiscard]] std::optional<Image<float>> infrared_mean(Imager imager, Light light) const override;
   [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override;
 
  private:
   [[nodiscard]] DepthImage stored_depth(std::size_t i) const;
-  [[nodiscard]] Image<float> infrared(std::size_t file) const;
+  [[nodiscard]] Image<float> read_infrared_of(const std::filesystem::path& file, Light light) const;
 
   FrameFiles files_;
   NoDepthValues no_depth_;
-  std::vector<std::optional<std::size_t>> color_of_;     // by depth frame
-  std::vector<std::optional<std::size_t>> infrared_of_;  // the same
+  std::vector<std::optional<std::size_t>> color_of_;                         // by depth frame
+  std::map<Imager, std::vector<std::optional<std::size_t>>> infrared_of_{};  // the same, under the projector
 };
 
 /// capture.json, depth/*.png, color/*.png|jpg: our own format (docs/captures.md).
@@ -71,6 +73,9 @@ class FolderCapture : public Capture {
 /// recorder was stopped gives the frames that are whole, and says so in info().notes.
 [[nodiscard]] std::unique_ptr<Capture> open_recording(const std::filesystem::path& file,
                                                       const CaptureOptions& options);
+
+/// Where a capture folder has the images of an imager in a light: "infrared", "lamp/infrared_right", ...
+[[nodiscard]] std::filesystem::path infrared_folder(Imager imager, Light light);
 
 /// The description of a capture folder from its text; apart from open_capture_folder() so that it can be
 /// tried with any text.

@@ -1,7 +1,9 @@
 // Pixels in rows.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -65,6 +67,22 @@ inline constexpr std::uint8_t mask_set = 255;
 
 /// Brightness, 0 to 255.
 using GrayImage = Image<std::uint8_t>;
+
+/// Brightness in 256ths of a grey level, 0 to 65280: the mean of several images has fractions.
+using FineGrayImage = Image<std::uint16_t>;
+inline constexpr int fine_steps_per_grey_level = 256;
+
+/// @param levels of 8 bits, with or without fractions; above 255 is 255
+template <typename Level>
+[[nodiscard]] FineGrayImage fine_gray(const Image<Level>& levels) {
+  constexpr float white = 255.0F;
+  FineGrayImage fine(levels.width(), levels.height());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const float level = std::clamp(static_cast<float>(levels[i]), 0.0F, white);
+    fine[i] = static_cast<std::uint16_t>(std::lround(fine_steps_per_grey_level * level));
+  }
+  return fine;
+}
 
 struct Rgb {
   std::uint8_t r = 0;

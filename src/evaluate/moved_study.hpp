@@ -23,6 +23,7 @@ struct MovedStudyOptions {
   std::vector<double> allowed{CalibratedOptions{}.false_findings};  ///< false findings; ascending
   int frames = 10;                                                  ///< of each capture
   bool octree = false;  ///< the thesis' pipeline too, on one frame a side: a minute each time
+  bool lamp = false;    ///< images under the camera's lamp, too
   BayFeatures bay;
   /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{

@@ -31,7 +31,7 @@ RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
   };
   take_views({camera, robot, clock, PanTiltChain{}, scene.stand.base},
              dithered({scene.stand.pan_deg, scene.stand.tilt_deg}, options.captures, robot.limits()), folder,
-             {static_cast<std::size_t>(options.frames), settling}, note_joints);
+             {static_cast<std::size_t>(options.frames), settling, options.lamp}, note_joints);
   for (int i = 0; i < options.captures; ++i)
     side.captures.push_back(folder / view_name(static_cast<std::size_t>(i)));
   return side;

@@ -56,10 +56,22 @@ struct Samples {
   Image<std::uint8_t> count;
 };
 
+// Brightness is cut off there, and a thing that stands in it may not show.
+Mask saturated(const Image<float>& grey) {
+  constexpr float brightest = 250.0F;
+  Mask mask(grey.width(), grey.height());
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    if (grey[i] > brightest) mask[i] = mask_set;
+  }
+  return mask;
+}
+
 }  // namespace
 
-InfraredView::InfraredView(const Image<float>& grey, const Transform& pose)
-    : log_image(log_grey(grey)), dots(dot_mask(log_image)), view_from_reference(pose) {}
+InfraredView::InfraredView(const Image<float>& grey, const Transform& pose, Light light)
+    : log_image(log_grey(grey)),
+      dots(light == Light::projector ? dot_mask(log_image) : saturated(grey)),
+      view_from_reference(pose) {}
 
 DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView> views) {
   const int width = surface.inverse_depth_per_m.width();
@@ -84,26 +96,37 @@ Image<float> without_gaps(const DotFreeImage& image) {
   return filled;
 }
 
+Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views) {
+  constexpr float within_image_px = 6.0F;
+  const int width = surface.inverse_depth_per_m.width();
+  const int height = surface.inverse_depth_per_m.height();
+  Mask seen(width, height, mask_set);
+  for (const InfraredView& view : views) {
+    const Warp warp(surface, view.view_from_reference);
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        if (!warp.inside(u, v, within_image_px)) seen(u, v) = 0;
+      }
+    }
+  }
+  return seen;
+}
+
 Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views) {
   constexpr int dots_window_px = 25;
   constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
   constexpr int within_field_px = 13;
-  constexpr float within_image_px = 6.0F;
-  const int width = surface.inverse_depth_per_m.width();
-  const int height = surface.inverse_depth_per_m.height();
-  Mask lit(width, height, mask_set);
+  Mask lit = seen_in_all(surface, views);
   for (const InfraredView& view : views) {
     cv::Mat share;
     cv::blur(as_mat(view.dots), share, {dots_window_px, dots_window_px});
-    Mask dark(width, height);
+    Mask dark(lit.width(), lit.height());
     cv::Mat target = as_mat(dark);
     cv::dilate(share < least_dots, target, cv::Mat::ones(within_field_px, within_field_px, CV_8U));
     const Warp warp(surface, view.view_from_reference);
     const Mask clear = warp.clear_of(dark);
-    for (int v = 0; v < height; ++v) {
-      for (int u = 0; u < width; ++u) {
-        if (clear(u, v) == 0 || !warp.inside(u, v, within_image_px)) lit(u, v) = 0;
-      }
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+      if (clear[i] == 0) lit[i] = 0;
     }
   }
   return lit;

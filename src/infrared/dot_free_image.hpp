@@ -5,21 +5,23 @@
 #include <span>
 #include <vector>
 
+#include "depth/capture.hpp"
 #include "depth/image.hpp"
 #include "geometry/transform.hpp"
 #include "infrared/reference_surface.hpp"
 
 namespace rva {
 
-/// A capture's left infrared image, and where it was taken.
+/// A capture's left infrared image in one light, and where it was taken.
 struct InfraredView {
   InfraredView() = default;
-  /// @param grey mean of the capture's frames, levels of 8 bits
-  /// @param pose view_from_reference, as far as it is known
-  InfraredView(const Image<float>& grey, const Transform& pose);
+  /// @param grey  mean of the capture's frames, levels of 8 bits
+  /// @param pose  view_from_reference, as far as it is known
+  /// @param light under the lamp there are no dots, and what is saturated is covered instead
+  InfraredView(const Image<float>& grey, const Transform& pose, Light light = Light::projector);
 
   Image<float> log_image;  ///< as of log_grey()
-  Mask dots;               ///< as of dot_mask()
+  Mask dots;               ///< as of dot_mask(): what does not show the surface itself
   Transform view_from_reference = Transform::Identity();
 };
 
@@ -39,6 +41,9 @@ struct DotFreeImage {
 
 /// A pixel without a sample gets what the nearest one has.
 [[nodiscard]] Image<float> without_gaps(const DotFreeImage& image);
+
+/// Set where every view sees the pixel well inside its image.
+[[nodiscard]] Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views);
 
 /// Set where every view sees the pixel well inside its image and its projector's field: beyond, light falls
 /// off with the camera's pose.

@@ -85,7 +85,8 @@ void take_standing(const InspectionRig& rig, const SideCapture& side, const Capt
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
   witness.begin_view(0);
   OutputFolder out(folder, capture_files(), Existing::refuse);
-  record(camera, side.frames, CaptureWriter(out.path(""), camera.info()), {});
+  CaptureWriter writer(out.path(""), camera.info());
+  record(camera, side.frames, writer, {});
   out.commit();
 }
 

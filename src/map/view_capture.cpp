@@ -73,7 +73,9 @@ void take_view(const Rig& rig, const PanTilt& waypoint, const fs::path& folder,
   for (std::size_t i = 0; i < options.settling; ++i) static_cast<void>(rig.camera.wait_for_frame());
   CaptureInfo info = rig.camera.info();
   info.pose = Pose{rig.base, joints.pan_deg, joints.tilt_deg, foot_from_camera(rig.chain, joints)};
-  record(rig.camera, options.frames, CaptureWriter(out.path(""), info), {});
+  CaptureWriter writer(out.path(""), info);
+  record(rig.camera, options.frames, writer, {});
+  if (options.lamp) record_lamp(rig.camera, options.frames, writer, {});
   out.commit();
 }
 

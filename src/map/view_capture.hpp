@@ -26,6 +26,7 @@ struct Rig {
 struct ViewCaptureOptions {
   std::size_t frames = 10;   ///< depth frames of each view
   std::size_t settling = 2;  ///< frames thrown away before, while the robot comes to rest
+  bool lamp = false;         ///< as many frames under the camera's lamp, too, which it must have
 };
 
 /// Where the capture of a waypoint is, by its number from 0: "000", "001", ...

@@ -20,9 +20,17 @@ bool brings(const CameraFrame& frame, Stream stream) {
     case Stream::depth:
       return true;
     case Stream::infrared:
-      return frame.infrared.has_value();
+      return frame.infrared.contains(Imager::left);
   }
   return false;
+}
+
+GrayImage grey_levels(const FineGrayImage& fine) {
+  GrayImage levels(fine.width(), fine.height());
+  std::ranges::transform(fine.pixels(), levels.pixels().begin(), [](auto brightness) {
+    return static_cast<std::uint8_t>(brightness / fine_steps_per_grey_level);
+  });
+  return levels;
 }
 
 Image<float> metres(const LiveFrame& live) {
@@ -69,7 +77,7 @@ std::vector<Stream> LivePictures::streams() const {
   if (!live) return streams;
   if (live->info.color) streams.push_back(Stream::color);
   streams.push_back(Stream::depth);
-  if (live->frame.infrared) streams.push_back(Stream::infrared);
+  if (live->frame.infrared.contains(Imager::left)) streams.push_back(Stream::infrared);
   return streams;
 }
 
@@ -117,7 +125,7 @@ std::shared_ptr<const LivePicture> LivePictures::encode(const LiveFrame& live, S
       picture->scale_m = scale_m_;
       break;
     case Stream::infrared:
-      fill(*live.frame.infrared);
+      fill(grey_levels(live.frame.infrared.at(Imager::left)));
       break;
   }
   return picture;

@@ -30,11 +30,12 @@ std::uint64_t seed_of(const Transform& world_from_camera, std::uint64_t device) 
   return seed;
 }
 
-// 10 bits to 8.
-GrayImage brightness_of(const InfraredImage& infrared) {
-  GrayImage gray(infrared.width(), infrared.height());
-  std::ranges::transform(infrared.pixels(), gray.pixels().begin(),
-                         [](auto counts) { return static_cast<std::uint8_t>(counts >> 2U); });
+// 10 bits to the 8 that a frame of a camera has.
+FineGrayImage brightness_of(const InfraredImage& infrared) {
+  FineGrayImage gray(infrared.width(), infrared.height());
+  std::ranges::transform(infrared.pixels(), gray.pixels().begin(), [](auto counts) {
+    return static_cast<std::uint16_t>((counts >> 2U) * fine_steps_per_grey_level);
+  });
   return gray;
 }
 
@@ -92,26 +93,25 @@ bool SimulatedCamera::wants_color(bool moving) const {
   return false;
 }
 
-void SimulatedCamera::render(const Transform& world_from_camera, bool moving) {
+void SimulatedCamera::render(const Transform& world_from_camera) {
+  const bool moving = rendered_ == Rendered::moving;
   StereoSensorOptions options = options_;
   if (moving) {
     // A view that lasts one frame has no time to wander or to jump.
     options.wander = 0.0;
     options.levels = 0.0;
     options.supersampling = 1;
-  } else {
-    ++rests_;
   }
   const std::uint64_t capture_seed = mix(seed_, moving ? 0 : rests_);
-  InfraredPair pair =
-      infrared_.render(world_from_camera, misalignment_of(options_, capture_seed), options.supersampling);
-  if (wants_color(moving))
+  InfraredPair pair = infrared_.render(world_from_camera, misalignment_of(options_, capture_seed),
+                                       options.supersampling, light_);
+  if (light_ == Light::projector && wants_color(moving))
     color_ = render_color(scene_, rays_, rig_, world_from_camera, options.supersampling);
   sensor_ =
       std::make_unique<StereoSensor>(std::move(pair), options, seed_of(world_from_camera, options_.device),
                                      moving ? mix(capture_seed, number_) : capture_seed);
-  rendered_ = moving ? Rendered::moving : Rendered::resting;
   rendered_pose_ = world_from_camera;
+  rendered_light_ = light_;
 }
 
 std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
@@ -119,16 +119,27 @@ std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
   const Transform pose = world_from_camera();
   const bool same = rendered_ != Rendered::nothing && pose.matrix() == rendered_pose_.matrix();
   const bool moving = rendered_ != Rendered::nothing && !same;
-  if (!same || rendered_ == Rendered::moving) render(pose, moving);
-  StereoFrame stereo = sensor_->next_frame();
+  if (!same || rendered_ == Rendered::moving) {
+    rendered_ = moving ? Rendered::moving : Rendered::resting;
+    if (!moving) ++rests_;
+    render(pose);
+  } else if (rendered_light_ != light_) {
+    render(pose);
+  }
+  StereoFrame stereo = light_ == Light::lamp ? sensor_->next_pair() : sensor_->next_frame();
   left_infrared_ = std::move(stereo.left);
   right_infrared_ = std::move(stereo.right);
   CameraFrame frame;
-  frame.depth = std::move(stereo.depth);
+  frame.depth = light_ == Light::lamp ? DepthImage(rig_.imager.width, rig_.imager.height, no_depth)
+                                      : std::move(stereo.depth);
   frame.number = number_;
   frame.time_s = static_cast<double>(number_) / frames_per_s;
-  if (wants_color(moving)) frame.color = expose_color(color_, mix(seed_, 0xC0104, number_));
-  frame.infrared = brightness_of(left_infrared_);
+  if (light_ == Light::projector && wants_color(moving))
+    frame.color = expose_color(color_, mix(seed_, 0xC0104, number_));
+  frame.infrared.emplace(Imager::left, brightness_of(left_infrared_));
+  frame.infrared.emplace(Imager::right, brightness_of(right_infrared_));
+  frame.metadata.exposure_us = sensor_->exposure_us();
+  if (light_ == Light::lamp) frame.metadata.laser_power_mw = 0.0;
   ++number_;
   return frame;
 }

@@ -35,6 +35,8 @@ class SimulatedCamera : public Camera {
 
   [[nodiscard]] CaptureInfo info() const override;
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
+  [[nodiscard]] bool has_lamp() const override { return options_.lamp_light > 0.0; }
+  void set_light(Light light) override { light_ = light; }
 
   /// Of the pose that the next frame would have.
   [[nodiscard]] TrueView look() const;
@@ -47,7 +49,7 @@ class SimulatedCamera : public Camera {
 
  private:
   [[nodiscard]] bool wants_color(bool moving) const;
-  void render(const Transform& world_from_camera, bool moving);
+  void render(const Transform& world_from_camera);
 
   Scene scene_;
   StereoSensorOptions options_;
@@ -61,6 +63,8 @@ class SimulatedCamera : public Camera {
   std::uint64_t rests_ = 0;  // views rendered in full so far
   Transform rendered_pose_ = Transform::Identity();
   enum class Rendered { nothing, moving, resting } rendered_ = Rendered::nothing;
+  Light light_ = Light::projector;
+  Light rendered_light_ = Light::projector;
   std::unique_ptr<StereoSensor> sensor_;
   ColorView color_;
   InfraredImage left_infrared_;

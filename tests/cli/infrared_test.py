@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 
 import cv2
+import numpy as np
 import program
 
 HEAD = """format: rva-scene
@@ -84,21 +85,89 @@ class InfraredTest(program.ProgramTest):
         self.assertNotIn('appearance', result['coverage'])
         self.assertNotIn('infrared', said)
 
-    def test_means_of_16_bits_count_by_their_scale(self):
+    def test_single_frames_of_8_bits_count_like_their_mean(self):
+        random = np.random.default_rng(1)
         for capture in self.before + self.after:
-            images = sorted((capture / 'infrared').iterdir())
-            mean = sum(cv2.imread(str(image), cv2.IMREAD_UNCHANGED).astype(float) for image in images) / len(images)
-            for image in images:
-                image.unlink()
-            cv2.imwrite(str(images[0]), (mean * 256).round().astype('uint16'))
-            description = capture / 'capture.json'
-            description.write_text(json.dumps({**json.loads(description.read_text()),
-                                               'infrared': {'scale': 256, 'frames': FRAMES}}))
+            file = capture / 'infrared' / '000000.png'
+            mean = cv2.imread(str(file), cv2.IMREAD_UNCHANGED) / 256
+            for frame in range(FRAMES):
+                noisy = np.floor(mean + random.uniform(size=mean.shape))
+                cv2.imwrite(str(file.with_stem(f'{frame:06}')), noisy.clip(0, 255).astype('uint8'))
+            self.describe(capture, infrared=None)
         result, _ = self.compare(self.before, self.after)
         self.assertGreaterEqual(len(result['detections']), 3)
+
+    def test_a_scale_that_cannot_be_is_refused(self):
         for bad in ({'scale': 0}, {'scale': 256, 'frames': 1e300}, {'scale': 256, 'frames': 0}):
-            description.write_text(json.dumps({**json.loads(description.read_text()), 'infrared': bad}))
-            self.check_fails('info', self.after[-1], names=[list(bad)[-1]])
+            for light in ('infrared', 'lamp'):
+                self.describe(self.after[-1], **{'infrared': {'scale': 256, 'frames': FRAMES}, light: bad})
+                self.check_fails('info', self.after[-1], names=[f'{light}.{list(bad)[-1]}'])
+
+    def describe(self, capture, **changes):
+        file = capture / 'capture.json'
+        description = {**json.loads(file.read_text()), **changes}
+        file.write_text(json.dumps({key: value for key, value in description.items() if value is not None}))
+
+
+class LampTest(program.ProgramTest):
+    """Three of the smallest collars between rivets, which show neither in depth nor between the projector's dots."""
+    SCENE = pathlib.Path(__file__).parents[2] / 'data' / 'scenes' / 'three-smallest-collars.yaml'
+    CAPTURES = 2
+
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix='rva-test-')
+        cls.addClassCleanup(temporary.cleanup)
+        cls.recorded = pathlib.Path(temporary.name)
+        clean = cls.recorded / 'clean.yaml'
+        clean.write_text(cls.SCENE.read_text().split('debris:')[0])
+        for seed, (side, scene) in enumerate({'before': clean, 'after': cls.SCENE}.items()):
+            subprocess.run([program.PROGRAM, 'record', '--camera', f'sim:{scene}', '--frames', '5', '--dither', str(cls.CAPTURES),
+                            '--seed', str(seed), '--lamp', '--out', cls.recorded / side], check=True, capture_output=True)
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.recorded, self.folder, dirs_exist_ok=True)
+        self.before, self.after = (sorted((self.folder / side).iterdir()) for side in ('before', 'after'))
+
+    def compare(self):
+        done = self.succeed('detect', '--initial', *self.before, '--final', *self.after, '--out', self.out, '--overwrite')
+        return json.loads((self.out / 'detections.json').read_text())['detections'], done.stderr
+
+    def test_it_shows_three_of_the_smallest_collars(self):
+        findings, said = self.compare()
+        self.assertEqual(len(findings), 3)
+        self.assertNotIn('lamp', said)
+        for capture in self.before + self.after:
+            shutil.rmtree(capture / 'lamp')
+        self.assertLess(len(self.compare()[0]), 3)
+
+    def test_a_lamp_that_did_not_switch_is_named(self):
+        lamp = self.after[1] / 'lamp' / 'infrared' / '000000.png'
+        light = cv2.imread(str(lamp), cv2.IMREAD_UNCHANGED)
+        for pixels, problem in ((light // 200, 'dark'), (np.full_like(light, 65280), 'saturated'),
+                                (cv2.imread(str(self.after[1] / 'infrared' / '000000.png'), cv2.IMREAD_UNCHANGED), 'dots')):
+            cv2.imwrite(str(lamp), pixels)
+            findings, said = self.compare()
+            self.assertIn(problem, said)
+            self.assertIn('final capture 2', said)
+            self.assertLess(len(findings), 3)
+
+    def test_a_side_without_it_is_compared_by_depth_which_is_said(self):
+        shutil.rmtree(self.before[0] / 'lamp')
+        self.assertIn('not every capture has images under the lamp', self.compare()[1])
+
+    def test_a_replayed_burst_is_the_same(self):
+        again = self.folder / 'again'
+        self.succeed('record', '--camera', f'replay:{self.after[0]}', '--frames', 5, '--lamp', '--out', again)
+        for image in ('lamp/infrared/000000.png', 'lamp/infrared_right/000000.png', 'infrared_right/000000.png'):
+            self.assertEqual((again / image).read_bytes(), (self.after[0] / image).read_bytes(), image)
+
+    def test_a_camera_without_a_lamp_is_refused(self):
+        shutil.rmtree(self.after[0] / 'lamp')
+        refused = self.rva('record', '--camera', f'replay:{self.after[0]}', '--lamp', '--out', self.out)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn('has no lamp', refused.stderr)
 
 
 if __name__ == '__main__':

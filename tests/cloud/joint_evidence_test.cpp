@@ -26,9 +26,7 @@ Finding finding(int id, std::initializer_list<std::uint32_t> pixels, double scor
   return one;
 }
 
-AppearanceChange judged_everywhere() {
-  return {Image<float>(width, height), Image<float>(width, height), Mask(width, height, mask_set)};
-}
+Mask judged_everywhere() { return {width, height, mask_set}; }
 
 Detection detection_of(std::vector<Finding> findings) {
   Detection detection;
@@ -59,10 +57,10 @@ TEST(JointEvidence, WhatHasEvidenceStays) {
 }
 
 TEST(JointEvidence, WhereInfraredImagesWereNotComparedDepthDecides) {
-  AppearanceChange change = judged_everywhere();
-  change.judged[at(5, 5)] = 0;
+  Mask judged = judged_everywhere();
+  judged[at(5, 5)] = 0;
   Detection detection = detection_of({finding(1, {at(5, 5), at(6, 5)}, usual)});
-  drop_unsupported(change, allowed, detection);
+  drop_unsupported(judged, allowed, detection);
   EXPECT_EQ(detection.findings.findings.size(), 1U) << "half of it is not most of it";
 }
 

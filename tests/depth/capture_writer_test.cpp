@@ -36,7 +36,8 @@ CaptureInfo full_info() {
   info.color_from_depth = odd_transform();
   info.pose = Pose{"b1", 1.5, -18.2, odd_transform()};
   info.camera = CameraInfo{"Intel RealSense D435", "123", 0.05};
-  info.infrared = InfraredCounts{256.0, 10};
+  info.lamp = InfraredBurst{256.0, 5, 4000.0, {}, 0.0};
+  info.infrared = InfraredBurst{256.0, 10, 8500.0, 16.0, 150.0};
   info.captured_at = "2026-01-01T00:00:00Z";
   return info;
 }
@@ -53,6 +54,7 @@ void expect_same(const CaptureInfo& a, const CaptureInfo& b) {
   EXPECT_EQ(a.depth_unit_m, b.depth_unit_m);
   EXPECT_EQ(a.color, b.color);
   EXPECT_EQ(a.infrared, b.infrared);
+  EXPECT_EQ(a.lamp, b.lamp);
   expect_near(a.color_from_depth, b.color_from_depth);
   ASSERT_EQ(a.pose.has_value(), b.pose.has_value());
   if (a.pose) {
@@ -135,7 +137,9 @@ TEST_F(Writer, FramesAreReadBackTheSame) {
   for (std::size_t k = 0; k < frames.size(); ++k) writer.write_depth(k, frames[k]);
   writer.write_color(0, color);
   const auto capture = open_capture(folder_.path());
-  expect_same(capture->info(), full_info());
+  CaptureInfo without_infrared = full_info();
+  without_infrared.infrared = without_infrared.lamp = std::nullopt;
+  expect_same(capture->info(), without_infrared);
   ASSERT_EQ(capture->depth_frames(), frames.size());
   for (std::size_t k = 0; k < frames.size(); ++k) EXPECT_EQ(capture->depth(k), frames[k]) << k;
   ASSERT_EQ(capture->color_frames(), 1U);
@@ -153,8 +157,42 @@ TEST_F(Writer, FramesMayComeFromSeveralThreads) {
   for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(capture->depth(k)[0], 100 + k);
 }
 
+TEST_F(Writer, InfraredMeansAreReadBackWithTheirFractions) {
+  CaptureWriter writer(folder_.path(), full_info());
+  writer.write_depth(0, DepthImage(8, 6, 500));
+  writer.write_depth(1, DepthImage(8, 6, 500));
+  FineGrayImage mean(8, 6, 2 * 256 + 77);
+  mean[5] = 255 * 256;
+  writer.write_infrared(Imager::left, Light::projector, mean, {256.0, 2, 8500.0, 16.0, 150.0});
+  writer.write_infrared(Imager::right, Light::projector, FineGrayImage(8, 6, 256), {256.0, 2});
+  writer.write_infrared(Imager::left, Light::lamp, FineGrayImage(8, 6, 128), {256.0, 3, {}, {}, 0.0});
+  const auto capture = open_capture(folder_.path());
+  EXPECT_EQ(capture->info().infrared, (InfraredBurst{256.0, 2}));
+  EXPECT_EQ(capture->info().lamp, (InfraredBurst{256.0, 3, {}, {}, 0.0}));
+  EXPECT_TRUE(capture->has_infrared(Imager::right, Light::projector));
+  EXPECT_FALSE(capture->has_infrared(Imager::right, Light::lamp));
+  EXPECT_FALSE(capture->infrared_mean(Imager::right, Light::lamp));
+  const auto levels = capture->infrared_mean(Imager::left, Light::projector);
+  ASSERT_TRUE(levels);
+  EXPECT_FLOAT_EQ((*levels)[0], 2.0F + 77.0F / 256.0F);
+  EXPECT_FLOAT_EQ((*levels)[5], 255.0F);
+  EXPECT_FLOAT_EQ((*capture->infrared_mean(Imager::left, Light::lamp))[0], 0.5F);
+  for (std::size_t frame = 0; frame < 2; ++frame)
+    EXPECT_EQ(capture->infrared_of(frame, Imager::left), mean) << "the mean of all frames is that of each";
+}
+
+TEST_F(Writer, ImagesBesideThoseOfTheFramesDoNotCount) {
+  CaptureWriter writer(folder_.path(), full_info());
+  writer.write_depth(0, DepthImage(8, 6, 500));
+  writer.write_infrared(Imager::left, Light::projector, FineGrayImage(8, 6, 256), {256.0, 1});
+  write_file(folder_ / "infrared" / "right.png", encode_png(FineGrayImage(8, 6, 9 * 256)));
+  const auto mean = open_capture(folder_.path())->infrared_mean(Imager::left, Light::projector);
+  EXPECT_FLOAT_EQ((*mean)[0], 1.0F);
+}
+
 TEST_F(Writer, RefusesFramesOfAnotherSize) {
-  const CaptureWriter writer(folder_.path(), full_info());
+  CaptureWriter writer(folder_.path(), full_info());
+  EXPECT_THROW(writer.write_infrared(Imager::left, Light::lamp, FineGrayImage(6, 8), {}), Error);
   EXPECT_THROW(writer.write_depth(0, DepthImage(6, 8)), Error);
   EXPECT_THROW(writer.write_depth(0, DepthImage()), Error);
   EXPECT_THROW(writer.write_color(0, ColorImage(8, 6)), Error);

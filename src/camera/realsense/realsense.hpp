@@ -18,7 +18,7 @@ struct RealSenseOptions {
   double gain = 16.0;
   double laser_power_mw = 150.0;
   double depth_unit_mm = 0.1;
-  bool infrared = false;
+  bool infrared = true;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.rate_hz, OptionField{"rate", "hz", 1, 90, "frames a second of a RealSense"});
@@ -29,7 +29,8 @@ struct RealSenseOptions {
           OptionField{"laser-power", "mw", 0, 360, "of a RealSense's projector; 0 turns it off"});
     visit(self.depth_unit_mm, OptionField{"depth-unit", "mm", 0.01, 10,
                                           "of a RealSense; 65535 of them are the farthest it can say"});
-    visit(self.infrared, OptionField{"infrared", "", 0, 1, "1: the left infrared image of a RealSense, too"});
+    visit(self.infrared,
+          OptionField{"infrared", "", 0, 1, "1: the images of a RealSense's infrared imagers, too"});
   }
 };
 
@@ -49,7 +50,7 @@ struct FoundCamera {
 ///         librealsense2
 [[nodiscard]] std::vector<FoundCamera> realsense_cameras();
 
-/// Depth of 848x480 pixels, colour of the same size, and on request infrared. Settings are applied, read back
+/// Depth of 848x480 pixels, colour and infrared of the same size. Settings are applied, read back
 /// and stated in info(); what the camera took otherwise than asked is in info().notes, and so is a port that
 /// is too slow. A camera that goes away fails a call with an Error, and the first call after it is back opens
 /// it anew; frames missed meanwhile show as a gap in the numbers.

@@ -22,6 +22,8 @@ constexpr int width = 848;
 constexpr int height = 480;
 // A second of frames: a reader who is later loses the oldest.
 constexpr unsigned most_waiting = 30;
+// By librealsense's numbers.
+constexpr std::array<std::pair<Imager, int>, 2> infrared_streams{{{Imager::left, 1}, {Imager::right, 2}}};
 
 std::string text_of(const rs2::device& device, rs2_camera_info what) {
   return device.supports(what) ? device.get_info(what) : "";
@@ -44,7 +46,9 @@ rs2::config streams(const std::string& serial, int rate_hz, bool color, bool inf
   config.enable_device(serial);
   config.enable_stream(RS2_STREAM_DEPTH, width, height, RS2_FORMAT_Z16, rate_hz);
   if (color) config.enable_stream(RS2_STREAM_COLOR, width, height, RS2_FORMAT_RGB8, rate_hz);
-  if (infrared) config.enable_stream(RS2_STREAM_INFRARED, 1, width, height, RS2_FORMAT_Y8, rate_hz);
+  for (const auto& [imager, index] : infrared_streams) {
+    if (infrared) config.enable_stream(RS2_STREAM_INFRARED, index, width, height, RS2_FORMAT_Y8, rate_hz);
+  }
   return config;
 }
 
@@ -146,15 +150,19 @@ void RealSenseCamera::open() {
     std::vector<std::string> notes = apply_settings(depth_sensor, options_);
     rs2::pipeline pipeline(context_);
     const auto asked_hz = static_cast<int>(options_.rate_hz);
-    // Some have no colour; a slow port has no rate that high.
+    // Some have no colour; a slow port has no rate that high, or no room for infrared.
     for (const int rate_hz : {asked_hz, 15, 10, 6}) {
-      for (const bool color : {true, false}) {
-        const rs2::config config = streams(serial_, rate_hz, color, options_.infrared);
+      for (const auto [color, infrared] :
+           {std::pair(true, true), {false, true}, {true, false}, {false, false}}) {
+        if (infrared && !options_.infrared) continue;
+        const rs2::config config = streams(serial_, rate_hz, color, infrared);
         if (!config.can_resolve(pipeline)) continue;
         const rs2::pipeline_profile profile = pipeline.start(config, queue_);
         CaptureInfo info = describe(profile, depth_sensor);
         info.notes = std::move(notes);
         note_slow_port(info, rate_hz, options_);
+        if (options_.infrared && !infrared)
+          info.notes.emplace_back("its port has no room for infrared images: depth alone will be compared");
         const std::lock_guard lock(mutex_);
         info_ = std::move(info);
         depth_sensor_ = depth_sensor;
@@ -241,7 +249,10 @@ std::optional<CameraFrame> RealSenseCamera::wait_for_frame() {
     CameraFrame frame;
     frame.depth = to_depth_image(depth);
     if (const rs2::video_frame color = set.get_color_frame()) frame.color = to_color_image(color);
-    if (const rs2::video_frame infrared = set.get_infrared_frame(1)) frame.infrared = to_gray_image(infrared);
+    for (const auto& [imager, index] : infrared_streams) {
+      if (const rs2::video_frame infrared = set.get_infrared_frame(static_cast<std::size_t>(index)))
+        frame.infrared.emplace(imager, fine_gray(to_gray_image(infrared)));
+    }
     frame.number = number_;
     frame.time_s = 1e-3 * depth.get_timestamp();
     frame.metadata = metadata_of(depth);

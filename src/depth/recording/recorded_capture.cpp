@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -49,8 +50,8 @@ class RecordedCapture : public Capture {
         no_depth_(this->info().no_depth, this->info().depth_unit_m) {
     if (streams_.color) color_ = recording_->messages(streams_.color->images());
     color_of_ = companions(depth_, color_);
-    if (streams_.infrared)
-      infrared_of_ = companions(depth_, recording_->messages(streams_.infrared->images()));
+    for (const auto& [imager, stream] : streams_.infrared)
+      infrared_of_[imager] = companions(depth_, recording_->messages(stream.images()));
   }
 
   [[nodiscard]] std::size_t depth_frames() const override { return depth_.size(); }
@@ -80,10 +81,21 @@ class RecordedCapture : public Capture {
                    : std::nullopt;
   }
 
-  [[nodiscard]] std::optional<GrayImage> infrared_of(std::size_t depth_frame) const override {
-    if (infrared_of_.empty() || !infrared_of_.at(depth_frame)) return std::nullopt;
+  [[nodiscard]] std::optional<FineGrayImage> infrared_of(std::size_t depth_frame,
+                                                         Imager imager) const override {
+    const auto stream = streams_.infrared.find(imager);
+    if (stream == streams_.infrared.end()) return std::nullopt;
+    const auto& message = infrared_of_.at(imager).at(depth_frame);
+    if (!message) return std::nullopt;
     const std::string where = place("infrared of depth", depth_frame);
-    return gray_of(recording_->image(*streams_.infrared, *infrared_of_[depth_frame], where), where);
+    const GrayImage image = gray_of(recording_->image(stream->second, *message, where), where);
+    if (image.width() != info().depth.width || image.height() != info().depth.height)
+      throw Error(where, "its size is not that of the depth images", "record it again");
+    return fine_gray(image);
+  }
+
+  [[nodiscard]] bool has_infrared(Imager imager, Light light) const override {
+    return light == Light::projector && streams_.infrared.contains(imager);
   }
 
   [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override {
@@ -118,8 +130,8 @@ class RecordedCapture : public Capture {
   std::vector<RecordedMessage> depth_;
   NoDepthValues no_depth_;
   std::vector<RecordedMessage> color_;
-  std::vector<std::optional<RecordedMessage>> color_of_;     // by depth frame
-  std::vector<std::optional<RecordedMessage>> infrared_of_;  // the same
+  std::vector<std::optional<RecordedMessage>> color_of_;                       // by depth frame
+  std::map<Imager, std::vector<std::optional<RecordedMessage>>> infrared_of_;  // the same
 };
 
 }  // namespace

@@ -118,8 +118,12 @@ Error without_depth(const Recording& recording) {
 RecordedStreams find_streams(const Recording& recording) {
   const auto depth = find_stream(recording, "Depth_");
   if (!depth) throw without_depth(recording);
+  RecordedStreams streams{*depth, find_stream(recording, "Color_"), {}};
   // Infrared 1 is the left imager, whose view is the depth's.
-  return {*depth, find_stream(recording, "Color_"), find_stream(recording, "Infrared_1")};
+  for (const auto& [imager, name] : {std::pair(Imager::left, "Infrared_1"), {Imager::right, "Infrared_2"}}) {
+    if (const auto stream = find_stream(recording, name)) streams.infrared.emplace(imager, *stream);
+  }
+  return streams;
 }
 
 CaptureInfo describe(const Recording& recording, const RecordedStreams& streams) {

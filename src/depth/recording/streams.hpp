@@ -1,6 +1,7 @@
 // Which imagers a recording is of, and what it says of the camera.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "depth/capture.hpp"
@@ -11,7 +12,7 @@ namespace rva {
 struct RecordedStreams {
   RecordedStream depth;
   std::optional<RecordedStream> color;
-  std::optional<RecordedStream> infrared;  ///< of the left imager
+  std::map<Imager, RecordedStream> infrared;  ///< of the imagers that were recorded
 };
 
 /// Those of the first device that have images.

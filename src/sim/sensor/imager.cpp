@@ -15,9 +15,6 @@ namespace {
 
 constexpr int greatest_level = 1023;
 constexpr std::size_t quantiles = 4096;
-// What a frame's 33 ms gather from a white surface in the projector's mean light at 1 m: paint is seen well
-// at 3 m, black rubber is dim at half a metre.
-constexpr double longest_exposure_e = 2000.0;
 
 /// The standard normal distribution at equal steps of probability, scaled to a variance of exactly 1: a
 /// random index draws from it at the price of a lookup.

@@ -10,6 +10,11 @@
 
 namespace rva {
 
+/// What the longest exposure gathers from a white surface in the projector's mean light at 1 m: paint is seen
+/// well at 3 m, black rubber is dim at half a metre.
+inline constexpr double longest_exposure_e = 2000.0;
+inline constexpr double longest_exposure_s = 0.033;
+
 /// Electrons per unit of light that the camera's own control would choose for a view: its brighter parts
 /// (95 % of pixels are darker) at a quarter of what saturates, as far as the longest exposure reaches.
 [[nodiscard]] double automatic_exposure(const InfraredView& view, const StereoSensorOptions& options);

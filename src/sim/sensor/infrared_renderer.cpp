@@ -46,12 +46,14 @@ struct InfraredRenderer::Eye {
 class InfraredRenderer::RowShader {
  public:
   RowShader(const InfraredRenderer& renderer, const Eye& eye, const Transform& world_from_camera,
-            int supersampling)
+            int supersampling, Light light)
       : renderer_(renderer),
         eye_(eye),
+        light_(light),
         turn_(world_from_camera.rotation().cast<float>()),
         origin_((world_from_camera * eye.position_m).cast<float>()),
         projector_((world_from_camera * renderer.rig_.projector_m).cast<float>()),
+        lamp_{world_from_camera * renderer.rig_.lamp_m, renderer.lamp_light_},
         dots_shift_(static_cast<float>(eye.dots_px / renderer.rig_.imager.fx)),
         supersampling_(supersampling),
         row_(renderer.scene_, renderer.rays_,
@@ -62,13 +64,14 @@ class InfraredRenderer::RowShader {
     for (int sub = 0; sub < supersampling_; ++sub) {
       aim(v + offset(sub));
       row_.cast();
-      row_.find_shadows(projector_);
-      add(projected, [&](std::size_t i) { return from_projector(i); });
-      add(steady, [&](std::size_t i) { return from_around(i); });
-      for (const Lamp& lamp : renderer_.scene_.lighting.lamps) {
-        row_.find_shadows(lamp.position_m.cast<float>());
-        add(steady, [&](std::size_t i) { return from_lamp(i, lamp); });
+      if (light_ == Light::projector) {
+        row_.find_shadows(projector_);
+        add(projected, [&](std::size_t i) { return from_projector(i); });
+      } else {
+        add_lamp(lamp_, steady);
       }
+      add(steady, [&](std::size_t i) { return from_around(i); });
+      for (const Lamp& lamp : renderer_.scene_.lighting.lamps) add_lamp(lamp, steady);
     }
   }
 
@@ -82,6 +85,11 @@ class InfraredRenderer::RowShader {
     for (int u = 0; u < renderer_.rig_.imager.width; ++u) {
       for (int sub = 0; sub < supersampling_; ++sub) pixels[u] += weight() * light_of_sample(sample++);
     }
+  }
+
+  void add_lamp(const Lamp& lamp, float* steady) {
+    row_.find_shadows(lamp.position_m.cast<float>());
+    add(steady, [&](std::size_t i) { return from_lamp(i, lamp); });
   }
 
   // Lenses without distortion: directions along a row are evenly spaced.
@@ -110,7 +118,8 @@ class InfraredRenderer::RowShader {
   }
 
   [[nodiscard]] float from_around(std::size_t i) const {
-    const auto light = static_cast<float>(renderer_.scene_.lighting.ambient + renderer_.bounce_);
+    const double own = light_ == Light::projector ? 1.0 : lamp_.strength;
+    const auto light = static_cast<float>(renderer_.scene_.lighting.ambient + own * renderer_.bounce_);
     if (!row_.seen(i) || light <= 0.0F) return 0.0F;
     return light * reflected_surroundings(row_.material(i), albedo(i), row_.point(i));
   }
@@ -125,9 +134,11 @@ class InfraredRenderer::RowShader {
 
   const InfraredRenderer& renderer_;
   const Eye& eye_;
+  Light light_;
   Eigen::Matrix3f turn_;  // world from camera
   Eigen::Vector3f origin_;
   Eigen::Vector3f projector_;
+  Lamp lamp_;  // the camera's own
   float dots_shift_;
   int supersampling_;
   SurfaceRow row_;
@@ -140,14 +151,15 @@ InfraredRenderer::InfraredRenderer(const Scene& scene, const RayCaster& rays,
       rig_(stereo_rig(options)),
       dots_(options.dots, options.dot_share, mix(options.device, 0xD075)),
       lens_blur_px_(options.lens_blur_px),
-      bounce_(options.bounce) {}
+      bounce_(options.bounce),
+      lamp_light_(options.lamp_light) {}
 
 InfraredView InfraredRenderer::render_eye(const Eye& eye, const Transform& world_from_camera,
-                                          int supersampling) const {
+                                          int supersampling, Light light) const {
   InfraredView view{Image<float>(rig_.imager.width, rig_.imager.height),
                     Image<float>(rig_.imager.width, rig_.imager.height)};
   parallel_bands(rig_.imager.height, [&](int first, int end) {
-    RowShader shader(*this, eye, world_from_camera, supersampling);
+    RowShader shader(*this, eye, world_from_camera, supersampling, light);
     for (int v = first; v < end; ++v) {
       throw_if_interrupted();
       shader.shade(v, &view.steady(0, v), &view.projected(0, v));
@@ -159,11 +171,11 @@ InfraredView InfraredRenderer::render_eye(const Eye& eye, const Transform& world
 }
 
 InfraredPair InfraredRenderer::render(const Transform& world_from_camera, const Misalignment& misalignment,
-                                      int supersampling) const {
+                                      int supersampling, Light light) const {
   const Eye left{Eigen::Vector3d::Zero(), Misalignment{}, misalignment.dots_px};
   const Eye right{Eigen::Vector3d(rig_.baseline_m, 0.0, 0.0), misalignment, misalignment.dots_px};
-  return {render_eye(left, world_from_camera, supersampling),
-          render_eye(right, world_from_camera, supersampling)};
+  return {render_eye(left, world_from_camera, supersampling, light),
+          render_eye(right, world_from_camera, supersampling, light)};
 }
 
 TrueView InfraredRenderer::look(const Transform& world_from_camera) const {

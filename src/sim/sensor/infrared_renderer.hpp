@@ -1,6 +1,7 @@
 // What falls on the two infrared imagers, before any noise.
 #pragma once
 
+#include "depth/capture.hpp"
 #include "depth/image.hpp"
 #include "sim/scene/ray_caster.hpp"
 #include "sim/scene/scene.hpp"
@@ -35,16 +36,17 @@ class InfraredRenderer {
   InfraredRenderer(const Scene& scene, const RayCaster& rays, const StereoSensorOptions& options);
 
   /// Rays at `supersampling` squared a pixel, shadows of the projector and of lamps, blur of the lenses.
+  /// @param light the camera's own; lamps of the scene are always on
   [[nodiscard]] InfraredPair render(const Transform& world_from_camera, const Misalignment& misalignment,
-                                    int supersampling) const;
+                                    int supersampling, Light light = Light::projector) const;
 
   [[nodiscard]] TrueView look(const Transform& world_from_camera) const;
 
  private:
   struct Eye;
   class RowShader;
-  [[nodiscard]] InfraredView render_eye(const Eye& eye, const Transform& world_from_camera,
-                                        int supersampling) const;
+  [[nodiscard]] InfraredView render_eye(const Eye& eye, const Transform& world_from_camera, int supersampling,
+                                        Light light) const;
 
   const Scene& scene_;
   const RayCaster& rays_;
@@ -52,6 +54,7 @@ class InfraredRenderer {
   DotPattern dots_;
   double lens_blur_px_;
   double bounce_;
+  double lamp_light_;
 };
 
 }  // namespace rva

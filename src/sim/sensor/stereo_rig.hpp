@@ -24,9 +24,10 @@ struct StereoRig {
   Intrinsics imager;         ///< of both infrared imagers
   double baseline_m = 0.05;  ///< the right one is at (baseline, 0, 0)
   Eigen::Vector3d projector_m{0.0285, 0.0,
-                              0.0};  ///< between the imagers (D400 datasheet, mechanical drawing)
-  Intrinsics color;                  ///< narrower: 69 deg across
-  Transform color_from_depth;        ///< the colour imager is 15 mm to the left of the depth imager
+                              0.0};           ///< between the imagers (D400 datasheet, mechanical drawing)
+  Eigen::Vector3d lamp_m{0.025, -0.02, 0.0};  ///< above the middle of the camera
+  Intrinsics color;                           ///< narrower: 69 deg across
+  Transform color_from_depth;                 ///< the colour imager is 15 mm to the left of the depth imager
 };
 
 [[nodiscard]] StereoRig stereo_rig(const StereoSensorOptions& options);

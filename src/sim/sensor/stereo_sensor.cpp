@@ -22,14 +22,22 @@ StereoSensor::StereoSensor(InfraredPair view, const StereoSensorOptions& options
                      mix(capture_seed, 2)),
       exposure_e_(options.exposure > 0.0 ? options.exposure : automatic_exposure(view_.left, options)) {}
 
-StereoFrame StereoSensor::next_frame() {
+StereoFrame StereoSensor::next_pair() {
   left_speckle_.advance();
   right_speckle_.advance();
   const std::uint64_t seed = mix(capture_seed_, 0xE390, frame_++);
   const double exposure_e = exposure_e_ * std::max(0.0, 1.0 + options_.flicker * Random(seed).normal());
-  StereoFrame frame{expose(view_.left, left_speckle_, exposure_e, options_, mix(seed, 1)),
-                    expose(view_.right, right_speckle_, exposure_e, options_, mix(seed, 2)),
-                    {}};
+  return {expose(view_.left, left_speckle_, exposure_e, options_, mix(seed, 1)),
+          expose(view_.right, right_speckle_, exposure_e, options_, mix(seed, 2)),
+          {}};
+}
+
+double StereoSensor::exposure_us() const {
+  return 1e6 * exposure_e_ / longest_exposure_e * longest_exposure_s;
+}
+
+StereoFrame StereoSensor::next_frame() {
+  StereoFrame frame = next_pair();
   frame.depth = depth_from_disparity(match_stereo(frame.left, frame.right, options_), options_);
   return frame;
 }

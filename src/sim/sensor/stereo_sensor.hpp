@@ -28,6 +28,12 @@ class StereoSensor {
 
   [[nodiscard]] StereoFrame next_frame();
 
+  /// As next_frame(), without depth, which takes most of the time.
+  [[nodiscard]] StereoFrame next_pair();
+
+  /// How long a frame is exposed, on average.
+  [[nodiscard]] double exposure_us() const;
+
  private:
   InfraredPair view_;
   StereoSensorOptions options_;

@@ -27,6 +27,7 @@ struct StereoSensorOptions {
   int dots = 5000;
   double dot_share = 0.8;
   double bounce = 0.05;
+  double lamp_light = 1.0;
   // Imager
   double exposure = 0.0;
   double full_well_e = 1500.0;
@@ -57,6 +58,8 @@ struct StereoSensorOptions {
           OptionField{"dot-share", "", 0, 1, "share of the projector's light that is in dots"});
     visit(self.bounce, OptionField{"bounce", "", 0, 10,
                                    "projector light that arrives from other surfaces, of its mean at 1 m"});
+    visit(self.lamp_light, OptionField{"lamp-light", "", 0, 1000,
+                                       "light of the lamp beside the imagers, at 1 m; 0: there is none"});
     visit(self.exposure,
           OptionField{"exposure", "", 0, 1e6,
                       "electrons for a white surface in the projector's mean light at 1 m; 0 sets "

@@ -1,0 +1,36 @@
+#include "infrared/lamp_check.hpp"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "core/quantile.hpp"
+#include "depth/mat_view.hpp"
+#include "infrared/dot_mask.hpp"
+#include "infrared/level.hpp"
+
+namespace rva {
+namespace {
+
+double share_of(const Mask& mask) {
+  return static_cast<double>(cv::countNonZero(as_mat(mask))) / static_cast<double>(mask.size());
+}
+
+}  // namespace
+
+std::string problem_under_lamp(const InfraredView& view) {
+  constexpr float least_grey = 4.0F;
+  constexpr double brighter_share = 0.9;
+  constexpr double most_saturated = 0.3;
+  constexpr double most_dots = 0.1;  // under the projector it is 0.2 and more
+  std::vector<float> levels =
+      sampled(as_mat(view.log_image), Mask(view.log_image.width(), view.log_image.height(), mask_set));
+  const Image<float> darkest = log_grey(Image<float>(1, 1, least_grey));
+  if (levels.empty() || quantile(levels, brighter_share) < darkest[0]) return "it is dark: was the lamp on?";
+  if (share_of(view.dots) > most_saturated) return "most of it is saturated: dim the lamp";
+  if (share_of(dot_mask(view.log_image)) > most_dots)
+    return "it shows the projector's dots: was the projector off?";
+  return "";
+}
+
+}  // namespace rva
