@@ -38,7 +38,7 @@ void measure(const std::string& capture, double minutes, const fs::path& folder)
   rva::LiveCamera live(
       std::make_unique<rva::ReplayCamera>(std::move(memory), rva::ReplayOptions{.loop = true}), 1000.0);
   const std::unique_ptr<rva::Camera> camera = live.every_frame();
-  const rva::CaptureWriter writer(folder, camera->info());
+  rva::CaptureWriter writer(folder, camera->info());
   const rva::Stopwatch watch;
   const std::size_t tenth = std::max<std::size_t>(1, frames / 10);
   const rva::Recorded recorded =

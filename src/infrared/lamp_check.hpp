@@ -7,8 +7,8 @@
 
 namespace rva {
 
-/// What is wrong with an image under the lamp: it is dark, saturated, or has the projector's dots. Empty where
-/// nothing is; else a sentence without a full stop.
+/// What is wrong with an image under the lamp: it is dark, saturated, or has the projector's dots. Empty
+/// where nothing is; else a sentence without a full stop.
 [[nodiscard]] std::string problem_under_lamp(const InfraredView& view);
 
 }  // namespace rva

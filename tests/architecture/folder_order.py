@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ['core', 'geometry', 'depth', 'detect', 'infrared', 'cloud', 'camera', 'robot', 'map', 'sim', 'classify', 'inspect', 'evaluate',
+ORDER = ['core', 'geometry', 'depth', 'detect', 'infrared', 'stereo', 'cloud', 'camera', 'robot', 'map', 'sim', 'classify', 'inspect', 'evaluate',
          'store', 'server', 'cli']
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

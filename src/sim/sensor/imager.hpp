@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "sim/sensor/block_matching.hpp"
 #include "sim/sensor/infrared_renderer.hpp"
 #include "sim/sensor/speckle.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
+#include "stereo/block_matching.hpp"
 
 namespace rva {
 

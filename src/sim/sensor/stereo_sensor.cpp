@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "sim/sensor/correlation.hpp"
-#include "sim/sensor/semi_global.hpp"
+#include "stereo/correlation.hpp"
+#include "stereo/semi_global.hpp"
 
 namespace rva {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "depth/image.hpp"
-#include "sim/sensor/block_matching.hpp"
 #include "sim/sensor/imager.hpp"
-#include "sim/sensor/subpixel.hpp"
+#include "stereo/block_matching.hpp"
+#include "stereo/subpixel.hpp"
 
 namespace rva {
 

@@ -6,10 +6,10 @@
 
 #include "core/error.hpp"
 #include "sim/sensor/camera_models.hpp"
-#include "sim/sensor/correlation.hpp"
-#include "sim/sensor/semi_global.hpp"
 #include "sim/sensor/stereo_sensor.hpp"
-#include "tests/sim/sensor/random_images.hpp"
+#include "stereo/correlation.hpp"
+#include "stereo/semi_global.hpp"
+#include "tests/stereo/random_images.hpp"
 
 namespace rva {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/sim/sensor/random_images.hpp"
+#include "tests/stereo/random_images.hpp"
 
 namespace rva {
 namespace {

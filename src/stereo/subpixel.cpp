@@ -1,4 +1,4 @@
-#include "sim/sensor/subpixel.hpp"
+#include "stereo/subpixel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #endif
 
 #include "core/parallel.hpp"
-#include "sim/sensor/weighted_sums.hpp"
+#include "stereo/weighted_sums.hpp"
 
 namespace rva {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "depth/image.hpp"
-#include "sim/sensor/block_matching.hpp"
+#include "stereo/block_matching.hpp"
 
 namespace rva {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "sim/sensor/block_matching.hpp"
+#include "stereo/block_matching.hpp"
 
 namespace rva::test {
 

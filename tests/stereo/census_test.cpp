@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "sim/sensor/block_matching.hpp"
-#include "tests/sim/sensor/random_images.hpp"
+#include "stereo/block_matching.hpp"
+#include "tests/stereo/random_images.hpp"
 
 namespace rva {
 namespace {

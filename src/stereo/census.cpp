@@ -4,7 +4,7 @@
 
 #include "core/parallel.hpp"
 #include "core/vector_clones.hpp"
-#include "sim/sensor/block_matching.hpp"
+#include "stereo/block_matching.hpp"
 
 namespace rva {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "sim/sensor/block_matching.hpp"
-#include "tests/sim/sensor/random_images.hpp"
+#include "stereo/block_matching.hpp"
+#include "tests/stereo/random_images.hpp"
 
 namespace rva::test {
 

@@ -1,4 +1,4 @@
-#include "sim/sensor/semi_global.hpp"
+#include "stereo/semi_global.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "core/parallel.hpp"
 #include "core/vector_clones.hpp"
-#include "sim/sensor/cost_volume.hpp"
+#include "stereo/cost_volume.hpp"
 
 namespace rva {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/sensor/subpixel.hpp"
+#include "stereo/subpixel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/sim/sensor/random_images.hpp"
+#include "tests/stereo/random_images.hpp"
 
 namespace rva {
 namespace {

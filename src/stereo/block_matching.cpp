@@ -1,4 +1,4 @@
-#include "sim/sensor/block_matching.hpp"
+#include "stereo/block_matching.hpp"
 
 #include <algorithm>
 #include <cassert>

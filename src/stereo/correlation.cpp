@@ -1,4 +1,4 @@
-#include "sim/sensor/correlation.hpp"
+#include "stereo/correlation.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -10,7 +10,7 @@
 #include "core/parallel.hpp"
 #include "core/vector_clones.hpp"
 #include "depth/mat_view.hpp"
-#include "sim/sensor/cost_volume.hpp"
+#include "stereo/cost_volume.hpp"
 
 namespace rva {
 namespace {

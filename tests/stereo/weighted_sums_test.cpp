@@ -1,4 +1,4 @@
-#include "sim/sensor/weighted_sums.hpp"
+#include "stereo/weighted_sums.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "sim/sensor/block_matching.hpp"
+#include "stereo/block_matching.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tests/sim/sensor/random_images.hpp"
-#include "tests/sim/sensor/slow_matcher.hpp"
+#include "tests/stereo/random_images.hpp"
+#include "tests/stereo/slow_matcher.hpp"
 
 namespace rva {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/sensor/cost_volume.hpp"
+#include "stereo/cost_volume.hpp"
 
 #include <algorithm>
 #include <cmath>
