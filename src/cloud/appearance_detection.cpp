@@ -8,6 +8,7 @@
 
 #include "cloud/appearance_evidence.hpp"
 #include "cloud/joint_evidence.hpp"
+#include "core/quantile.hpp"
 #include "core/stopwatch.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/regions.hpp"
@@ -17,8 +18,8 @@ namespace {
 
 constexpr std::size_t least_captures = 4;
 constexpr std::size_t least_captures_under_lamp = 2;
-// Stains and reflections change so much; a collar changes more.
-constexpr float least_contrast = 0.015F;
+// What speaks for a finding does so by more than this.
+constexpr float speaks_deviations = 4.0F;
 constexpr int least_pixels = 3;
 // Blobs of one thing: a collar, and its shadow in what the dots light up.
 constexpr double join_px = 9.0;
@@ -33,8 +34,7 @@ void add_significant(const JudgedChange& found, double false_findings, const Mas
   const auto least = static_cast<float>(found.tail.height_of(0.5 * false_findings));
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (change.judged[i] == 0 || is_left_out(left_out, i)) continue;
-    if (std::abs(change.deviations[i]) > least && std::abs(change.contrast[i]) > least_contrast)
-      mask[i] = mask_set;
+    if (std::abs(change.deviations[i]) > least) mask[i] = mask_set;
   }
 }
 
@@ -51,11 +51,55 @@ double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<Judg
   return score - std::log10(both_signs * static_cast<double>(lights.size()));
 }
 
-Finding finding_of(Region region, const std::vector<JudgedChange>& lights, const Image<float>& final_m,
-                   const Intrinsics& camera) {
-  Finding finding;
+// As the pairs measured it, at the finding's depth after the work; nothing where they disagree with its kind.
+void give_height(std::vector<float>& nearer_px, double disparity_m_px, Finding& finding) {
+  if (nearer_px.empty() || !finding.position_m) return;
+  constexpr double mm_per_m = 1000.0;
+  const double after_px = disparity_m_px / finding.position_m->z();
+  const double before_px = after_px - static_cast<double>(quantile(nearer_px, 0.5));
+  if (before_px <= 0.0) return;
+  const double height_mm = mm_per_m * (disparity_m_px / before_px - finding.position_m->z());
+  if ((finding.kind == ChangeKind::added) == (height_mm > 0.0)) finding.height_mm = height_mm;
+}
+
+/// What the evidence of one light comes to over a finding.
+struct Strongest {
+  float moved = 0.0F;  // of the surface: above 0 where it came nearer
+  float all = 0.0F;    // of appearance and surface together
+  std::vector<float> nearer_px;
+};
+
+Strongest strongest_of(const JudgedChange& light, const std::vector<std::uint32_t>& pixels) {
+  Strongest strongest;
+  for (const std::uint32_t i : pixels) {
+    strongest.all = std::max(strongest.all, std::abs(light.change.deviations[i]));
+    if (light.surface.judged[i] == 0) continue;
+    strongest.nearer_px.push_back(light.surface.nearer_px[i]);
+    if (std::abs(light.surface.deviations[i]) > std::abs(strongest.moved))
+      strongest.moved = light.surface.deviations[i];
+  }
+  return strongest;
+}
+
+// Where the pairs of both imagers say by themselves that the surface moved, the kind is how, else appearance.
+void name_evidence(const std::vector<JudgedChange>& lights, double disparity_m_px, Finding& finding) {
   finding.kind = ChangeKind::appearance;
   finding.evidence = {.depth = false, .appearance = true};
+  for (const JudgedChange& light : lights) {
+    if (light.surface.judged.empty()) continue;
+    Strongest strongest = strongest_of(light, finding.pixels);
+    if (std::abs(strongest.moved) < speaks_deviations) continue;
+    const float seen =
+        std::sqrt(std::max(std::pow(strongest.all, 2.0F) - std::pow(strongest.moved, 2.0F), 0.0F));
+    finding.kind = strongest.moved > 0.0F ? ChangeKind::added : ChangeKind::removed;
+    finding.evidence = {.depth = true, .appearance = seen > speaks_deviations};
+    give_height(strongest.nearer_px, disparity_m_px, finding);
+  }
+}
+
+Finding finding_of(Region region, const std::vector<JudgedChange>& lights, const Image<float>& final_m,
+                   const DepthView& view) {
+  Finding finding;
   finding.box = region.box;
   finding.pixels = std::move(region.pixels);
   const auto width = static_cast<std::uint32_t>(final_m.width());
@@ -66,7 +110,8 @@ Finding finding_of(Region region, const std::vector<JudgedChange>& lights, const
     if (final_m[i] > 0.0F) depths_m.push_back(final_m[i]);
   }
   finding.centroid = sum / static_cast<double>(finding.pixels.size());
-  place(camera, depths_m, finding);
+  place(view.camera, depths_m, finding);
+  name_evidence(lights, view.disparity_m_px, finding);
   finding.score = score_of(finding.pixels, lights);
   finding.p_value = -std::expm1(-std::pow(10.0, -*finding.score));
   return finding;
@@ -118,18 +163,17 @@ void add_appearance(const Captures& initial, const Captures& final, const std::v
     add_significant(change, false_findings / static_cast<double>(changes.size()), detection.left_out, mask);
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
-  drop_unsupported(judged, false_findings, detection);
-  std::vector<Finding> others;
+  const bool surfaces =
+      std::ranges::any_of(changes, [](const JudgedChange& change) { return !change.surface.judged.empty(); });
+  drop_unsupported(judged, surfaces ? InfraredCompared::surfaces : InfraredCompared::appearance,
+                   false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
     for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
-    others.push_back(finding_of(std::move(region), changes, detection.final_m, placed.final_view.camera));
+    findings.push_back(finding_of(std::move(region), changes, detection.final_m, placed.final_view));
+    findings.back().id = static_cast<int>(findings.size());
   }
-  std::ranges::stable_sort(others, [](const Finding& a, const Finding& b) { return a.score > b.score; });
-  for (Finding& finding : others) {
-    finding.id = static_cast<int>(findings.size()) + 1;
-    findings.push_back(std::move(finding));
-  }
+  order(findings);
   const auto compared = std::ranges::count(judged.pixels(), mask_set);
   detection.findings.appearance_judged = static_cast<double>(compared) / static_cast<double>(judged.size());
   detection.findings.runtime.detect_ms += start.ms();

@@ -13,10 +13,13 @@
 
 #include "core/interrupt.hpp"
 #include "core/parallel.hpp"
+#include "core/quantile.hpp"
 #include "depth/mat_view.hpp"
 #include "infrared/dot_free_image.hpp"
+#include "infrared/dot_mask.hpp"
 #include "infrared/infrared_alignment.hpp"
 #include "infrared/lamp_check.hpp"
+#include "infrared/level.hpp"
 #include "infrared/paired_change.hpp"
 #include "infrared/reference_surface.hpp"
 
@@ -34,15 +37,25 @@ constexpr UsualTail between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 
 constexpr UsualTail lamp_lit{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
 constexpr UsualTail with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
 
-std::vector<InfraredView> views_of(const Captures& side, Light light,
+// The middle of all grey levels: most of a view is the same before and after.
+float median_of(const Image<float>& grey) {
+  std::vector<float> levels = sampled(as_mat(grey), Mask(grey.width(), grey.height(), mask_set));
+  return levels.empty() ? 0.0F : quantile(levels, 0.5);
+}
+
+/// @param level that images under the lamp are brought to, since their exposure follows what lies in the view
+std::vector<InfraredView> views_of(const Captures& side, Light light, float level,
                                    const std::vector<Transform>& first_from_view,
                                    const Transform& first_from_reference) {
   std::vector<InfraredView> views(side.size());
   parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
       throw_if_interrupted();
-      views[k] = InfraredView(side[k]->infrared_mean(Imager::left, light).value(),
-                              first_from_view[k].inverse() * first_from_reference, light);
+      const Image<float> grey = side[k]->infrared_mean(Imager::left, light).value();
+      const float own_level = median_of(grey);
+      const bool brought = light == Light::lamp && own_level > 0.0F && level > 0.0F;
+      views[k] = InfraredView(grey, first_from_view[k].inverse() * first_from_reference, light,
+                              brought ? level / own_level : 1.0F);
     }
   });
   return views;
@@ -107,12 +120,59 @@ Mask well_within(const Mask& lit) {
   return within;
 }
 
+// Stains and reflections change so much; a collar changes more.
+void drop_faint(AppearanceChange& change) {
+  constexpr float least_contrast = 0.015F;
+  for (std::size_t i = 0; i < change.judged.size(); ++i) {
+    if (std::abs(change.contrast[i]) <= least_contrast) change.deviations[i] = 0.0F;
+  }
+}
+
+// Brightness and geometry fail on different things: their squares are added, as of independent evidence.
+AppearanceChange with_surface(AppearanceChange change, const SurfaceChange& surface) {
+  for (std::size_t i = 0; i < change.judged.size(); ++i) {
+    if (surface.judged[i] == 0) continue;
+    const float seen = change.judged[i] != 0 ? change.deviations[i] : 0.0F;
+    const float moved = surface.deviations[i];
+    change.judged[i] = mask_set;
+    change.deviations[i] = std::copysign(std::hypot(seen, moved), seen != 0.0F ? seen : moved);
+  }
+  return change;
+}
+
+std::vector<StereoView> pairs_of(const Captures& side, const std::vector<InfraredView>& left) {
+  std::vector<StereoView> pairs(side.size());
+  parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
+      throw_if_interrupted();
+      pairs[k] = {left[k].log_image,
+                  log_grey(side[k]->infrared_mean(Imager::right, Light::projector).value()),
+                  left[k].view_from_reference};
+    }
+  });
+  return pairs;
+}
+
+bool have_pairs(const Captures& side) {
+  return std::ranges::all_of(
+      side, [](const auto& capture) { return capture->has_infrared(Imager::right, Light::projector); });
+}
+
+SurfaceChange surface_between(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
+                              double disparity_m_px, const std::vector<InfraredView>& before,
+                              const std::vector<InfraredView>& after) {
+  std::vector<StereoView> pairs_before = pairs_of(initial, before);
+  std::vector<StereoView> pairs_after = pairs_of(final, after);
+  return surface_change(surface, disparity_m_px, pairs_before, pairs_after);
+}
+
 Mask both_set(Mask a, const Mask& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
   return a;
 }
 
-JudgedChange under_projector(const ReferenceSurface& surface, const std::vector<InfraredView>& before,
+JudgedChange under_projector(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
+                             double disparity_m_px, const std::vector<InfraredView>& before,
                              const std::vector<InfraredView>& after, const DotFreeImage& image_before,
                              const DotFreeImage& image_after) {
   const Mask lit = both_set(lit_in_all(surface, after), lit_in_all(surface, before));
@@ -120,8 +180,14 @@ JudgedChange under_projector(const ReferenceSurface& surface, const std::vector<
   const PairedChange pairs = paired_change(surface, before, after, image_before, well_within(lit));
   const bool has_pairs = cv::countNonZero(as_mat(pairs.judged)) > 0;
   if (has_pairs) change = both(std::move(change), pairs);
+  drop_faint(change);
+  SurfaceChange moved;
+  if (have_pairs(initial) && have_pairs(final)) {
+    moved = surface_between(initial, final, surface, disparity_m_px, before, after);
+    change = with_surface(std::move(change), moved);
+  }
   const FalseAlarmTail tail = tail_of(change, has_pairs ? with_pairs : between_dots);
-  return {std::move(change), tail};
+  return {std::move(change), tail, std::move(moved)};
 }
 
 JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<InfraredView>& before,
@@ -129,6 +195,7 @@ JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<Infra
                         const DotFreeImage& image_after) {
   const Mask seen = both_set(seen_in_all(surface, after), seen_in_all(surface, before));
   AppearanceChange change = appearance_change(image_before, image_after, seen);
+  drop_faint(change);
   const FalseAlarmTail tail = tail_of(change, lamp_lit);
   return {std::move(change), tail};
 }
@@ -153,8 +220,11 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
                                            Light light, std::vector<std::string>& warnings) {
   const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
                                                      placed.final_view.disparity_m_px);
-  std::vector<InfraredView> after = views_of(final, light, placed.first_from_final, Transform::Identity());
-  std::vector<InfraredView> before = views_of(initial, light, placed.first_from_initial, initial_from_final);
+  const float level = median_of(final.front()->infrared_mean(Imager::left, light).value());
+  std::vector<InfraredView> after =
+      views_of(final, light, level, placed.first_from_final, Transform::Identity());
+  std::vector<InfraredView> before =
+      views_of(initial, light, level, placed.first_from_initial, initial_from_final);
   if (light == Light::lamp &&
       (has_lamp_problem(before, "initial", warnings) || has_lamp_problem(after, "final", warnings)))
     return std::nullopt;
@@ -171,8 +241,10 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
     return std::nullopt;
   }
   const DotFreeImage image_before = fuse(surface, before);
-  return light == Light::projector ? under_projector(surface, before, after, image_before, image_after)
-                                   : under_lamp(surface, before, after, image_before, image_after);
+  return light == Light::projector
+             ? under_projector(initial, final, surface, placed.final_view.disparity_m_px, before, after,
+                               image_before, image_after)
+             : under_lamp(surface, before, after, image_before, image_after);
 }
 
 }  // namespace rva

@@ -7,6 +7,7 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <utility>
 
 #include "depth/mat_view.hpp"
 #include "detect/regions.hpp"
@@ -28,18 +29,20 @@ Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int
 
 // Infrared images respond to nearly all that changed in depth: of 64 findings of debris in development, to
 // all but one with eight captures (docs/infrared.md). Where they were compared and show nothing, a finding of
-// depth is believed if it is so many times rarer by chance.
-constexpr double unsupported_factor = 50.0;
+// depth is believed if it is so many times rarer by chance; and where the pairs of both imagers were
+// compared, too, which measure the same as depth does, if it is much rarer still.
+double unsupported_factor(InfraredCompared compared) {
+  return compared == InfraredCompared::surfaces ? 1e4 : 50.0;
+}
 
-bool is_unsupported(const Finding& finding, const Mask& judged_pixels, double false_findings) {
+bool is_unsupported(const Finding& finding, const Mask& judged_pixels, double least_score) {
   if (finding.evidence.appearance || !finding.score) return false;
   const auto judged =
       std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return judged_pixels[i] != 0; });
-  return 2 * static_cast<std::size_t>(judged) > finding.pixels.size() &&
-         *finding.score < std::log10(unsupported_factor / false_findings);
+  return 2 * static_cast<std::size_t>(judged) > finding.pixels.size() && *finding.score < least_score;
 }
 
-// Numbers the findings anew, and mends what they say of each other.
+// In their order, from 1; what they say of each other goes along.
 void number(std::vector<Finding>& findings) {
   std::map<int, int> now_from_before;
   for (Finding& finding : findings) {
@@ -66,10 +69,20 @@ void give_evidence(Mask& mask, std::vector<Finding>& findings) {
   }
 }
 
-void drop_unsupported(const Mask& judged, double false_findings, Detection& detection) {
+void order(std::vector<Finding>& findings) {
+  std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
+    return std::pair(a.evidence.depth, a.score.value_or(0.0)) >
+           std::pair(b.evidence.depth, b.score.value_or(0.0));
+  });
+  number(findings);
+}
+
+void drop_unsupported(const Mask& judged, InfraredCompared compared, double false_findings,
+                      Detection& detection) {
+  const double least_score = std::log10(unsupported_factor(compared) / false_findings);
   std::vector<Finding>& findings = detection.findings.findings;
   std::erase_if(findings, [&](const Finding& finding) {
-    if (!is_unsupported(finding, judged, false_findings)) return false;
+    if (!is_unsupported(finding, judged, least_score)) return false;
     for (const std::uint32_t i : finding.pixels) detection.changed[i] = 0;
     return true;
   });

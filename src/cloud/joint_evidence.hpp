@@ -14,10 +14,20 @@ namespace rva {
 /// @param significant where infrared images look different beyond chance
 void give_evidence(Mask& significant, std::vector<Finding>& findings);
 
+/// Puts the most suspicious first and those of appearance alone after all others, numbers them from 1, and
+/// mends what they say of each other.
+void order(std::vector<Finding>& findings);
+
+/// What was compared of infrared images: how they look, or also the surfaces that the pairs of both imagers
+/// show.
+enum class InfraredCompared { appearance, surfaces };
+
 /// Drops findings without evidence in the infrared images where these were compared over most of the finding,
-/// unless depth alone expects fewer such findings than a fiftieth of those allowed. Numbers the others anew.
+/// unless depth alone expects fewer such findings than a fiftieth of those allowed, and where surfaces were
+/// compared, a ten thousandth. Numbers the others anew.
 /// @param judged         where infrared images were compared
 /// @param false_findings allowed for depth
-void drop_unsupported(const Mask& judged, double false_findings, Detection& detection);
+void drop_unsupported(const Mask& judged, InfraredCompared compared, double false_findings,
+                      Detection& detection);
 
 }  // namespace rva

@@ -18,7 +18,11 @@ struct InfraredView {
   /// @param grey  mean of the capture's frames, levels of 8 bits
   /// @param pose  view_from_reference, as far as it is known
   /// @param light under the lamp there are no dots, and what is saturated is covered instead
-  InfraredView(const Image<float>& grey, const Transform& pose, Light light = Light::projector);
+  /// @param scale by which all grey levels are multiplied first, so that exposures are alike: in the dark,
+  /// the
+  ///              logarithm of log_grey() depends on them
+  InfraredView(const Image<float>& grey, const Transform& pose, Light light = Light::projector,
+               float scale = 1.0F);
 
   Image<float> log_image;  ///< as of log_grey()
   Mask dots;               ///< as of dot_mask(): what does not show the surface itself

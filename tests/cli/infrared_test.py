@@ -48,7 +48,19 @@ class InfraredTest(program.ProgramTest):
         done = self.succeed('detect', '--initial', *initial, '--final', *final, '--out', self.out, '--overwrite')
         return json.loads((self.out / 'detections.json').read_text()), done.stderr
 
+    def test_both_imagers_show_that_the_surface_moved(self):
+        result, _ = self.compare(self.before, self.after)
+        findings = result['detections']
+        self.assertGreaterEqual(len(findings), 4, 'of five collars')
+        moved = [finding for finding in findings if 'depth' in finding['evidence']]
+        self.assertGreaterEqual(len(moved), 4)
+        for finding in moved:
+            self.assertIn(finding['kind'], ('added', 'removed'), finding)
+        self.assertGreater(sum(finding['kind'] == 'added' for finding in moved), len(moved) / 2)
+
     def test_they_show_what_depth_does_not(self):
+        for capture in self.before + self.after:
+            shutil.rmtree(capture / 'infrared_right')
         result, _ = self.compare(self.before, self.after)
         self.assertGreater(result['coverage']['appearance'], 0.3)
         findings = result['detections']

@@ -1,0 +1,122 @@
+#include "stereo/surface_change.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "depth/mat_view.hpp"
+#include "infrared/level.hpp"
+
+namespace rva {
+namespace {
+
+constexpr SweepOptions coarse{.window_px = 5, .range_px = 4.0, .step_px = 0.5};
+constexpr SweepOptions fine{.window_px = 5, .range_px = 2.0, .step_px = 0.25};
+
+// What explains the pairs of both sides together: every second one of each will do.
+ReferenceSurface common_surface(const ReferenceSurface& start, double disparity_m_px,
+                                std::span<const StereoView> before, std::span<const StereoView> after) {
+  std::vector<StereoView> some;
+  for (const auto side : {before, after}) {
+    for (std::size_t k = 0; k < side.size(); k += 2) some.push_back(side[k]);
+  }
+  return refined(start, disparity_m_px, some, coarse);
+}
+
+/// Of one pixel.
+struct Ratio {
+  float objection = 0.0F;  // by how much the common minimum is worse than both of their own
+  float residual = 0.0F;   // what is left of the best costs
+  float nearer_labels = 0.0F;
+};
+
+Ratio ratio_of(std::span<const float> before, std::span<const float> after, std::vector<float>& both) {
+  for (std::size_t label = 0; label < before.size(); ++label) both[label] = before[label] + after[label];
+  const Minimum of_before = minimum_of(before);
+  const Minimum of_after = minimum_of(after);
+  const float own = of_before.cost + of_after.cost;
+  return {std::max(minimum_of(both).cost - own, 0.0F), own, of_after.label - of_before.label};
+}
+
+/// What the ratio of each pixel is made of.
+struct Ratios {
+  Ratios(int width, int height)
+      : objection(width, height),
+        residual(width, height),
+        freedom(width, height),
+        nearer_px(width, height),
+        judged(width, height) {}
+
+  Image<float> objection;
+  Image<float> residual;
+  Image<float> freedom;
+  Image<float> nearer_px;
+  Mask judged;
+};
+
+// Half of what a pixel has that all pairs see.
+float least_freedom(const SweptCosts& costs) {
+  return std::max(0.5F * *std::ranges::max_element(costs.freedom.pixels()), 1.0F);
+}
+
+Ratios ratios_of(const SweptCosts& before, const SweptCosts& after) {
+  Ratios ratios(before.freedom.width(), before.freedom.height());
+  const float least_before = least_freedom(before);
+  const float least_after = least_freedom(after);
+  const float label_px = before.offset_px(1.0F) - before.offset_px(0.0F);
+  parallel_bands(before.freedom.height(), [&](int first, int end) {
+    std::vector<float> both(static_cast<std::size_t>(before.labels()));
+    for (int v = first; v < end; ++v) {
+      for (int u = 0; u < before.freedom.width(); ++u) {
+        if (before.freedom(u, v) < least_before || after.freedom(u, v) < least_after) continue;
+        const Ratio ratio = ratio_of(before.at(u, v), after.at(u, v), both);
+        ratios.judged(u, v) = mask_set;
+        ratios.nearer_px(u, v) = label_px * ratio.nearer_labels;
+        ratios.objection(u, v) = ratio.objection;
+        ratios.residual(u, v) = ratio.residual;
+        ratios.freedom(u, v) = before.freedom(u, v) + after.freedom(u, v);
+      }
+    }
+  });
+  return ratios;
+}
+
+// The root of the ratio is a deviation where noise is that of its surroundings. Neighbours share windows,
+// which makes it larger: by how much, the unchanged bulk of the image shows.
+Image<float> deviations_of(const Ratios& ratios) {
+  constexpr int mean_px = 5;
+  constexpr int noise_px = 15;
+  constexpr float least_noise = 1e-9F;
+  const cv::Mat weights = as_weights(as_mat(ratios.judged));
+  const cv::Mat objection = window_mean(as_mat(ratios.objection), weights, mean_px);
+  const cv::Mat nearer = window_mean(as_mat(ratios.nearer_px), weights, mean_px);
+  const cv::Mat noise = window_mean(as_mat(ratios.residual), weights, noise_px) /
+                        window_mean(as_mat(ratios.freedom), weights, noise_px);
+  Image<float> deviations(ratios.judged.width(), ratios.judged.height());
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    if (ratios.judged[i] == 0) continue;
+    const float ratio = objection.ptr<float>()[i] / std::max(noise.ptr<float>()[i], least_noise);
+    deviations[i] = std::copysign(std::sqrt(ratio), nearer.ptr<float>()[i]);
+  }
+  const float unit = deviation_of(as_mat(deviations), ratios.judged);
+  for (float& value : deviations.pixels()) value = unit > 0.0F ? value / unit : 0.0F;
+  return deviations;
+}
+
+}  // namespace
+
+SurfaceChange surface_change(const ReferenceSurface& start, double disparity_m_px,
+                             std::span<StereoView> before, std::span<StereoView> after) {
+  align_disparities(start, disparity_m_px, before);
+  align_disparities(start, disparity_m_px, after);
+  const ReferenceSurface common = common_surface(start, disparity_m_px, before, after);
+  Ratios ratios =
+      ratios_of(sweep(common, disparity_m_px, before, fine), sweep(common, disparity_m_px, after, fine));
+  Image<float> deviations = deviations_of(ratios);
+  return {std::move(ratios.nearer_px), std::move(deviations), std::move(ratios.judged)};
+}
+
+}  // namespace rva
