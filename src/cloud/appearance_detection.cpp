@@ -51,47 +51,49 @@ double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<Judg
   return score - std::log10(both_signs * static_cast<double>(lights.size()));
 }
 
-// As the pairs measured it, at the finding's depth after the work; nothing where they disagree with its kind.
-void give_height(std::vector<float>& nearer_px, double disparity_m_px, Finding& finding) {
-  if (nearer_px.empty() || !finding.position_m) return;
+// As the pairs measured it, at the finding's depth after the work.
+void give_height(float nearer_px, double disparity_m_px, Finding& finding) {
+  if (!finding.position_m) return;
   constexpr double mm_per_m = 1000.0;
   const double after_px = disparity_m_px / finding.position_m->z();
-  const double before_px = after_px - static_cast<double>(quantile(nearer_px, 0.5));
-  if (before_px <= 0.0) return;
-  const double height_mm = mm_per_m * (disparity_m_px / before_px - finding.position_m->z());
-  if ((finding.kind == ChangeKind::added) == (height_mm > 0.0)) finding.height_mm = height_mm;
+  const double before_px = after_px - static_cast<double>(nearer_px);
+  if (before_px > 0.0) finding.height_mm = mm_per_m * (disparity_m_px / before_px - finding.position_m->z());
 }
 
 /// What the evidence of one light comes to over a finding.
 struct Strongest {
-  float moved = 0.0F;  // of the surface: above 0 where it came nearer
-  float all = 0.0F;    // of appearance and surface together
-  std::vector<float> nearer_px;
+  float moved = 0.0F;      // of the surface, either way
+  float all = 0.0F;        // of appearance and surface together
+  float nearer_px = 0.0F;  // median
 };
 
 Strongest strongest_of(const JudgedChange& light, const std::vector<std::uint32_t>& pixels) {
   Strongest strongest;
+  std::vector<float> nearer_px;
   for (const std::uint32_t i : pixels) {
     strongest.all = std::max(strongest.all, std::abs(light.change.deviations[i]));
     if (light.surface.judged[i] == 0) continue;
-    strongest.nearer_px.push_back(light.surface.nearer_px[i]);
-    if (std::abs(light.surface.deviations[i]) > std::abs(strongest.moved))
-      strongest.moved = light.surface.deviations[i];
+    strongest.moved = std::max(strongest.moved, std::abs(light.surface.deviations[i]));
+    nearer_px.push_back(light.surface.nearer_px[i]);
   }
+  if (!nearer_px.empty()) strongest.nearer_px = quantile(nearer_px, 0.5);
   return strongest;
 }
 
-// Where the pairs of both imagers say by themselves that the surface moved, the kind is how, else appearance.
+// Where the pairs of both imagers say by themselves that the surface moved, and which way, the kind is how;
+// else it is appearance. Beside a thing, where one imager does not see what the other does, single pixels may
+// say either.
 void name_evidence(const std::vector<JudgedChange>& lights, double disparity_m_px, Finding& finding) {
+  constexpr float least_px = 0.05F;
   finding.kind = ChangeKind::appearance;
   finding.evidence = {.depth = false, .appearance = true};
   for (const JudgedChange& light : lights) {
     if (light.surface.judged.empty()) continue;
-    Strongest strongest = strongest_of(light, finding.pixels);
-    if (std::abs(strongest.moved) < speaks_deviations) continue;
+    const Strongest strongest = strongest_of(light, finding.pixels);
+    if (strongest.moved < speaks_deviations || std::abs(strongest.nearer_px) < least_px) continue;
     const float seen =
         std::sqrt(std::max(std::pow(strongest.all, 2.0F) - std::pow(strongest.moved, 2.0F), 0.0F));
-    finding.kind = strongest.moved > 0.0F ? ChangeKind::added : ChangeKind::removed;
+    finding.kind = strongest.nearer_px > 0.0F ? ChangeKind::added : ChangeKind::removed;
     finding.evidence = {.depth = true, .appearance = seen > speaks_deviations};
     give_height(strongest.nearer_px, disparity_m_px, finding);
   }

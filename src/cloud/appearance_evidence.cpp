@@ -43,6 +43,12 @@ float median_of(const Image<float>& grey) {
   return levels.empty() ? 0.0F : quantile(levels, 0.5);
 }
 
+// Exposures differ by less: what is darker still has no light.
+float scale_to(float level, float own_level) {
+  constexpr float most = 4.0F;
+  return own_level > 0.0F ? std::clamp(level / own_level, 1.0F / most, most) : 1.0F;
+}
+
 /// @param level that images under the lamp are brought to, since their exposure follows what lies in the view
 std::vector<InfraredView> views_of(const Captures& side, Light light, float level,
                                    const std::vector<Transform>& first_from_view,
@@ -52,10 +58,8 @@ std::vector<InfraredView> views_of(const Captures& side, Light light, float leve
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
       throw_if_interrupted();
       const Image<float> grey = side[k]->infrared_mean(Imager::left, light).value();
-      const float own_level = median_of(grey);
-      const bool brought = light == Light::lamp && own_level > 0.0F && level > 0.0F;
-      views[k] = InfraredView(grey, first_from_view[k].inverse() * first_from_reference, light,
-                              brought ? level / own_level : 1.0F);
+      const float scale = light == Light::lamp ? scale_to(level, median_of(grey)) : 1.0F;
+      views[k] = InfraredView(grey, first_from_view[k].inverse() * first_from_reference, light, scale);
     }
   });
   return views;
