@@ -9,6 +9,7 @@
 #include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
 #include "infrared/level.hpp"
+#include "stereo/space_time.hpp"
 
 namespace rva {
 namespace {

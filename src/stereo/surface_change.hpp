@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "stereo/space_time.hpp"
+#include "stereo/plane_sweep.hpp"
 
 namespace rva {
 
