@@ -33,7 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                             depth->height() == recording.info().depth.height),
                  "a depth image is of the size that is stated");
     static_cast<void>(rva::load_or_refuse([&] { return recording.color_of(i); }));
-    static_cast<void>(rva::load_or_refuse([&] { return recording.infrared_of(i); }));
+    for (const rva::Imager imager : rva::both_imagers)
+      static_cast<void>(rva::load_or_refuse([&] { return recording.infrared_of(i, imager); }));
     static_cast<void>(rva::load_or_refuse([&] { return recording.metadata_of(i); }));
   }
   return 0;
