@@ -95,7 +95,7 @@ const std::vector<Place> places{
     {"3-5 px", [](float, float edge) { return edge >= 3.0F && edge < 5.0F; }},
 };
 
-/// Of the pixels of one kind of place.
+/// The errors of all pixels of one kind of place.
 struct Errors {
   std::vector<float> sizes_px;  // of those that were matched
   std::size_t all = 0;

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "camera/infrared_burst.hpp"
+#include "camera/infrared_sum.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 

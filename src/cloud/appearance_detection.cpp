@@ -51,7 +51,7 @@ double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<Judg
   return score - std::log10(both_signs * static_cast<double>(lights.size()));
 }
 
-// As the pairs measured it, at the finding's depth after the work.
+// The height is what the pairs measured in disparity, converted at the finding's depth after the work.
 void give_height(float nearer_px, double disparity_m_px, Finding& finding) {
   if (!finding.position_m) return;
   constexpr double mm_per_m = 1000.0;

@@ -28,13 +28,13 @@ namespace {
 
 /// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras
 /// drawn by chance (docs/infrared.md), and up to where an inspection's own peaks are taken for unchanged:
-/// things that hardly show have peaks beyond.
+/// things that hardly show have peaks beyond. Images under the lamp, which have no dots, count as those
+/// between dots: their own tail has not been fitted.
 struct UsualTail {
   UsualSlope slope;
   double end;
 };
 constexpr UsualTail between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
-constexpr UsualTail lamp_lit{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
 constexpr UsualTail with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
 
 // The middle of all grey levels: most of a view is the same before and after.
@@ -200,7 +200,7 @@ JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<Infra
   const Mask seen = both_set(seen_in_all(surface, after), seen_in_all(surface, before));
   AppearanceChange change = appearance_change(image_before, image_after, seen);
   drop_faint(change);
-  const FalseAlarmTail tail = tail_of(change, lamp_lit);
+  const FalseAlarmTail tail = tail_of(change, between_dots);
   return {std::move(change), tail};
 }
 
@@ -224,7 +224,8 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
                                            Light light, std::vector<std::string>& warnings) {
   const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
                                                      placed.final_view.disparity_m_px);
-  const float level = median_of(final.front()->infrared_mean(Imager::left, light).value());
+  const float level =
+      light == Light::lamp ? median_of(final.front()->infrared_mean(Imager::left, light).value()) : 0.0F;
   std::vector<InfraredView> after =
       views_of(final, light, level, placed.first_from_final, Transform::Identity());
   std::vector<InfraredView> before =

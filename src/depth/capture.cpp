@@ -20,7 +20,7 @@ std::optional<FineGrayImage> Capture::infrared_of(std::size_t /*depth_frame*/, I
 
 bool Capture::has_infrared(Imager /*imager*/, Light /*light*/) const { return false; }
 
-// Of the images that frames have; formats of files may know better.
+// The mean is taken over the images of the frames; a capture that stores the mean itself overrides this.
 std::optional<Image<float>> Capture::infrared_mean(Imager imager, Light light) const {
   if (!has_infrared(imager, light) || light != Light::projector) return std::nullopt;
   Image<float> mean(info().depth.width, info().depth.height);

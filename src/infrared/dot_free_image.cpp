@@ -66,15 +66,10 @@ Mask saturated(const Image<float>& grey) {
   return mask;
 }
 
-Image<float> scaled(Image<float> grey, float scale) {
-  for (float& level : grey.pixels()) level *= scale;
-  return grey;
-}
-
 }  // namespace
 
 InfraredView::InfraredView(const Image<float>& grey, const Transform& pose, Light light, float scale)
-    : log_image(log_grey(scaled(grey, scale))),
+    : log_image(log_grey(grey, scale)),
       dots(light == Light::projector ? dot_mask(log_image) : saturated(grey)),
       view_from_reference(pose) {}
 

@@ -24,10 +24,10 @@ float noise_of(const cv::Mat& image) {
 
 }  // namespace
 
-Image<float> log_grey(const Image<float>& grey) {
+Image<float> log_grey(const Image<float>& grey, float scale) {
   constexpr float floor_grey = 3.0F;
   Image<float> result(grey.width(), grey.height());
-  for (std::size_t i = 0; i < grey.size(); ++i) result[i] = std::log(grey[i] + floor_grey);
+  for (std::size_t i = 0; i < grey.size(); ++i) result[i] = std::log(scale * grey[i] + floor_grey);
   return result;
 }
 

@@ -1,7 +1,6 @@
 #include "infrared/reference_surface.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -19,19 +18,6 @@ ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>&
   for (float& value : filled_px.pixels()) value /= static_cast<float>(disparity_m_px);
   return {camera, std::move(filled_px)};
 }
-
-namespace {
-
-// Catmull and Rom's: the only cubic of four taps that gives a slope back as it is. OpenCV's is 0.04 px off
-// there, and its table has steps of a thirty-second of a pixel.
-std::array<float, 4> cubic_weights(float t) {
-  const float t2 = t * t;
-  const float t3 = t2 * t;
-  return {0.5F * (-t3 + 2.0F * t2 - t), 0.5F * (3.0F * t3 - 5.0F * t2 + 2.0F),
-          0.5F * (-3.0F * t3 + 4.0F * t2 + t), 0.5F * (t3 - t2)};
-}
-
-}  // namespace
 
 ViewOfSurface::ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference)
     : surface_(surface),

@@ -1,6 +1,7 @@
 // The surface in one camera's view, by which images of other views are laid upon it.
 #pragma once
 
+#include <array>
 #include <opencv2/core.hpp>
 
 #include "depth/image.hpp"
@@ -47,6 +48,16 @@ class ViewOfSurface {
   Eigen::Vector3f ray_of_corner_;
   Eigen::Vector3f shift_;
 };
+
+/// Weights of four neighbouring samples at `t` from the second towards the third, 0 to 1: Catmull and Rom's,
+/// the only cubic of four taps that gives a slope back as it is. OpenCV's is 0.04 px off there, and its table
+/// has steps of a thirty-second of a pixel.
+[[nodiscard]] inline std::array<float, 4> cubic_weights(float t) {
+  const float t2 = t * t;
+  const float t3 = t2 * t;
+  return {0.5F * (-t3 + 2.0F * t2 - t), 0.5F * (3.0F * t3 - 5.0F * t2 + 2.0F),
+          0.5F * (-3.0F * t3 + 4.0F * t2 + t), 0.5F * (t3 - t2)};
+}
 
 /// The image between its pixels, by Catmull and Rom's cubic.
 /// @param at within [0, width - 1] x [0, height - 1]

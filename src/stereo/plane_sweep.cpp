@@ -17,14 +17,6 @@ int labels_of(const SweepOptions& options) {
   return 2 * static_cast<int>(std::lround(options.range_px / options.step_px)) + 1;
 }
 
-/// Catmull and Rom's cubic between four samples.
-struct CubicWeights {
-  explicit CubicWeights(float t)
-      : of{0.5F * (-t * t * t + 2.0F * t * t - t), 0.5F * (3.0F * t * t * t - 5.0F * t * t + 2.0F),
-           0.5F * (-3.0F * t * t * t + 4.0F * t * t + t), 0.5F * (t * t * t - t * t)} {}
-  std::array<float, 4> of;
-};
-
 /// Differences between the left and the right image of one view, label by label, along one row of the
 /// reference.
 class RowDifferences {
@@ -78,10 +70,10 @@ class RowDifferences {
     if (top < 1 || top + 2 >= right.height() || left < 1 || left - 1 + columns > right.width() ||
         at.x() < 0.0F || at.x() > static_cast<float>(right.width() - 1))
       return false;
-    const CubicWeights down(at.y() - static_cast<float>(top));
+    const std::array<float, 4> down = cubic_weights(at.y() - static_cast<float>(top));
     const float* pixels = &right(left - 1, top - 1);
     std::fill(segment_.begin(), segment_.end(), 0.0F);
-    for (const float weight : down.of) {
+    for (const float weight : down) {
       for (int i = 0; i < columns; ++i) segment_[static_cast<std::size_t>(i)] += weight * pixels[i];
       pixels += right.width();
     }
@@ -90,12 +82,12 @@ class RowDifferences {
     for (int phase = 0; phase < per_px_; ++phase) {
       const float shifted = fraction + static_cast<float>(phase) / static_cast<float>(per_px_);
       const int whole = static_cast<int>(shifted);
-      const CubicWeights across(shifted - static_cast<float>(whole));
+      const std::array<float, 4> across = cubic_weights(shifted - static_cast<float>(whole));
       const float* samples = segment_.data() + whole;
       // A label is a disparity: the first sample, farthest to the left, is the last label's.
       for (int label = labels_ - 1 - phase; label >= 0; label -= per_px_, ++samples)
-        differences[label] = seen - (across.of[0] * samples[0] + across.of[1] * samples[1] +
-                                     across.of[2] * samples[2] + across.of[3] * samples[3]);
+        differences[label] = seen - (across[0] * samples[0] + across[1] * samples[1] +
+                                     across[2] * samples[2] + across[3] * samples[3]);
     }
     return true;
   }

@@ -26,7 +26,7 @@ struct SweepOptions {
   double step_px = 0.25;  ///< a whole number of steps is a pixel
 };
 
-/// Of each pixel of the reference, how badly the pairs agree with each label.
+/// How badly the pairs agree with each label, for each pixel of the reference.
 class SweptCosts {
  public:
   SweptCosts(int width, int height, const SweepOptions& options);

@@ -27,7 +27,7 @@ ReferenceSurface common_surface(const ReferenceSurface& start, double disparity_
   return refined(start, disparity_m_px, some, coarse);
 }
 
-/// Of one pixel.
+/// The comparison of one pixel's costs.
 struct Ratio {
   float objection = 0.0F;  // by how much the common minimum is worse than both of their own
   float residual = 0.0F;   // what is left of the best costs

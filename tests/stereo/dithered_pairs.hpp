@@ -97,7 +97,7 @@ inline std::vector<StereoView> dithered_pairs(const Plane& plane, std::size_t co
   return views;
 }
 
-/// Of the reference, in pixels.
+/// The disparity of the plane in the reference view, in pixels.
 inline Image<float> true_disparity(const Plane& plane) {
   Image<float> disparity(pair_camera.width, pair_camera.height);
   for (int v = 0; v < disparity.height(); ++v) {

@@ -28,7 +28,7 @@ class StereoSensor {
 
   [[nodiscard]] StereoFrame next_frame();
 
-  /// As next_frame(), without depth, which takes most of the time.
+  /// Exposes the next frame like next_frame(), but leaves its depth empty: matching takes most of the time.
   [[nodiscard]] StereoFrame next_pair();
 
   /// How long a frame is exposed, on average.

@@ -1,4 +1,4 @@
-#include "camera/infrared_burst.hpp"
+#include "camera/infrared_sum.hpp"
 
 namespace rva {
 
