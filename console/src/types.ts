@@ -62,6 +62,8 @@ export interface TaskStatus {
   side: SideName;
   view: number;
   views: number;
+  capture: number;
+  captures: number;
   frame: number;
   frames: number;
   done: number;

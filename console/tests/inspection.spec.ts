@@ -19,7 +19,7 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await expect(page.getByTestId('add-view'), 'the same view again would show nothing more').toBeDisabled();
 
   await page.getByTestId('capture-initial').click();
-  await expect(page.getByTestId('progress')).toContainText('Place 2 of 4');
+  await expect(page.getByTestId('progress')).toContainText('View 1 of 2, capture 2 of 2');
   await expect(page.getByTestId('noise')).toContainText('its readings tremble by');
   // In the middle of a capture, the page is loaded again and finds itself there.
   await page.reload();

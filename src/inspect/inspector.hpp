@@ -17,8 +17,8 @@
 namespace rva {
 
 struct InspectorOptions {
-  int frames = 40;
-  int dither = 4;
+  int frames = 80;
+  int dither = 8;
   ReadinessOptions readiness;
 
   static void describe(auto&& self, auto&& visit) {

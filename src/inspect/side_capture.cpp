@@ -20,18 +20,24 @@ namespace {
 
 constexpr std::size_t frames_between_noise = 10;
 
-/// Tells of each frame, and measures noise of those of one view.
+CaptureProgress progress_at(const SideCapture& side, std::size_t waypoint) {
+  return {waypoint / side.captures_each,
+          side.waypoints.size() / side.captures_each,
+          waypoint % side.captures_each,
+          side.captures_each,
+          0,
+          side.frames};
+}
+
+/// Tells of each frame, and measures the noise of those of one capture.
 class Witness {
  public:
   Witness(const SideCapture& side, const CaptureEvents& events, CaptureInfo info)
-      : events_(events), info_(std::move(info)), watch_(info_) {
-    now_.views = side.views.size();
-    now_.frames = side.frames;
-  }
+      : events_(events), info_(std::move(info)), watch_(info_), now_(progress_at(side, 0)) {}
 
-  void begin_view(std::size_t view) {
-    now_.view = view;
-    now_.frame = 0;
+  /// @param next progress_at() the capture's waypoint
+  void begin(const CaptureProgress& next) {
+    now_ = next;
     watch_ = NoiseWatch(info_);
     events_.progress(now_);
   }
@@ -71,9 +77,9 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
   const Drive::Loan loan(*rig.drive);
   // The last call says that all are there.
   const Progress progress = [&](std::string_view /*step*/, std::size_t done, std::size_t total) {
-    if (done < total) witness.begin_view(done);
+    if (done < total) witness.begin(progress_at(side, done));
   };
-  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.views, side.folder, {side.frames, 1},
+  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder, {side.frames, 1},
              progress);
 }
 
@@ -83,7 +89,7 @@ void take_standing(const InspectionRig& rig, const SideCapture& side, const Capt
   const std::unique_ptr<Camera> frames = rig.camera.every_frame(while_waiting);
   Witness witness(side, events, frames->info());
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
-  witness.begin_view(0);
+  witness.begin(progress_at(side, 0));
   OutputFolder out(folder, capture_files(), Existing::refuse);
   CaptureWriter writer(out.path(""), camera.info());
   record(camera, side.frames, writer, {});
@@ -126,7 +132,7 @@ bool waited_for_device(const InspectionRig& rig, const CaptureEvents& events, co
 }  // namespace
 
 std::string take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events) {
-  CaptureProgress last{0, side.views.size(), 0, side.frames};
+  CaptureProgress last = progress_at(side, 0);
   CaptureEvents noted = events;
   noted.progress = [&](const CaptureProgress& now) {
     last = now;
@@ -134,7 +140,7 @@ std::string take_side(const InspectionRig& rig, const SideCapture& side, const C
   };
   // Long waits for a frame end when the work is to end.
   const std::function<void()> ask_whether_to_end = [&] { events.progress(last); };
-  const ViewFolder folder(side.folder, ViewFolder::Start::resume, side.views.size());
+  const ViewFolder folder(side.folder, ViewFolder::Start::resume, side.waypoints.size());
   for (bool complete = false; !complete;) {
     try {
       take_once(rig, side, noted, ask_whether_to_end);
@@ -146,7 +152,7 @@ std::string take_side(const InspectionRig& rig, const SideCapture& side, const C
     }
   }
   const std::string taken_at =
-      open_capture(side.folder / view_name(side.views.size() - 1))->info().captured_at;
+      open_capture(side.folder / view_name(side.waypoints.size() - 1))->info().captured_at;
   return taken_at.empty() ? iso_8601_now() : taken_at;
 }
 

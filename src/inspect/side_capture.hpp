@@ -1,4 +1,4 @@
-// All views of one side of an inspection, taken.
+// Takes all captures of one side of an inspection.
 #pragma once
 
 #include <cstddef>
@@ -23,13 +23,15 @@ struct InspectionRig {
 
 /// How far a capture has come.
 struct CaptureProgress {
-  std::size_t view = 0;   ///< under way, from 0
-  std::size_t views = 0;  ///< of the side
-  std::size_t frame = 0;  ///< of the view
+  std::size_t view = 0;      ///< under way, from 0
+  std::size_t views = 0;     ///< of the side
+  std::size_t capture = 0;   ///< of the view, from 0
+  std::size_t captures = 1;  ///< of each view
+  std::size_t frame = 0;     ///< of the capture
   std::size_t frames = 0;
 };
 
-/// What the capture tells while it goes on, on the thread that takes it.
+/// Called while the side is taken, on the thread that takes it.
 struct CaptureEvents {
   std::function<void(const CaptureProgress&)> progress;  ///< after each frame; throws Interrupted to end it
   std::function<void(NoiseSoFar)> noise;                 ///< every few frames
@@ -37,17 +39,19 @@ struct CaptureEvents {
 };
 
 struct SideCapture {
-  std::vector<PanTilt> views;  ///< one, of any angles, where there is no robot
+  /// One for each capture, those of a view one after the other; one, of any angles, where there is no robot.
+  std::vector<PanTilt> waypoints;
+  std::size_t captures_each = 1;  ///< of each view; divides the number of waypoints
   std::filesystem::path folder;
   std::string base;         ///< name of the place where the robot's foot stands
-  std::size_t frames = 40;  ///< of each view
+  std::size_t frames = 40;  ///< of each capture
 };
 
-/// With a robot, goes on where an earlier call was ended: views that are there are not taken again. A camera
-/// or a robot that goes away is waited for, and only the view under way is taken anew.
-/// @return when the last view was taken, as its capture says (ISO 8601)
-/// @throws UsageError  a view is beyond the robot's limits
-/// @throws Error       something else failed; views that were complete stay
+/// With a robot, goes on where an earlier call was ended: captures that are there are not taken again. A
+/// camera or a robot that goes away is waited for, and only the capture under way is taken anew.
+/// @return when the last capture was taken, as its capture says (ISO 8601)
+/// @throws UsageError  a waypoint is beyond the robot's limits
+/// @throws Error       something else failed; captures that were complete stay
 /// @throws Interrupted as `events.progress` does; the robot has been stopped
 std::string take_side(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events);
 

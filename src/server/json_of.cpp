@@ -134,6 +134,8 @@ Json json_of(const TaskState& task) {
   json["side"] = name_of(task.side);
   json["view"] = task.progress.view;
   json["views"] = task.progress.views;
+  json["capture"] = task.progress.capture;
+  json["captures"] = task.progress.captures;
   json["frame"] = task.progress.frame;
   json["frames"] = task.progress.frames;
   json["done"] = task.done;

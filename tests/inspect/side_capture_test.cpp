@@ -64,7 +64,7 @@ class Side3Views : public testing::Test {
   LiveCamera camera_;
   PluggedRobot robot_;
   Drive drive_;
-  SideCapture side_{{{0, 0}, {5, -5}, {-5, -10}}, folder_ / "initial", "base", 12};
+  SideCapture side_{{{0, 0}, {5, -5}, {-5, -10}}, 1, folder_ / "initial", "base", 12};
   double noise_ = 0.0;
   std::vector<std::string> waited_;
 };
@@ -78,6 +78,18 @@ TEST_F(Side3Views, AreTakenWithTheirPosesAndTheirNoiseIsTold) {
   EXPECT_EQ(capture->info().pose->base, "base");
   EXPECT_FALSE(capture->info().captured_at.empty());
   EXPECT_NEAR(noise_, 0.5, 0.1);
+}
+
+TEST_F(Side3Views, ProgressCountsTheCapturesOfAView) {
+  side_.captures_each = 3;
+  std::vector<std::size_t> begun;
+  take([&](const CaptureProgress& now) {
+    EXPECT_EQ(now.view, 0U);
+    EXPECT_EQ(now.views, 1U);
+    EXPECT_EQ(now.captures, 3U);
+    if (begun.empty() || begun.back() != now.capture) begun.push_back(now.capture);
+  });
+  EXPECT_THAT(begun, testing::ElementsAre(0, 1, 2));
 }
 
 TEST_F(Side3Views, WhoeverEndsItFindsTheCompleteOnesAndGoesOnFromThere) {
@@ -131,7 +143,7 @@ TEST_F(Side3Views, AStopIsNoDeviceThatIsAway) {
 }
 
 TEST_F(Side3Views, BeyondTheLimitsNothingMoves) {
-  side_.views.push_back({0, 60});
+  side_.waypoints.push_back({0, 60});
   EXPECT_THROW(take(), UsageError);
   EXPECT_EQ(robot_.joints(), PanTilt{});
 }
@@ -140,7 +152,7 @@ TEST(StandingCamera, TakesNoEarlierCaptureForItsView) {
   const test::TemporaryFolder folder;
   const auto plug = std::make_shared<test::Plug>();
   LiveCamera camera(std::make_unique<test::WavingCamera>(plug), 1000.0);
-  const SideCapture side{{{0, 0}}, folder / "initial", "base", 8};
+  const SideCapture side{{{0, 0}}, 1, folder / "initial", "base", 8};
   std::size_t frames = 0;
   const CaptureEvents events{[&](const CaptureProgress&) { ++frames; }, [](const NoiseSoFar&) {},
                              [](const std::string&) {}};

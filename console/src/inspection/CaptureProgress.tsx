@@ -6,16 +6,22 @@ import { attempt } from './inspections';
 import { millimetres } from './words';
 
 function doneShare(task: TaskStatus): number {
-  if (task.kind === 'capture')
-    return task.views === 0 ? 0 : (task.view + (task.frames === 0 ? 0 : task.frame / task.frames)) / task.views;
+  if (task.kind === 'capture') {
+    const captures = task.views * task.captures;
+    const taken = task.view * task.captures + task.capture + (task.frames === 0 ? 0 : task.frame / task.frames);
+    return captures === 0 ? 0 : taken / captures;
+  }
   return task.total === 0 ? 0 : task.done / task.total;
 }
 
 function says(task: TaskStatus): string {
   if (task.waiting) return `Waiting: ${task.waiting}`;
   if (task.kind === 'comparison') return 'Comparing before and after…';
-  const capture = task.views > 1 ? `Place ${task.view + 1} of ${task.views}: ` : '';
-  return task.frame === 0 ? `${capture}turning the camera` : `${capture}${task.frame} of ${task.frames} frames`;
+  const view = task.views > 1 ? `View ${task.view + 1} of ${task.views}, ` : '';
+  const capture = task.captures > 1 ? `capture ${task.capture + 1} of ${task.captures}: ` : '';
+  const doing = task.frame === 0 ? 'turning the camera' : `${task.frame} of ${task.frames} frames`;
+  const text = `${view}${capture}${doing}`;
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** By distance, near to far: the least height of a thing that would be found. */
@@ -63,7 +69,7 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
         {shown ? 'Hide the picture' : 'Show it as a picture'}
       </button>
-      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${noise.frames}`} alt="Smallest findable height at each place; blue is small, red large, black cannot be judged" />}
+      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${task.capture}-${noise.frames}`} alt="Smallest findable height at each place; blue is small, red large, black cannot be judged" />}
     </div>
   );
 }
