@@ -8,6 +8,7 @@
 
 #include "cloud/appearance_evidence.hpp"
 #include "cloud/joint_evidence.hpp"
+#include "cloud/surface_level.hpp"
 #include "core/quantile.hpp"
 #include "core/stopwatch.hpp"
 #include "depth/mat_view.hpp"
@@ -161,8 +162,11 @@ void add_appearance(const Captures& initial, const Captures& final, const std::v
   if (changes.empty()) return;
   const Mask judged = judged_in_any(changes);
   Mask mask(judged.width(), judged.height());
-  for (const JudgedChange& change : changes)
-    add_significant(change, false_findings / static_cast<double>(changes.size()), detection.left_out, mask);
+  const double of_each_light = false_findings / static_cast<double>(changes.size());
+  for (const JudgedChange& change : changes) {
+    add_significant(change, of_each_light, detection.left_out, mask);
+    lower_level_of_detection(change, of_each_light, placed.final_view.disparity_m_px, detection);
+  }
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
   const bool surfaces =

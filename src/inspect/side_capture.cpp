@@ -79,8 +79,8 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
   const Progress progress = [&](std::string_view /*step*/, std::size_t done, std::size_t total) {
     if (done < total) witness.begin(progress_at(side, done));
   };
-  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder, {side.frames, 1},
-             progress);
+  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder,
+             {side.frames, 1}, progress);
 }
 
 void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,

@@ -286,7 +286,7 @@ Minimum minimum_of(std::span<const float> costs) {
   const float curvature = before - 2.0F * *least + after;
   if (curvature <= 0.0F) return {label, *least};
   const float shift = 0.5F * (before - after) / curvature;
-  return {label + shift, std::max(*least - 0.25F * (before - after) * shift, 0.0F)};
+  return {label + shift, std::max(*least - 0.25F * (before - after) * shift, 0.0F), 0.5F * curvature};
 }
 
 }  // namespace rva

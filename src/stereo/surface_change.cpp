@@ -16,6 +16,8 @@ namespace {
 
 constexpr SweepOptions coarse{.window_px = 5, .range_px = 4.0, .step_px = 0.5};
 constexpr SweepOptions fine{.window_px = 5, .range_px = 2.0, .step_px = 0.25};
+constexpr int mean_px = 5;
+static_assert(surface_window_px == fine.window_px + mean_px - 1);
 
 // What explains the pairs of both sides together: every second one of each will do.
 ReferenceSurface common_surface(const ReferenceSurface& start, double disparity_m_px,
@@ -32,6 +34,7 @@ struct Ratio {
   float objection = 0.0F;  // by how much the common minimum is worse than both of their own
   float residual = 0.0F;   // what is left of the best costs
   float nearer_labels = 0.0F;
+  float rise = 0.0F;  // of the objection, for surfaces one label apart
 };
 
 Ratio ratio_of(std::span<const float> before, std::span<const float> after, std::vector<float>& both) {
@@ -39,7 +42,10 @@ Ratio ratio_of(std::span<const float> before, std::span<const float> after, std:
   const Minimum of_before = minimum_of(before);
   const Minimum of_after = minimum_of(after);
   const float own = of_before.cost + of_after.cost;
-  return {std::max(minimum_of(both).cost - own, 0.0F), own, of_after.label - of_before.label};
+  // The least of the sum of two parabolas that are one label apart.
+  const float rises = of_before.rise + of_after.rise;
+  const float rise = rises > 0.0F ? of_before.rise * of_after.rise / rises : 0.0F;
+  return {std::max(minimum_of(both).cost - own, 0.0F), own, of_after.label - of_before.label, rise};
 }
 
 /// What the ratio of each pixel is made of.
@@ -49,12 +55,14 @@ struct Ratios {
         residual(width, height),
         freedom(width, height),
         nearer_px(width, height),
+        rise_per_px2(width, height),
         judged(width, height) {}
 
   Image<float> objection;
   Image<float> residual;
   Image<float> freedom;
   Image<float> nearer_px;
+  Image<float> rise_per_px2;
   Mask judged;
 };
 
@@ -76,6 +84,7 @@ Ratios ratios_of(const SweptCosts& before, const SweptCosts& after) {
         const Ratio ratio = ratio_of(before.at(u, v), after.at(u, v), both);
         ratios.judged(u, v) = mask_set;
         ratios.nearer_px(u, v) = label_px * ratio.nearer_labels;
+        ratios.rise_per_px2(u, v) = ratio.rise / (label_px * label_px);
         ratios.objection(u, v) = ratio.objection;
         ratios.residual(u, v) = ratio.residual;
         ratios.freedom(u, v) = before.freedom(u, v) + after.freedom(u, v);
@@ -87,24 +96,32 @@ Ratios ratios_of(const SweptCosts& before, const SweptCosts& after) {
 
 // The root of the ratio is a deviation where noise is that of its surroundings. Neighbours share windows,
 // which makes it larger: by how much, the unchanged bulk of the image shows.
-Image<float> deviations_of(const Ratios& ratios) {
-  constexpr int mean_px = 5;
+SurfaceChange weighed(Ratios ratios) {
   constexpr int noise_px = 15;
   constexpr float least_noise = 1e-9F;
   const cv::Mat weights = as_weights(as_mat(ratios.judged));
   const cv::Mat objection = window_mean(as_mat(ratios.objection), weights, mean_px);
+  const cv::Mat rise = window_mean(as_mat(ratios.rise_per_px2), weights, mean_px);
   const cv::Mat nearer = window_mean(as_mat(ratios.nearer_px), weights, mean_px);
   const cv::Mat noise = window_mean(as_mat(ratios.residual), weights, noise_px) /
                         window_mean(as_mat(ratios.freedom), weights, noise_px);
-  Image<float> deviations(ratios.judged.width(), ratios.judged.height());
-  for (std::size_t i = 0; i < deviations.size(); ++i) {
+  SurfaceChange change;
+  change.deviations = Image<float>(ratios.judged.width(), ratios.judged.height());
+  change.deviations_per_px = change.deviations;
+  for (std::size_t i = 0; i < ratios.judged.size(); ++i) {
     if (ratios.judged[i] == 0) continue;
-    const float ratio = objection.ptr<float>()[i] / std::max(noise.ptr<float>()[i], least_noise);
-    deviations[i] = std::copysign(std::sqrt(ratio), nearer.ptr<float>()[i]);
+    const float variance = std::max(noise.ptr<float>()[i], least_noise);
+    change.deviations[i] =
+        std::copysign(std::sqrt(objection.ptr<float>()[i] / variance), nearer.ptr<float>()[i]);
+    change.deviations_per_px[i] = std::sqrt(rise.ptr<float>()[i] / variance);
   }
-  const float unit = deviation_of(as_mat(deviations), ratios.judged);
-  for (float& value : deviations.pixels()) value = unit > 0.0F ? value / unit : 0.0F;
-  return deviations;
+  const float unit = deviation_of(as_mat(change.deviations), ratios.judged);
+  for (Image<float>* const image : {&change.deviations, &change.deviations_per_px}) {
+    for (float& value : image->pixels()) value = unit > 0.0F ? value / unit : 0.0F;
+  }
+  change.nearer_px = std::move(ratios.nearer_px);
+  change.judged = std::move(ratios.judged);
+  return change;
 }
 
 }  // namespace
@@ -114,10 +131,8 @@ SurfaceChange surface_change(const ReferenceSurface& start, double disparity_m_p
   align_disparities(start, disparity_m_px, before);
   align_disparities(start, disparity_m_px, after);
   const ReferenceSurface common = common_surface(start, disparity_m_px, before, after);
-  Ratios ratios =
-      ratios_of(sweep(common, disparity_m_px, before, fine), sweep(common, disparity_m_px, after, fine));
-  Image<float> deviations = deviations_of(ratios);
-  return {std::move(ratios.nearer_px), std::move(deviations), std::move(ratios.judged)};
+  return weighed(
+      ratios_of(sweep(common, disparity_m_px, before, fine), sweep(common, disparity_m_px, after, fine)));
 }
 
 }  // namespace rva

@@ -7,12 +7,18 @@
 
 namespace rva {
 
+/// Evidence of a pixel is of the square about it: the windows of costs, and their mean.
+inline constexpr int surface_window_px = 9;
+
 /// In the reference's view.
 struct SurfaceChange {
   Image<float> nearer_px;  ///< disparity after, less that before; 0 where not judged
   Image<float>
       deviations;  ///< how certain it is that they differ, in deviations; above 0 where it came nearer
-  Mask judged;     ///< set where at least half of the pairs of either side see the pixel
+  /// Deviations that a change of one pixel of disparity has where it fills the windows, as small changes have
+  /// them; 0 where not judged.
+  Image<float> deviations_per_px;
+  Mask judged;  ///< set where at least half of the pairs of either side see the pixel
 };
 
 /// The generalised likelihood ratio of "one surface explains the pairs of both sides" against "each side has

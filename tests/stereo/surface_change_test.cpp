@@ -64,6 +64,23 @@ TEST(SurfaceChange, HowFarItMovedIsMeasured) {
   EXPECT_NEAR(sum_px / count, static_cast<double>(to(160, 80) - from(160, 80)), 0.05);
 }
 
+// What a change of one pixel would show is known from the inspection itself: what half a pixel does show.
+TEST(SurfaceChange, ForetellsHowMuchAChangeShows) {
+  const SurfaceChange unchanged = change_of(before, before, 6);
+  const SurfaceChange changed = change_of(before, after, 7);
+  const Image<float> from = test::true_disparity(before);
+  const Image<float> to = test::true_disparity(after);
+  double foretold = 0.0;
+  double shown = 0.0;
+  for (int v = 20; v < test::pair_camera.height - 20; ++v) {
+    for (int u = 155; u < 165; ++u) {
+      foretold += static_cast<double>(unchanged.deviations_per_px(u, v) * (to(u, v) - from(u, v)));
+      shown += static_cast<double>(changed.deviations(u, v));
+    }
+  }
+  EXPECT_NEAR(foretold / shown, 1.0, 0.25);
+}
+
 TEST(SurfaceChange, IsNotJudgedWhereASideDoesNotSee) {
   const SurfaceChange change = change_of(before, before, 5);
   for (int v = 0; v < test::pair_camera.height; ++v) {

@@ -143,9 +143,7 @@ CalibratedComparison compare_calibrated(const DisparityChange& change, double di
   result.level_of_detection_mm =
       level_of_detection_mm(unsure, noise.deviation_px, comparison.final_m, finest, disparity_m_px);
   clear_left_out(change.left_out, result);
-  const auto judged = static_cast<std::size_t>(std::ranges::count_if(
-      result.level_of_detection_mm.pixels(), [](float level) { return !std::isnan(level); }));
-  result.levels = {share(judged, change.judged),
+  result.levels = {judged_share(result.level_of_detection_mm),
                    finest.evidence.window_px,
                    static_cast<double>(drift_px(drift_px.width() / 2, drift_px.height() / 2)),
                    noise.fixed_px,

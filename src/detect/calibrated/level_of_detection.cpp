@@ -14,7 +14,6 @@ namespace rva {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-constexpr double nine_of_ten = 1.2816;  // deviations of a normal distribution
 constexpr double class_m = 0.2;
 constexpr double mm_per_m = 1000.0;
 constexpr std::size_t sampling = 3;  // neighbours are alike
@@ -22,7 +21,7 @@ constexpr std::size_t sampling = 3;  // neighbours are alike
 // The evidence of n = w^2 pixels that all change by k deviations is k w; what neighbours agree takes its
 // share.
 double needed_deviations(const Scale& scale, double threshold) {
-  return (threshold + nine_of_ten) * scale.evidence.agreement / scale.evidence.window_px;
+  return (threshold + nine_of_ten_deviations) * scale.evidence.agreement / scale.evidence.window_px;
 }
 
 }  // namespace
@@ -55,6 +54,12 @@ Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& devia
     level_mm[i] = scaled * std::max(deviation_px[i], around_px[i]) * depth_m[i] * depth_m[i];
   }
   return level_mm;
+}
+
+double judged_share(const Image<float>& level_mm) {
+  const auto judged =
+      std::ranges::count_if(level_mm.pixels(), [](float level) { return !std::isnan(level); });
+  return static_cast<double>(judged) / static_cast<double>(level_mm.size());
 }
 
 std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm, const Image<float>& depth_m) {

@@ -14,6 +14,9 @@ namespace rva {
 /// Evidence of a single pixel counts up to so many deviations: one wild pixel is no change.
 inline constexpr double most_deviations = 20.0;
 
+/// What is so many deviations above a threshold is found in nine of ten inspections: normal distribution.
+inline constexpr double nine_of_ten_deviations = 1.2816;
+
 /// The finest scale whose threshold a change of any height can reach where the matcher is sure; else the
 /// last.
 [[nodiscard]] const Scale& finest_reachable(std::span<const Scale> scales);
@@ -46,6 +49,9 @@ struct DetectionLevelSummary {
   std::optional<double> effective_frames;
   std::vector<DetectionLevels> by_distance;  ///< near to far, of 0.2 m each, those that hold pixels
 };
+
+/// Share of the image that has a level.
+[[nodiscard]] double judged_share(const Image<float>& level_mm);
 
 [[nodiscard]] std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm,
                                                               const Image<float>& depth_m);
