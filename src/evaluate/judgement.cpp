@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "depth/mat_view.hpp"
+#include "sim/sensor/trace_light.hpp"
 
 namespace rva {
 namespace {
@@ -80,6 +81,8 @@ std::vector<Target> visible_targets(const SimulatedCamera& camera) {
   return targets;
 }
 
+namespace {
+
 std::vector<std::uint32_t> work_pixels(const SimulatedCamera& before, const SimulatedCamera& after) {
   std::vector<std::uint32_t> pixels;
   const auto add = [&pixels](const SimulatedCamera& camera, const auto& is_work) {
@@ -99,6 +102,31 @@ std::vector<std::uint32_t> work_pixels(const SimulatedCamera& before, const Simu
   return pixels;
 }
 
+std::vector<std::uint32_t> trace_pixels(const SimulatedCamera& after) {
+  constexpr float least_change = 0.01F;
+  std::vector<std::uint32_t> pixels;
+  if (after.scene().traces.empty()) return pixels;
+  const TrueView view = after.look();
+  const Intrinsics camera = after.info().depth;
+  const Transform world_from_camera = after.world_from_camera();
+  for (int v = 0; v < view.depth_m.height(); ++v) {
+    for (int u = 0; u < view.depth_m.width(); ++u) {
+      const double depth_m = view.depth_m(u, v);
+      if (depth_m <= 0.0) continue;
+      const Eigen::Vector3d point = world_from_camera * camera.deproject(Eigen::Vector2d(u, v), depth_m);
+      if (std::abs(trace_light(after.scene().traces, point.cast<float>()) - 1.0F) > least_change)
+        pixels.push_back(static_cast<std::uint32_t>(v * view.depth_m.width() + u));
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+OtherChanges other_changes(const SimulatedCamera& before, const SimulatedCamera& after) {
+  return {work_pixels(before, after), trace_pixels(after)};
+}
+
 void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
                  std::vector<Target>& targets) {
   constexpr double trace_px = 0.1;
@@ -115,20 +143,23 @@ void count_shown(const DepthStatistics& without, const DepthStatistics& with, do
 }
 
 Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets, int width,
-                int height, const std::vector<std::uint32_t>& work) {
+                int height, const OtherChanges& others) {
   Mask any(width, height);
   for (const Target& target : targets) {
     for (const std::uint32_t i : target.pixels) any[i] = mask_set;
   }
   const Mask near_debris = grown(std::move(any), near_px);
-  const Mask near_work = grown(mask_of(work, width, height), near_px);
+  const Mask near_work = grown(mask_of(others.work, width, height), near_px);
+  const Mask near_traces = grown(mask_of(others.traces, width, height), near_px);
   Judgement judgement;
   std::vector<const Finding*> pointing;
   for (const Finding& finding : findings) {
     if (lies_in(finding, near_debris))
       pointing.push_back(&finding);
+    else if (lies_in(finding, near_work))
+      ++judgement.work_findings;
     else
-      ++(lies_in(finding, near_work) ? judgement.work_findings : judgement.false_findings);
+      ++(lies_in(finding, near_traces) ? judgement.trace_findings : judgement.false_findings);
   }
   for (const Target& target : targets) {
     const Mask around = grown(mask_of(target.pixels, width, height), found_within_px);

@@ -29,11 +29,14 @@ struct Target {
 /// All debris of the camera's scene of which a pixel is visible.
 [[nodiscard]] std::vector<Target> visible_targets(const SimulatedCamera& camera);
 
-/// Where planned work is seen: what was installed, and where what is gone was. By position in the rows laid
-/// end to end.
+/// What changed besides debris. Pixels by position in the rows laid end to end.
+struct OtherChanges {
+  std::vector<std::uint32_t> work;    ///< planned: what was installed, and where what is gone was
+  std::vector<std::uint32_t> traces;  ///< dust, smears and fingerprints that change the light by a hundredth
+};
+
 /// @param before, after cameras at one place, of scenes whose objects have the same names
-[[nodiscard]] std::vector<std::uint32_t> work_pixels(const SimulatedCamera& before,
-                                                     const SimulatedCamera& after);
+[[nodiscard]] OtherChanges other_changes(const SimulatedCamera& before, const SimulatedCamera& after);
 
 /// Counts for each target the pixels, within 4 of its own, whose disparity it changes by more than 0.1 px or
 /// whose depth it brings or takes: a trace of three deviations of the noise that one capture has and another
@@ -46,16 +49,16 @@ void count_shown(const DepthStatistics& without, const DepthStatistics& with, do
 struct Judgement {
   std::vector<bool> found;  ///< of each target
   std::size_t false_findings = 0;
-  std::size_t work_findings = 0;  ///< of planned work: true changes, but no debris
+  std::size_t work_findings = 0;   ///< of planned work: true changes, but no debris
+  std::size_t trace_findings = 0;  ///< of dust, smears and fingerprints
 };
 
 /// A finding points at debris when at least half of its pixels lie within 15 pixels of a target: there may be
-/// the target's shadow, or what it hides of the place before. One that lies so beside planned work is counted
-/// apart; any other finding is false. A target is found
+/// the target's shadow, or what it hides of the place before. One that lies so beside planned work, or on
+/// traces, is counted apart; any other finding is false. A target is found
 /// when a finding that points at debris has a pixel within 4 pixels of it: half of the matcher's window, by
 /// which it blurs what it shows.
-/// @param work as of work_pixels()
 [[nodiscard]] Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets,
-                              int width, int height, const std::vector<std::uint32_t>& work = {});
+                              int width, int height, const OtherChanges& others = {});
 
 }  // namespace rva

@@ -100,8 +100,14 @@ void note_error(const std::optional<Registration>& found, const Transform& final
 
 MovedResult result_of(std::string method, int captures, double setting, std::size_t false_when_clean,
                       const Judgement& judgement) {
-  return {std::move(method),       captures,       setting, false_when_clean, judgement.false_findings,
-          judgement.work_findings, judgement.found};
+  return {std::move(method),
+          captures,
+          setting,
+          false_when_clean,
+          judgement.false_findings,
+          judgement.work_findings,
+          judgement.trace_findings,
+          judgement.found};
 }
 
 /// The first depth image of a side, as the thesis takes it.
@@ -112,8 +118,8 @@ struct FirstFrame {
   DepthImage depth;
 };
 
-void inspect_by_octree(const Sides& sides, const Transform& initial_from_final,
-                       const std::vector<std::uint32_t>& work, MovedInspection& inspection) {
+void inspect_by_octree(const Sides& sides, const Transform& initial_from_final, const OtherChanges& others,
+                       MovedInspection& inspection) {
   const FirstFrame before(*sides.before.open(1).front());
   const FirstFrame unchanged(*sides.unchanged.open(1).front());
   const FirstFrame changed(*sides.changed.open(1).front());
@@ -130,7 +136,7 @@ void inspect_by_octree(const Sides& sides, const Transform& initial_from_final,
     inspection.results.push_back(
         result_of("octree", 1, cell_m, findings(clean, unchanged, cell_m).size(),
                   judge(findings(littered, changed, cell_m), plain(inspection.targets), camera.width,
-                        camera.height, work)));
+                        camera.height, others)));
 }
 
 // Where a side's first camera really was.
@@ -160,9 +166,8 @@ MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t se
                                      view_of(*sides.before.open(1).front()), initial_from_final);
   Scene before = wing.before;
   before.stand = wing.after.stand;
-  const std::vector<std::uint32_t> work =
-      work_pixels(camera_at(before, sensor, sides.changed.rested.front()),
-                  camera_at(wing.after, sensor, sides.changed.rested.front()));
+  const OtherChanges others = other_changes(camera_at(before, sensor, sides.changed.rested.front()),
+                                            camera_at(wing.after, sensor, sides.changed.rested.front()));
   for (const int captures : options.captures) {
     for (const double allowed : options.allowed) {
       const SidesDetection clean = compare(sides.before, sides.unchanged, captures, allowed);
@@ -173,12 +178,12 @@ MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t se
       }
       const Judgement judgement =
           judge(littered.detection.findings.findings, plain(inspection.targets),
-                littered.detection.final_m.width(), littered.detection.final_m.height(), work);
+                littered.detection.final_m.width(), littered.detection.final_m.height(), others);
       inspection.results.push_back(
           result_of("auto", captures, allowed, clean.detection.findings.findings.size(), judgement));
     }
   }
-  if (options.octree) inspect_by_octree(sides, initial_from_final, work, inspection);
+  if (options.octree) inspect_by_octree(sides, initial_from_final, others, inspection);
   return inspection;
 }
 

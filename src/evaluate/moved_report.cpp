@@ -29,6 +29,7 @@ void add(const MovedInspection& inspection, const MovedResult& result, MovedTall
   tally.false_when_clean += result.false_when_clean;
   tally.false_with_debris += result.false_with_debris;
   tally.work_findings += result.work_findings;
+  tally.trace_findings += result.trace_findings;
   for (std::size_t i = 0; i < inspection.targets.size(); ++i) {
     const MovedTarget& target = inspection.targets[i];
     if (!target.counts()) continue;
@@ -126,6 +127,7 @@ Json to_json_value(const MovedTally& of) {
           {"false_rate_95", to_json_value(rate_interval(of.false_when_clean, of.inspections))},
           {"false_with_debris", of.false_with_debris},
           {"work_findings", of.work_findings},
+          {"trace_findings", of.trace_findings},
           {"targets", of.targets},
           {"found", of.found},
           {"found_share_95", to_json_value(share_interval(of.found, of.targets))},
@@ -161,6 +163,7 @@ Json to_json_value(const MovedInspection& inspection) {
                                    {"false_when_clean", of.false_when_clean},
                                    {"false_with_debris", of.false_with_debris},
                                    {"work_findings", of.work_findings},
+                                   {"trace_findings", of.trace_findings},
                                    {"found", of.found}});
   return json;
 }
@@ -188,7 +191,8 @@ MovedInspection inspection_from(const nlohmann::json& json) {
   for (const nlohmann::json& of : json.at("results")) {
     inspection.results.push_back({of.at("method"), of.at("captures"), of.at("setting"),
                                   of.at("false_when_clean"), of.at("false_with_debris"),
-                                  of.value("work_findings", std::size_t{0}), of.at("found")});
+                                  of.value("work_findings", std::size_t{0}),
+                                  of.value("trace_findings", std::size_t{0}), of.at("found")});
     if (inspection.results.back().found.size() != inspection.targets.size())
       throw nlohmann::json::other_error::create(0, "found and targets differ in number", &of);
   }

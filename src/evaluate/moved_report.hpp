@@ -17,6 +17,7 @@ struct MovedTally {
   std::size_t false_when_clean = 0;
   std::size_t false_with_debris = 0;
   std::size_t work_findings = 0;
+  std::size_t trace_findings = 0;
   std::size_t big_found = 0;
   std::size_t big = 0;  ///< big pieces that count
   std::size_t large_found = 0;

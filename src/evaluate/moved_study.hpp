@@ -45,8 +45,9 @@ struct MovedResult {
   int captures = 1;
   double setting = 0.0;               ///< false findings allowed; edge of a cell, in metres
   std::size_t false_when_clean = 0;   ///< findings where nothing changed
-  std::size_t false_with_debris = 0;  ///< findings far from all debris and all work
+  std::size_t false_with_debris = 0;  ///< findings far from all debris, work and traces
   std::size_t work_findings = 0;      ///< findings of planned work
+  std::size_t trace_findings = 0;     ///< findings of dust, smears and fingerprints
   std::vector<bool> found;            ///< of each target; none where the registration was not trusted
 };
 

@@ -7,6 +7,7 @@
 #include "robot/dither.hpp"
 #include "sim/scene/drop_zone.hpp"
 #include "sim/scene/random_debris.hpp"
+#include "sim/scene/traces.hpp"
 
 namespace rva {
 namespace {
@@ -86,6 +87,7 @@ MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how, const BayFeatu
   } while (!moved_as_wanted(before, after));
   if (how != CameraReturn::elsewhere) stay(how, random, after, before);
   if (features.work) do_work(random_wing_bay(seed, features), random_work(seed), wing.after);
+  if (features.traces) leave_traces(random_traces(seed), wing.after);
   drop(wing.after, how, seed);
   return wing;
 }

@@ -82,7 +82,7 @@ constexpr std::array bay_feature_table{
     Feature{"brackets", &BayFeatures::brackets}, Feature{"hoses", &BayFeatures::hoses},
     Feature{"cables", &BayFeatures::cables},     Feature{"sealant", &BayFeatures::sealant},
     Feature{"dirt", &BayFeatures::dirt},         Feature{"skins", &BayFeatures::skins},
-    Feature{"work", &BayFeatures::work}};
+    Feature{"work", &BayFeatures::work},         Feature{"traces", &BayFeatures::traces}};
 
 }  // namespace
 
@@ -123,6 +123,16 @@ Work random_work(std::uint64_t seed) {
   work.installed.sealant = whole(0, 2, random);
   work.rehung = whole(0, 1, random);
   return work;
+}
+
+TraceCounts random_traces(std::uint64_t seed) {
+  Random random(mix(seed, 0x77AC));
+  TraceCounts counts;
+  counts.dust = whole(1, 2, random);
+  counts.smears = whole(1, 2, random);
+  counts.fingerprints = whole(1, 3, random);
+  counts.seed = mix(seed, 0x77AD);
+  return counts;
 }
 
 Scene random_wing(std::uint64_t seed, const BayFeatures& features) {

@@ -18,13 +18,14 @@ struct BayFeatures {
   bool cables = false;
   bool sealant = false;
   bool dirt = false;
-  bool skins = false;  ///< carbon fibre, yellow primer and wax, too
-  bool work = false;   ///< a mechanic's legitimate changes between the two sides
+  bool skins = false;   ///< carbon fibre, yellow primer and wax, too
+  bool work = false;    ///< a mechanic's legitimate changes between the two sides
+  bool traces = false;  ///< dust, smears and fingerprints that the work left
 
   bool operator==(const BayFeatures&) const = default;
 };
 
-/// "brackets" ... "work", in the order of the members.
+/// "brackets" ... "traces", in the order of the members.
 [[nodiscard]] std::vector<std::string_view> bay_feature_names();
 
 /// @param names of bay_feature_names(), or "all"
@@ -37,6 +38,9 @@ struct BayFeatures {
 /// A mechanic's changes of a bay, drawn by chance: collars, brackets or sealant that were installed, cables
 /// that hang differently.
 [[nodiscard]] Work random_work(std::uint64_t seed);
+
+/// One or two patches of dust and smears each, and one to three fingerprints.
+[[nodiscard]] TraceCounts random_traces(std::uint64_t seed);
 
 /// A bay with its stringers, ribs, materials, light and the camera's view drawn by chance: L, Z or hat
 /// stringers, 3 to 6 of them, 25 to 45 mm high; paint, primer or aluminium; with or without an upper skin;

@@ -8,6 +8,7 @@
 #include "detect/calibrated/calibrated.hpp"
 #include "detect/constant.hpp"
 #include "detect/gaussian.hpp"
+#include "sim/scene/traces.hpp"
 
 namespace rva {
 namespace {
@@ -78,6 +79,7 @@ Wing wing_of(const StudyOptions& options, const std::optional<Scene>& scene, std
   Wing wing{random_wing(seed, options.bay), {}};
   wing.after = wing.before;
   if (options.bay.work) do_work(random_wing_bay(seed, options.bay), random_work(seed), wing.after);
+  if (options.bay.traces) leave_traces(random_traces(seed), wing.after);
   drop_debris(wing.after, seed);
   return wing;
 }
@@ -103,13 +105,13 @@ SimulatedInspection inspect(const StudyOptions& options, const std::optional<Sce
   Take changed(std::move(wing.after), sensor, mix(seed, 3));
   SimulatedInspection inspection{seed, visible_targets(changed.camera()), {}};
   count_shown_by_twins(changed.camera().scene(), sensor, seed, inspection.targets);
-  const std::vector<std::uint32_t> work = work_pixels(before.camera(), changed.camera());
+  const OtherChanges others = other_changes(before.camera(), changed.camera());
   for (const int frames : options.frames) {
     for (Take* take : {&before, &unchanged, &changed}) take->up_to(frames);
     for (const Detector& detector : detectors) {
       const auto judged = [&](const std::vector<Finding>& findings) {
         return judge(findings, inspection.targets, before.statistics().width(), before.statistics().height(),
-                     work);
+                     others);
       };
       const std::vector<Finding> when_clean = find(detector, before, unchanged);
       const Judgement judgement = judged(find(detector, before, changed));

@@ -50,14 +50,25 @@ TEST(Judgement, AFindingThatMarksEverythingPointsAtNothing) {
 
 TEST(Judgement, PlannedWorkIsNeitherDebrisNorFalse) {
   const std::vector<Finding> findings{finding(70, 40, 3), finding(42, 42, 2), finding(5, 5, 2)};
-  const Judgement judgement = judge(findings, one_target(), width, height, square(72, 38, 4));
+  const Judgement judgement = judge(findings, one_target(), width, height, {square(72, 38, 4), {}});
   EXPECT_EQ(judgement.work_findings, 1);
   EXPECT_EQ(judgement.false_findings, 1);
   EXPECT_THAT(judgement.found, ElementsAre(true));
 }
 
+TEST(Judgement, TracesAreCountedApartButForWorkOnThem) {
+  const std::vector<Finding> findings{finding(70, 40, 3), finding(5, 5, 2)};
+  const Judgement traces = judge(findings, one_target(), width, height, {{}, square(72, 38, 4)});
+  EXPECT_EQ(traces.trace_findings, 1);
+  EXPECT_EQ(traces.false_findings, 1);
+  const Judgement both = judge(findings, one_target(), width, height, {square(72, 38, 4), square(72, 38, 4)});
+  EXPECT_EQ(both.work_findings, 1);
+  EXPECT_EQ(both.trace_findings, 0);
+}
+
 TEST(Judgement, DebrisBesideWorkIsDebris) {
-  const Judgement judgement = judge({finding(40, 40, 3)}, one_target(), width, height, square(38, 38, 10));
+  const Judgement judgement =
+      judge({finding(40, 40, 3)}, one_target(), width, height, {square(38, 38, 10), {}});
   EXPECT_EQ(judgement.work_findings, 0);
   EXPECT_THAT(judgement.found, ElementsAre(true));
 }

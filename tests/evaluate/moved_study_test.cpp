@@ -66,7 +66,7 @@ MovedInspection inspection() {
                         target(0.5, 150, false, true), target(1.1, 200, true, true),
                         target(0.5, 200, true, false), target(0.5, 20, true, true)};
   inspection.registrations = {{"spatial", 4, 1.0, 0.1, ""}, {"spatial", 4, 157.0, 0.1, "two places"}};
-  inspection.results = {{"spatial", 4, 0.05, 2, 1, 3, {true, false, true, true, true, true}}};
+  inspection.results = {{"spatial", 4, 0.05, 2, 1, 3, 2, {true, false, true, true, true, true}}};
   return inspection;
 }
 
@@ -78,6 +78,7 @@ TEST(MovedReport, CountsWhatIsVisibleNearAndWasSeenAsFree) {
   EXPECT_EQ(sum.false_when_clean, 4U);
   EXPECT_EQ(sum.false_with_debris, 2U);
   EXPECT_EQ(sum.work_findings, 6U);
+  EXPECT_EQ(sum.trace_findings, 4U);
   EXPECT_EQ(sum.targets, 6U);
   EXPECT_EQ(sum.found, 4U);
   EXPECT_EQ(sum.big, 4U);

@@ -14,6 +14,7 @@
 #include "sim/scene/rivets.hpp"
 #include "sim/scene/shapes.hpp"
 #include "sim/scene/stringers.hpp"
+#include "sim/scene/traces.hpp"
 #include "sim/scene/wing_bay.hpp"
 
 namespace rva {
@@ -211,6 +212,7 @@ void do_work(const WingBay& bay, const Work& work, Scene& scene) {
   std::ranges::move(rehung.take(), std::back_inserter(scene.objects));
   std::ranges::move(make_fittings(bay, work.installed, Role::work, "new-"),
                     std::back_inserter(scene.objects));
+  leave_traces(work.traces, scene);
 }
 
 }  // namespace rva

@@ -33,10 +33,11 @@ struct Fittings {
 struct Work {
   Fittings installed;
   int rehung = 0;  ///< cables of the bay that hang differently afterwards
+  TraceCounts traces{};
 };
 
-/// Adds what was installed, and puts cables that hang differently in place of those of the bay. All of it has
-/// Role::work.
+/// Adds what was installed, and puts cables that hang differently in place of those of the bay; all of it has
+/// Role::work. Leaves traces on it and on the bay.
 void do_work(const WingBay& bay, const Work& work, Scene& scene);
 
 }  // namespace rva

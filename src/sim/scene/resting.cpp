@@ -45,7 +45,8 @@ std::vector<Column> columns_of(const SceneObject& body) {
       down.push_back({{place.x(), place.y(), high}, -Eigen::Vector3f::UnitZ()});
     }
   }
-  const RayCaster caster(Scene{.name = {}, .objects = {body}, .lighting = {}, .stand = {}, .bay = {}});
+  const RayCaster caster(
+      Scene{.name = {}, .objects = {body}, .traces = {}, .lighting = {}, .stand = {}, .bay = {}});
   const std::vector<Hit> undersides = cast_all(caster, up);
   const std::vector<Hit> tops = cast_all(caster, down);
   for (std::size_t i = 0; i < up.size(); ++i) {

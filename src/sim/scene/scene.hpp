@@ -11,6 +11,7 @@
 #include "geometry/transform.hpp"
 #include "sim/scene/material.hpp"
 #include "sim/scene/mesh.hpp"
+#include "sim/scene/trace.hpp"
 
 namespace rva {
 
@@ -60,6 +61,7 @@ struct CameraStand {
 struct Scene {
   std::string name;
   std::vector<SceneObject> objects;
+  std::vector<Trace> traces;  ///< that work left on surfaces
   Lighting lighting;
   CameraStand stand;
   Eigen::AlignedBox3d bay;  ///< the inside of the bay, where debris may lie; empty when there is no wing

@@ -157,11 +157,23 @@ WingBay read_wing(const YamlNode& section) {
   return bay;
 }
 
+TraceCounts read_traces(const YamlNode& section) {
+  constexpr int most_traces = 50;
+  section.allow_only({"dust", "smears", "fingerprints", "seed"});
+  TraceCounts counts;
+  section.read("dust", counts.dust, 0, most_traces);
+  section.read("smears", counts.smears, 0, most_traces);
+  section.read("fingerprints", counts.fingerprints, 0, most_traces);
+  if (const auto seed = section.find("seed")) counts.seed = seed->seed();
+  return counts;
+}
+
 Work read_work(const YamlNode& section) {
-  section.allow_only({"brackets", "hoses", "cables", "sealant", "collars", "seed", "rehung"});
+  section.allow_only({"brackets", "hoses", "cables", "sealant", "collars", "seed", "rehung", "traces"});
   Work work;
   read_counts(section, work.installed);
   section.read("rehung", work.rehung, 0, most_fittings);
+  if (const auto traces = section.find("traces")) work.traces = read_traces(*traces);
   return work;
 }
 

@@ -85,6 +85,8 @@ float grain_of_coat(const Material& material, const Eigen::Vector3f& position) {
 
 }  // namespace
 
+float value_noise(const Eigen::Vector3f& position) { return noise(position); }
+
 float grain_at(const Material& material, const Eigen::Vector3f& position) {
   const float grain = grain_of_coat(material, position);
   return material.dirt > 0.0 ? grain * under_dirt(static_cast<float>(material.dirt), position) : grain;

@@ -14,6 +14,9 @@ struct SurfacePoint {
   Eigen::Vector3f to_eye;    ///< unit
 };
 
+/// A smooth random field with values in [-1, 1], a lattice of one unit apart.
+[[nodiscard]] float value_noise(const Eigen::Vector3f& position);
+
 /// The surface's own texture at a place: 1 on average, a smooth random field of the material's contrast and
 /// size, darker where dirt lies.
 [[nodiscard]] float grain_at(const Material& material, const Eigen::Vector3f& position);

@@ -1,5 +1,7 @@
 #include "sim/sensor/surface_row.hpp"
 
+#include "sim/sensor/trace_light.hpp"
+
 namespace rva {
 
 namespace {
@@ -33,7 +35,8 @@ void SurfaceRow::cast() {
     if (!seen(i)) continue;
     points_[i] = surface_at(rays_[i], hits_[i]);
     materials_[i] = &scene_.objects[hits_[i].object].parts[hits_[i].part].material;
-    grains_[i] = grain_at(*materials_[i], points_[i].position);
+    grains_[i] =
+        grain_at(*materials_[i], points_[i].position) * trace_light(scene_.traces, points_[i].position);
   }
 }
 
