@@ -8,6 +8,7 @@
 
 #include "cloud/appearance_evidence.hpp"
 #include "cloud/joint_evidence.hpp"
+#include "cloud/still_evidence.hpp"
 #include "cloud/surface_level.hpp"
 #include "core/quantile.hpp"
 #include "core/stopwatch.hpp"
@@ -128,6 +129,31 @@ Mask judged_in_any(const std::vector<JudgedChange>& lights) {
   return judged;
 }
 
+void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared compared, double false_findings,
+                 const RegionOptions& regions, const DepthView& final_view, Detection& detection) {
+  const Mask judged = judged_in_any(changes);
+  Mask mask(judged.width(), judged.height());
+  const double of_each_light = false_findings / static_cast<double>(changes.size());
+  for (const JudgedChange& change : changes) add_significant(change, of_each_light, detection.left_out, mask);
+  std::vector<Finding>& findings = detection.findings.findings;
+  give_evidence(mask, findings);
+  drop_unsupported(judged, compared, false_findings, detection);
+  for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
+                                           .join_px = std::min(join_px, regions.join_px)})) {
+    for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
+    findings.push_back(finding_of(std::move(region), changes, detection.final_m, final_view));
+    findings.back().id = static_cast<int>(findings.size());
+  }
+  order(findings);
+  const auto pixels = std::ranges::count(judged.pixels(), mask_set);
+  detection.findings.appearance_judged = static_cast<double>(pixels) / static_cast<double>(judged.size());
+}
+
+void add_time(const Stopwatch& start, Detection& detection) {
+  detection.findings.runtime.detect_ms += start.ms();
+  detection.findings.runtime.total_ms += start.ms();
+}
+
 }  // namespace
 
 std::vector<Light> comparable_lights(const Captures& initial, const Captures& final,
@@ -160,30 +186,38 @@ void add_appearance(const Captures& initial, const Captures& final, const std::v
       changes.push_back(std::move(*change));
   }
   if (changes.empty()) return;
-  const Mask judged = judged_in_any(changes);
-  Mask mask(judged.width(), judged.height());
-  const double of_each_light = false_findings / static_cast<double>(changes.size());
-  for (const JudgedChange& change : changes) {
-    add_significant(change, of_each_light, detection.left_out, mask);
-    lower_level_of_detection(change, of_each_light, placed.final_view.disparity_m_px, detection);
-  }
-  std::vector<Finding>& findings = detection.findings.findings;
-  give_evidence(mask, findings);
   const bool surfaces =
       std::ranges::any_of(changes, [](const JudgedChange& change) { return !change.surface.judged.empty(); });
-  drop_unsupported(judged, surfaces ? InfraredCompared::surfaces : InfraredCompared::appearance,
-                   false_findings, detection);
-  for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
-                                           .join_px = std::min(join_px, regions.join_px)})) {
-    for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
-    findings.push_back(finding_of(std::move(region), changes, detection.final_m, placed.final_view));
-    findings.back().id = static_cast<int>(findings.size());
+  add_changes(changes, surfaces ? InfraredCompared::surfaces : InfraredCompared::appearance, false_findings,
+              regions, placed.final_view, detection);
+  for (const JudgedChange& change : changes)
+    lower_level_of_detection(change, false_findings / static_cast<double>(changes.size()),
+                             placed.final_view.disparity_m_px, detection);
+  add_time(start, detection);
+}
+
+std::vector<Light> still_lights(const Capture& initial, const Capture& final) {
+  std::vector<Light> lights;
+  if (final.info().depth.distortion != Distortion::none) return lights;
+  for (const Light light : {Light::projector, Light::lamp}) {
+    if (initial.has_infrared(Imager::left, light) && final.has_infrared(Imager::left, light))
+      lights.push_back(light);
   }
-  order(findings);
-  const auto compared = std::ranges::count(judged.pixels(), mask_set);
-  detection.findings.appearance_judged = static_cast<double>(compared) / static_cast<double>(judged.size());
-  detection.findings.runtime.detect_ms += start.ms();
-  detection.findings.runtime.total_ms += start.ms();
+  return lights;
+}
+
+void add_still_appearance(const Capture& initial, const Capture& final, const std::vector<Light>& lights,
+                          const DepthView& final_view, double false_findings, const RegionOptions& regions,
+                          Detection& detection) {
+  const Stopwatch start;
+  std::vector<JudgedChange> changes;
+  for (const Light light : lights) {
+    if (auto change = still_change_between(initial, final, final_view, light, detection.warnings))
+      changes.push_back(std::move(*change));
+  }
+  if (changes.empty()) return;
+  add_changes(changes, InfraredCompared::still, false_findings, regions, final_view, detection);
+  add_time(start, detection);
 }
 
 }  // namespace rva

@@ -28,4 +28,15 @@ void add_appearance(const Captures& initial, const Captures& final, const std::v
                     const PlacedCaptures& placed, double false_findings, const RegionOptions& regions,
                     Detection& detection);
 
+/// The lights in which both captures have the left imager's image: one of each will do where the camera stood
+/// still. None where the lens bends rays.
+[[nodiscard]] std::vector<Light> still_lights(const Capture& initial, const Capture& final);
+
+/// The same as add_appearance() for a camera that stood still between two captures: pixel by pixel, dots
+/// included (still_evidence.hpp).
+/// @param lights as of still_lights()
+void add_still_appearance(const Capture& initial, const Capture& final, const std::vector<Light>& lights,
+                          const DepthView& final_view, double false_findings, const RegionOptions& regions,
+                          Detection& detection);
+
 }  // namespace rva

@@ -26,29 +26,6 @@
 namespace rva {
 namespace {
 
-/// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras
-/// drawn by chance (docs/infrared.md), and up to where an inspection's own peaks are taken for unchanged:
-/// things that hardly show have peaks beyond. Images under the lamp, which have no dots, count as those
-/// between dots: their own tail has not been fitted.
-struct UsualTail {
-  UsualSlope slope;
-  double end;
-};
-constexpr UsualTail between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
-constexpr UsualTail with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
-
-// The middle of all grey levels: most of a view is the same before and after.
-float median_of(const Image<float>& grey) {
-  std::vector<float> levels = sampled(as_mat(grey), Mask(grey.width(), grey.height(), mask_set));
-  return levels.empty() ? 0.0F : quantile(levels, 0.5);
-}
-
-// Exposures differ by less: what is darker still has no light.
-float scale_to(float level, float own_level) {
-  constexpr float most = 4.0F;
-  return own_level > 0.0F ? std::clamp(level / own_level, 1.0F / most, most) : 1.0F;
-}
-
 /// @param level that images under the lamp are brought to, since their exposure follows what lies in the view
 std::vector<InfraredView> views_of(const Captures& side, Light light, float level,
                                    const std::vector<Transform>& first_from_view,
@@ -58,7 +35,7 @@ std::vector<InfraredView> views_of(const Captures& side, Light light, float leve
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
       throw_if_interrupted();
       const Image<float> grey = side[k]->infrared_mean(Imager::left, light).value();
-      const float scale = light == Light::lamp ? scale_to(level, median_of(grey)) : 1.0F;
+      const float scale = light == Light::lamp ? scale_to_level(level, grey) : 1.0F;
       views[k] = InfraredView(grey, first_from_view[k].inverse() * first_from_reference, light, scale);
     }
   });
@@ -79,26 +56,6 @@ std::vector<Transform> poses_of(const std::vector<InfraredView>& views) {
   std::vector<Transform> poses;
   for (const InfraredView& view : views) poses.push_back(view.view_from_reference);
   return poses;
-}
-
-// Peaks of what is not beside a thing that changed beyond doubt. Where dots leave few samples, there are more
-// and higher ones.
-FalseAlarmTail tail_of(const AppearanceChange& change, const UsualTail& usual) {
-  constexpr int apart_px = 11;
-  constexpr int beside_px = 31;
-  constexpr double beyond_doubt = 7.0;
-  const cv::Mat sizes = cv::abs(as_mat(change.deviations));
-  cv::Mat highest;
-  cv::dilate(sizes, highest, cv::Mat::ones(apart_px, apart_px, CV_8U));
-  cv::Mat beside;
-  cv::dilate(sizes > beyond_doubt, beside, cv::Mat::ones(beside_px, beside_px, CV_8U));
-  std::vector<float> peaks;
-  for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    const float size = sizes.ptr<float>()[i];
-    const bool is_peak = size > static_cast<float>(FalseAlarmTail::onset) && size >= highest.ptr<float>()[i];
-    if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
-  }
-  return fit_tail(peaks, usual.slope, usual.end);
 }
 
 // What is seen between the dots, and half of what pairs show with them: the noise of the first is known,
@@ -122,14 +79,6 @@ Mask well_within(const Mask& lit) {
   cv::erode(as_mat(lit), target, cv::Mat::ones(2 * margin_px + 1, 2 * margin_px + 1, CV_8U), {-1, -1}, 1,
             cv::BORDER_CONSTANT, 0);
   return within;
-}
-
-// Stains and reflections change so much; a collar changes more.
-void drop_faint(AppearanceChange& change) {
-  constexpr float least_contrast = 0.015F;
-  for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    if (std::abs(change.contrast[i]) <= least_contrast) change.deviations[i] = 0.0F;
-  }
 }
 
 // Brightness and geometry fail on different things: their squares are added, as of independent evidence.
@@ -190,8 +139,7 @@ JudgedChange under_projector(const Captures& initial, const Captures& final, con
     moved = surface_between(initial, final, surface, disparity_m_px, before, after);
     change = with_surface(std::move(change), moved);
   }
-  const FalseAlarmTail tail = tail_of(change, has_pairs ? with_pairs : between_dots);
-  return {std::move(change), tail, std::move(moved)};
+  return with_tail(std::move(change), has_pairs ? tail_with_pairs : tail_between_dots, std::move(moved));
 }
 
 JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<InfraredView>& before,
@@ -200,21 +148,16 @@ JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<Infra
   const Mask seen = both_set(seen_in_all(surface, after), seen_in_all(surface, before));
   AppearanceChange change = appearance_change(image_before, image_after, seen);
   drop_faint(change);
-  const FalseAlarmTail tail = tail_of(change, between_dots);
-  return {std::move(change), tail};
+  return with_tail(std::move(change), tail_between_dots);
 }
 
-bool has_lamp_problem(const std::vector<InfraredView>& views, std::string_view side,
-                      std::vector<std::string>& warnings) {
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    const std::string problem = problem_under_lamp(views[k]);
-    if (problem.empty()) continue;
-    warnings.push_back(
-        fmt::format("the image under the lamp of {} capture {} was not compared, nor any other: {}", side,
-                    k + 1, problem));
-    return true;
-  }
-  return false;
+bool warned_of_lamp(const std::vector<InfraredView>& before, const std::vector<InfraredView>& after,
+                    std::vector<std::string>& warnings) {
+  std::string warning = warning_under_lamp(before, "initial");
+  if (warning.empty()) warning = warning_under_lamp(after, "final");
+  if (warning.empty()) return false;
+  warnings.push_back(std::move(warning));
+  return true;
 }
 
 }  // namespace
@@ -225,14 +168,12 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
   const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
                                                      placed.final_view.disparity_m_px);
   const float level =
-      light == Light::lamp ? median_of(final.front()->infrared_mean(Imager::left, light).value()) : 0.0F;
+      light == Light::lamp ? middle_level(final.front()->infrared_mean(Imager::left, light).value()) : 0.0F;
   std::vector<InfraredView> after =
       views_of(final, light, level, placed.first_from_final, Transform::Identity());
   std::vector<InfraredView> before =
       views_of(initial, light, level, placed.first_from_initial, initial_from_final);
-  if (light == Light::lamp &&
-      (has_lamp_problem(before, "initial", warnings) || has_lamp_problem(after, "final", warnings)))
-    return std::nullopt;
+  if (light == Light::lamp && warned_of_lamp(before, after, warnings)) return std::nullopt;
   const std::vector<Transform> stated_after = poses_of(after);
   const std::vector<Transform> stated_before = poses_of(before);
   align_side(surface, after);

@@ -5,22 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "cloud/judged_change.hpp"
 #include "cloud/spatial_detection.hpp"
-#include "detect/calibrated/false_alarm_tail.hpp"
-#include "infrared/appearance_change.hpp"
-#include "stereo/surface_change.hpp"
 
 namespace rva {
-
-/// In the view of the first final capture.
-struct JudgedChange {
-  /// Deviations of all evidence of this light together: of appearance, 0 where its contrast is no more than
-  /// what stains and reflections have, and of the surface.
-  AppearanceChange change;
-  FalseAlarmTail tail;  ///< of the peaks of these deviations, of either sign
-  /// How far the surface moved, as the pairs of both imagers show it; empty where they were not compared.
-  SurfaceChange surface{};
-};
 
 /// Lays the images of both sides upon each other and compares them: those under the projector without its
 /// dots, where captures of both sides are from nearly one pose, pair by pair with them, and where both

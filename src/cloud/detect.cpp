@@ -128,9 +128,18 @@ class Run {
   SidesDetection automatic() {
     require_one_device(initial_info(), final_info());
     if (has_several() || poses_differ(initial_info(), final_info())) return spatial();
-    StaticDetection compared = compare_pixels(*initial_.front());
+    const Capture& initial = *initial_.front();
+    const std::vector<Light> lights = still_lights(initial, *final_.front());
+    StaticDetection compared = compare_pixels(initial, lights.empty() ? 1.0 : share_of_depth);
     const std::optional<CheckedViews> views = checked_views(compared, initial_info(), final_info());
-    if (!views || views->check.is_aligned()) return {std::move(compared.detection), std::nullopt};
+    if (!views) return {std::move(compared.detection), std::nullopt};
+    if (views->check.is_aligned()) {
+      if (!lights.empty())
+        add_still_appearance(initial, *final_.front(), lights, views->final,
+                             (1.0 - share_of_depth) * options_.static_camera.calibrated.false_findings,
+                             options_.static_camera.regions, compared.detection);
+      return {std::move(compared.detection), std::nullopt};
+    }
     return spatial_after(*views, std::move(compared.detection));
   }
 
@@ -192,8 +201,10 @@ class Run {
         check.motion.displacement_px, registration.doubt);
   }
 
-  StaticDetection compare_pixels(const Capture& initial) {
+  // @param share of the allowed false findings
+  StaticDetection compare_pixels(const Capture& initial, double share = 1.0) {
     StaticDetectionOptions options = options_.static_camera;
+    options.calibrated.false_findings *= share;
     options.method = static_method(options_.method);
     return detect_static(initial, *final_.front(), options, progress_, left_out_);
   }

@@ -30,9 +30,10 @@ Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int
 // Infrared images respond to nearly all that changed in depth: of 64 findings of debris in development, to
 // all but one with eight captures (docs/infrared.md). Where they were compared and show nothing, a finding of
 // depth is believed if it is so many times rarer by chance; and where the pairs of both imagers were
-// compared, too, which measure the same as depth does, if it is much rarer still.
+// compared, too, which measure the same as depth does, or every pixel of a camera that stood still, of whose
+// images depth is made, if it is much rarer still.
 double unsupported_factor(InfraredCompared compared) {
-  return compared == InfraredCompared::surfaces ? 1e4 : 50.0;
+  return compared == InfraredCompared::appearance ? 50.0 : 1e4;
 }
 
 bool is_unsupported(const Finding& finding, const Mask& judged_pixels, double least_score) {

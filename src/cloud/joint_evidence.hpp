@@ -18,13 +18,13 @@ void give_evidence(Mask& significant, std::vector<Finding>& findings);
 /// mends what they say of each other.
 void order(std::vector<Finding>& findings);
 
-/// What was compared of infrared images: how they look, or also the surfaces that the pairs of both imagers
-/// show.
-enum class InfraredCompared { appearance, surfaces };
+/// What was compared of infrared images: how they look between the dots, or also the surfaces that the pairs
+/// of both imagers show, or, of a camera that stood still, every pixel.
+enum class InfraredCompared { appearance, surfaces, still };
 
 /// Drops findings without evidence in the infrared images where these were compared over most of the finding,
-/// unless depth alone expects fewer such findings than a fiftieth of those allowed, and where surfaces were
-/// compared, a ten thousandth. Numbers the others anew.
+/// unless depth alone expects fewer such findings than a fiftieth of those allowed, and where surfaces or
+/// every pixel were compared, a ten thousandth. Numbers the others anew.
 /// @param judged         where infrared images were compared
 /// @param false_findings allowed for depth
 void drop_unsupported(const Mask& judged, InfraredCompared compared, double false_findings,

@@ -1,5 +1,8 @@
 #include "infrared/lamp_check.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <vector>
@@ -31,6 +34,27 @@ std::string problem_under_lamp(const InfraredView& view) {
   if (share_of(dot_mask(view.log_image)) > most_dots)
     return "it shows the projector's dots: was the projector off?";
   return "";
+}
+
+std::string warning_under_lamp(std::span<const InfraredView> views, std::string_view side) {
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const std::string problem = problem_under_lamp(views[k]);
+    if (!problem.empty())
+      return fmt::format("the image under the lamp of {} capture {} was not compared, nor any other: {}",
+                         side, k + 1, problem);
+  }
+  return "";
+}
+
+float middle_level(const Image<float>& grey) {
+  std::vector<float> levels = sampled(as_mat(grey), Mask(grey.width(), grey.height(), mask_set));
+  return levels.empty() ? 0.0F : quantile(levels, 0.5);
+}
+
+float scale_to_level(float level, const Image<float>& grey) {
+  constexpr float most = 4.0F;
+  const float own_level = middle_level(grey);
+  return own_level > 0.0F ? std::clamp(level / own_level, 1.0F / most, most) : 1.0F;
 }
 
 }  // namespace rva

@@ -96,10 +96,11 @@ struct PixelValues {
   }
 };
 
-PairedChange median_over(const std::vector<PairEvidence>& pairs, const Mask& lit) {
+// Judges pixels that at least half of the pairs see, and no fewer than `fewest`.
+PairedChange median_over(const std::vector<PairEvidence>& pairs, std::size_t fewest, const Mask& lit) {
   PairedChange change{Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
                       Mask(lit.width(), lit.height())};
-  const std::size_t least = std::max(least_pairs, pairs.size() / 2);
+  const std::size_t least = std::max(fewest, pairs.size() / 2);
   const float independent = std::sqrt(static_cast<float>(pairs.size()));
   const auto judge_row = [&](int v, PixelValues& values) {
     for (int u = 0; u < lit.width(); ++u) {
@@ -151,7 +152,22 @@ PairedChange paired_change(const ReferenceSurface& surface, const std::vector<In
   const PixelNoise noise(differences);
   const auto evidence =
       each<PairEvidence>(pairs.size(), [&](std::size_t k) { return evidence_of(differences[k], noise); });
-  PairedChange change = median_over(evidence, lit);
+  PairedChange change = median_over(evidence, least_pairs, lit);
+  divide_by_bulk(change);
+  return change;
+}
+
+PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
+                          const InfraredView& final) {
+  const int width = surface.camera.width;
+  const int height = surface.camera.height;
+  constexpr int margin_px = 6;  // windows whole
+  const PairDifference difference = pair_difference(initial, final, surface, Image<float>(width, height));
+  Mask inside(width, height);
+  for (int v = margin_px; v < height - margin_px; ++v) {
+    for (int u = margin_px; u < width - margin_px; ++u) inside(u, v) = mask_set;
+  }
+  PairedChange change = median_over({evidence_of(difference, PixelNoise({difference}))}, 1, inside);
   divide_by_bulk(change);
   return change;
 }

@@ -35,4 +35,8 @@ struct PairedChange {
                                          const std::vector<InfraredView>& final, const DotFreeImage& texture,
                                          const Mask& lit);
 
+/// The same for a camera that stood still: one pair, whose pixels see the same. Noise alone differs.
+[[nodiscard]] PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
+                                        const InfraredView& final);
+
 }  // namespace rva

@@ -90,7 +90,7 @@ class SameFindingsTest(program.ProgramTest):
         inspection = data / 'inspections' / '000001'
         captures = [sorted(path for path in (inspection / side).iterdir() if path.is_dir())
                     for side in ('initial', 'final')]
-        self.assertEqual([len(side) for side in captures], [4, 4])
+        self.assertEqual([len(side) for side in captures], [8, 8])
         self.rva_detect(*captures)
         shown = inspection / 'comparison-1' / 'results' / '000'
         findings = [timeless((folder / 'detections.json').read_text()) for folder in (shown, self.out)]

@@ -84,6 +84,27 @@ TEST(PairedChange, IsJudgedByPairsFromNearlyOnePoseOnly) {
   EXPECT_EQ(judged(between(views_at(dithers(4, 5), 63), {})), 0);
 }
 
+PairedChange still(const WallLight& light_after, const std::vector<Spot>& spots, std::uint64_t seed) {
+  const std::vector<Eigen::Vector3d> one_pose{Eigen::Vector3d::Zero()};
+  return still_change(test::wall_surface(), views_at(one_pose, seed).front(),
+                      views_at(one_pose, seed + 1, light_after, spots).front());
+}
+
+TEST(StillChange, OfNothingIsWithinNoiseWhateverTheExposure) {
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const PairedChange change = still({.brightness = 1.2}, {}, 300 + 2 * seed);
+    EXPECT_LT(greatest(change), 7.0F) << seed;
+    EXPECT_GT(judged(change), 60000) << seed;
+  }
+}
+
+TEST(StillChange, OneCaptureASideShowsASmallSpotAndItsContrast) {
+  const PairedChange change = still({}, dark_spot, 311);
+  EXPECT_LT(change.deviations(spot_u, spot_v), -10.0F);
+  EXPECT_NEAR(change.contrast(spot_u, spot_v), std::log(0.85F), 0.05F);
+  EXPECT_LT(std::abs(change.deviations(spot_u + 40, spot_v)), 7.0F);
+}
+
 TEST(PairedChange, TheSameImagesDifferNowhere) {
   const std::vector<InfraredView> views = views_at(dithers(4, 5), 81);
   const PairedChange change = between(views, views);
