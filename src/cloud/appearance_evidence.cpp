@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloud/surface_support.hpp"
 #include "core/interrupt.hpp"
 #include "core/parallel.hpp"
 #include "core/quantile.hpp"
@@ -106,11 +107,6 @@ std::vector<StereoView> pairs_of(const Captures& side, const std::vector<Infrare
   return pairs;
 }
 
-bool have_pairs(const Captures& side) {
-  return std::ranges::all_of(
-      side, [](const auto& capture) { return capture->has_infrared(Imager::right, Light::projector); });
-}
-
 SurfaceChange surface_between(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
                               double disparity_m_px, const std::vector<InfraredView>& before,
                               const std::vector<InfraredView>& after) {
@@ -135,7 +131,7 @@ JudgedChange under_projector(const Captures& initial, const Captures& final, con
   if (has_pairs) change = both(std::move(change), pairs);
   drop_faint(change);
   SurfaceChange moved;
-  if (have_pairs(initial) && have_pairs(final)) {
+  if (have_pairs(initial, final)) {
     moved = surface_between(initial, final, surface, disparity_m_px, before, after);
     change = with_surface(std::move(change), moved);
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cloud/appearance_detection.hpp"
+#include "cloud/surface_support.hpp"
 #include "cloud/view_check.hpp"
 #include "core/error.hpp"
 
@@ -214,6 +215,7 @@ class Run {
     const std::vector<Light> lights = comparable_lights(initial_, final_, warnings_);
     SpatialDetectionOptions options{shared.frames, shared.calibrated, shared.regions, known};
     if (!lights.empty()) options.share = share_of_depth;
+    options.pairs = have_pairs(initial_, final_);
     SpatialDetection found = detect_spatial(initial_, final_, options, progress_, left_out_);
     if (!lights.empty())
       add_appearance(initial_, final_, lights, found.placed,

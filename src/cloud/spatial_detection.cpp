@@ -12,6 +12,7 @@
 #include "cloud/fused_view.hpp"
 #include "cloud/left_out.hpp"
 #include "cloud/spatial_comparison.hpp"
+#include "cloud/surface_support.hpp"
 #include "cloud/view_check.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
@@ -68,6 +69,7 @@ class Run {
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
     const Stopwatch start;
+    rarity_of_support_ = rarity_of_support(initial, final);
     const std::vector<Seen> before = read(initial, "initial", findings().initial_frames);
     const std::vector<Seen> after = read(final, "final", findings().final_frames);
     const std::vector<std::size_t> returns = exact_returns(initial, final);
@@ -76,8 +78,11 @@ class Run {
     auto [calibrated, registration] = !returns.empty() && are_aligned(before, after, returns)
                                           ? from_the_same_places(before, after, returns)
                                           : from_elsewhere(before, after);
-    findings().runtime.detect_ms = detect_start.ms();
     Comparison& comparison = calibrated.comparison;
+    if (leans_on_pairs(registration.initial_from_final))
+      keep_supported(initial, final, placed_, registration.initial_from_final,
+                     options_.calibrated.false_findings, comparison);
+    findings().runtime.detect_ms = detect_start.ms();
     const Stopwatch regions_start;
     findings().findings = find_findings(comparison, options_.regions, after.front().info.depth);
     findings().runtime.regions_ms = regions_start.ms();
@@ -202,8 +207,16 @@ class Run {
 
   [[nodiscard]] CalibratedOptions allowed(const Transform& initial_from_final) const {
     CalibratedOptions options = options_.calibrated;
-    if (came_back_nearly(initial_from_final)) options.false_findings *= options_.share;
+    if (leans_on_pairs(initial_from_final))
+      options.false_findings *= rarity_of_support_;
+    else if (came_back_nearly(initial_from_final))
+      options.false_findings *= options_.share;
     return options;
+  }
+
+  [[nodiscard]] bool leans_on_pairs(const Transform& initial_from_final) const {
+    const bool images_take_a_share = options_.share < 1.0 && came_back_nearly(initial_from_final);
+    return options_.pairs && !images_take_a_share && !placed_.final_view.disparity_px.empty();
   }
 
   // All captures of a side as one view, in the first one's camera.
@@ -263,6 +276,7 @@ class Run {
   const Mask& left_out_;
   Detection detection_;
   PlacedCaptures placed_;
+  double rarity_of_support_ = 1.0;
 };
 
 }  // namespace

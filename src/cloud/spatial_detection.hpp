@@ -24,6 +24,9 @@ struct SpatialDetectionOptions {
   /// Share of the allowed false findings that is left to depth where the camera came back nearly: infrared
   /// images take the rest there.
   double share = 1.0;
+  /// Changes of depth are held against the pairs of both imagers (surface_support.hpp), but where infrared
+  /// images take a share. Every capture must have them.
+  bool pairs = false;
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,

@@ -1,0 +1,90 @@
+#include "stereo/surface_objection.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "core/parallel.hpp"
+#include "depth/mat_view.hpp"
+#include "infrared/level.hpp"
+
+namespace rva {
+namespace {
+
+constexpr SweepOptions nearby{.window_px = 5, .range_px = 1.0, .step_px = 0.5};
+
+/// The least costs of one side about both surfaces.
+struct SideCosts {
+  Image<float> own;
+  Image<float> other;
+  Image<float> freedom;  // of the side's own surface; 0 where the other one is not seen
+};
+
+Image<float> least_costs(const SweptCosts& costs) {
+  Image<float> least(costs.freedom.width(), costs.freedom.height());
+  parallel_bands(least.height(), [&](int first, int end) {
+    for (int v = first; v < end; ++v) {
+      for (int u = 0; u < least.width(); ++u) least(u, v) = minimum_of(costs.at(u, v)).cost;
+    }
+  });
+  return least;
+}
+
+SideCosts costs_of(const ReferenceSurface& own, const ReferenceSurface& other, double disparity_m_px,
+                   std::span<StereoView> pairs) {
+  align_disparities(own, disparity_m_px, pairs);
+  const SweptCosts about_own = sweep(own, disparity_m_px, pairs, nearby);
+  const SweptCosts about_other = sweep(other, disparity_m_px, pairs, nearby);
+  SideCosts costs{least_costs(about_own), least_costs(about_other), about_own.freedom};
+  const float least = 0.1F * *std::ranges::max_element(costs.freedom.pixels());
+  for (std::size_t i = 0; i < costs.freedom.size(); ++i) {
+    if (std::min(costs.freedom[i], about_other.freedom[i]) < least) costs.freedom[i] = 0.0F;
+  }
+  return costs;
+}
+
+constexpr float least_noise = 1e-9F;
+
+// The variance that the own surface leaves around each pixel.
+cv::Mat noise_of(const SideCosts& costs) {
+  constexpr int noise_px = 15;
+  const cv::Mat weights = as_weights(as_mat(costs.freedom) > 0.0);
+  return window_mean(as_mat(costs.own), weights, noise_px) /
+         window_mean(as_mat(costs.freedom), weights, noise_px);
+}
+
+// The least within a pixel: views do not lie over each other to the last pixel, so that both sides object to
+// unchanged edges, but in lines of a pixel or two.
+cv::Mat objection_of(const SideCosts& costs) {
+  constexpr int reach_px = 1;
+  const cv::Mat noise = noise_of(costs);
+  Image<float> variances(noise.cols, noise.rows);
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    if (costs.freedom[i] > 0.0F)
+      variances[i] =
+          std::max((costs.other[i] - costs.own[i]) / std::max(noise.ptr<float>()[i], least_noise), 0.0F);
+  }
+  cv::Mat least;
+  cv::erode(as_mat(variances), least, cv::Mat::ones(2 * reach_px + 1, 2 * reach_px + 1, CV_8U));
+  return least;
+}
+
+}  // namespace
+
+SurfaceObjection surface_objection(const ReferenceSurface& surface_before,
+                                   const ReferenceSurface& surface_after, double disparity_m_px,
+                                   std::span<StereoView> before, std::span<StereoView> after) {
+  const SideCosts of_before = costs_of(surface_before, surface_after, disparity_m_px, before);
+  const SideCosts of_after = costs_of(surface_after, surface_before, disparity_m_px, after);
+  SurfaceObjection objection{Image<float>(of_before.own.width(), of_before.own.height()),
+                             Mask(of_before.own.width(), of_before.own.height())};
+  const cv::Mat objection_before = objection_of(of_before);
+  const cv::Mat objection_after = objection_of(of_after);
+  for (std::size_t i = 0; i < objection.judged.size(); ++i) {
+    if (of_before.freedom[i] <= 0.0F || of_after.freedom[i] <= 0.0F) continue;
+    objection.judged[i] = mask_set;
+    objection.variances[i] = std::min(objection_before.ptr<float>()[i], objection_after.ptr<float>()[i]);
+  }
+  return objection;
+}
+
+}  // namespace rva
