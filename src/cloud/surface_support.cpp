@@ -46,14 +46,15 @@ ReferenceSurface surface_of(const Image<float>& depth_m, const Image<float>& oth
   return reference_surface(view.camera, disparity_px, view.disparity_m_px);
 }
 
-/// Empty where less than a fifth of the blob can be compared.
+/// Where no pair sees what depth claims to have measured, nothing objects. Empty where less than a fifth of
+/// the blob has depth on both sides.
 std::optional<double> mean_variances(const Region& blob, const SurfaceObjection& objection,
                                      const Comparison& comparison) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const std::uint32_t i : blob.pixels) {
     const bool measured = comparison.initial_m[i] > 0.0F && comparison.final_m[i] > 0.0F;
-    if (!measured || objection.judged[i] == 0) continue;
+    if (!measured) continue;
     sum += static_cast<double>(objection.variances[i]);
     ++count;
   }

@@ -10,15 +10,14 @@ namespace rva {
 [[nodiscard]] bool have_pairs(const Captures& initial, const Captures& final);
 
 /// Changes that both sides' pairs object to are so many times rarer by chance than depth alone has it, so
-/// that depth may propose so many times the false findings allowed: 20 from four captures a side on, 1 for
-/// fewer, of which wrong matches remain in both.
+/// that depth may propose so many times the false findings allowed: 20 from four captures a side on, and 1
+/// for fewer, since wrong matches of single pairs remain.
 [[nodiscard]] double rarity_of_support(const Captures& initial, const Captures& final);
 
 /// Takes back changes that one side's pairs do not object to: there, its matcher was wrong, and the other
 /// side's surface explains what it saw as well as its own (stereo/surface_objection.hpp). Those that stay are
-/// rarer by rarity_of_support(). Takes no images to look alike, so that it holds wherever the camera came
-/// back to. Blobs that cannot be compared, for the most part since depth went missing or came back, stay if
-/// depth alone shows them.
+/// rarer by rarity_of_support(). No image is compared with one of the other side, so that the camera may
+/// have come back to anywhere. Blobs whose depth went missing or came back stay if depth alone shows them.
 /// @param initial, final as of have_pairs()
 /// @param false_findings allowed for depth alone
 /// @param comparison     of depth in the final view, whose evidence is rarity

@@ -58,31 +58,6 @@ int pixels_alone(const SimulatedCamera& camera, std::size_t object) {
   return static_cast<int>(pixels);
 }
 
-}  // namespace
-
-std::vector<Target> visible_targets(const SimulatedCamera& camera) {
-  const TrueView view = camera.look();
-  const std::vector<SceneObject>& objects = camera.scene().objects;
-  std::vector<Target> targets;
-  for (std::size_t object = 0; object < objects.size(); ++object) {
-    if (objects[object].role != Role::debris) continue;
-    Target target{objects[object].kind, 0, 0.0, 0.0, {}};
-    for (std::size_t i = 0; i < view.labels.size(); ++i) {
-      if (view.labels[i] != Scene::label_of(object)) continue;
-      target.pixels.push_back(static_cast<std::uint32_t>(i));
-      target.distance_m += static_cast<double>(view.depth_m[i]);
-    }
-    if (target.pixels.empty()) continue;
-    target.visible_px = static_cast<int>(target.pixels.size());
-    target.distance_m /= target.visible_px;
-    target.unhidden_px = pixels_alone(camera, object);
-    targets.push_back(std::move(target));
-  }
-  return targets;
-}
-
-namespace {
-
 std::vector<std::uint32_t> work_pixels(const SimulatedCamera& before, const SimulatedCamera& after) {
   std::vector<std::uint32_t> pixels;
   const auto add = [&pixels](const SimulatedCamera& camera, const auto& is_work) {
@@ -122,6 +97,27 @@ std::vector<std::uint32_t> trace_pixels(const SimulatedCamera& after) {
 }
 
 }  // namespace
+
+std::vector<Target> visible_targets(const SimulatedCamera& camera) {
+  const TrueView view = camera.look();
+  const std::vector<SceneObject>& objects = camera.scene().objects;
+  std::vector<Target> targets;
+  for (std::size_t object = 0; object < objects.size(); ++object) {
+    if (objects[object].role != Role::debris) continue;
+    Target target{objects[object].kind, 0, 0.0, 0.0, {}};
+    for (std::size_t i = 0; i < view.labels.size(); ++i) {
+      if (view.labels[i] != Scene::label_of(object)) continue;
+      target.pixels.push_back(static_cast<std::uint32_t>(i));
+      target.distance_m += static_cast<double>(view.depth_m[i]);
+    }
+    if (target.pixels.empty()) continue;
+    target.visible_px = static_cast<int>(target.pixels.size());
+    target.distance_m /= target.visible_px;
+    target.unhidden_px = pixels_alone(camera, object);
+    targets.push_back(std::move(target));
+  }
+  return targets;
+}
 
 OtherChanges other_changes(const SimulatedCamera& before, const SimulatedCamera& after) {
   return {work_pixels(before, after), trace_pixels(after)};

@@ -161,7 +161,7 @@ PairedChange still_change(const ReferenceSurface& surface, const InfraredView& i
                           const InfraredView& final) {
   const int width = surface.camera.width;
   const int height = surface.camera.height;
-  constexpr int margin_px = 6;  // windows whole
+  constexpr int margin_px = 6;  // Within it, windows lie in the image whole.
   const PairDifference difference = pair_difference(initial, final, surface, Image<float>(width, height));
   Mask inside(width, height);
   for (int v = margin_px; v < height - margin_px; ++v) {

@@ -29,7 +29,7 @@ CaptureProgress progress_at(const SideCapture& side, std::size_t waypoint) {
           side.frames};
 }
 
-/// Tells of each frame, and measures the noise of those of one capture.
+/// Reports each frame, and measures the noise of those of one capture.
 class Witness {
  public:
   Witness(const SideCapture& side, const CaptureEvents& events, CaptureInfo info)

@@ -75,8 +75,7 @@ void align_disparities(const ReferenceSurface& surface, double disparity_m_px, s
 struct Minimum {
   float label = 0.0F;
   float cost = 0.0F;
-  float rise =
-      0.0F;  ///< of the cost one label beside the least, as the parabola has it; 0 where there is none
+  float rise = 0.0F;  ///< of the cost, one label beside the least, on the parabola; 0 where there is none
 };
 [[nodiscard]] Minimum minimum_of(std::span<const float> costs);
 

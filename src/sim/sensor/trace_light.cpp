@@ -10,11 +10,12 @@ namespace rva {
 namespace {
 
 constexpr float dust_radius_m = 0.05F;
-constexpr float smear_length_m = 0.05F;  // half of it, as the next ones
+// From the middle to the edge.
+constexpr float smear_length_m = 0.05F;
 constexpr float smear_width_m = 0.008F;
 constexpr float finger_length_m = 0.008F;
 constexpr float finger_width_m = 0.006F;
-constexpr float reach_m = 0.06F;  // beyond all of them
+constexpr float reach_m = 0.06F;  // No trace is as large.
 
 // 1 well inside, 0 outside, over a soft edge.
 float inside(float distance, float edge) { return std::clamp((1.0F - distance) / edge, 0.0F, 1.0F); }
