@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <opencv2/core.hpp>
-#include <optional>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "core/interrupt.hpp"
@@ -18,7 +19,9 @@ namespace {
 
 // Mean over a blob of the variances by which the pairs object: between what false changes had in development
 // and what debris had (docs/infrared.md).
-constexpr double least_variances = 6.0;
+constexpr double least_variances = 12.0;
+constexpr double least_variances_nearby = 6.0;
+constexpr std::size_t least_interior_px = 5;
 constexpr std::size_t least_pairs = 4;
 
 std::vector<StereoView> pairs_of(const Captures& side, const std::vector<Transform>& first_from_view,
@@ -46,20 +49,43 @@ ReferenceSurface surface_of(const Image<float>& depth_m, const Image<float>& oth
   return reference_surface(view.camera, disparity_px, view.disparity_m_px);
 }
 
-/// Where no pair sees what depth claims to have measured, nothing objects. Empty where less than a fifth of
-/// the blob has depth on both sides.
-std::optional<double> mean_variances(const Region& blob, const SurfaceObjection& objection,
-                                     const Comparison& comparison) {
+bool is_measured(const Comparison& comparison, std::size_t i) {
+  return comparison.initial_m[i] > 0.0F && comparison.final_m[i] > 0.0F;
+}
+
+// Where no pair sees what depth claims to have measured, nothing objects.
+double mean_over(const std::vector<std::uint32_t>& pixels, const Image<float>& variances) {
   double sum = 0.0;
-  std::size_t count = 0;
-  for (const std::uint32_t i : blob.pixels) {
-    const bool measured = comparison.initial_m[i] > 0.0F && comparison.final_m[i] > 0.0F;
-    if (!measured) continue;
-    sum += static_cast<double>(objection.variances[i]);
-    ++count;
-  }
-  if (5 * count < blob.pixels.size()) return std::nullopt;
-  return sum / static_cast<double>(count);
+  for (const std::uint32_t i : pixels) sum += static_cast<double>(variances[i]);
+  return sum / static_cast<double>(pixels.size());
+}
+
+// The pixels at least two from the blob's edge.
+std::vector<std::uint32_t> interior_of(const std::vector<std::uint32_t>& pixels, int width, int height) {
+  Mask blob(width, height);
+  for (const std::uint32_t i : pixels) blob[i] = mask_set;
+  cv::Mat mask = as_mat(blob);
+  cv::erode(mask, mask, cv::Mat::ones(5, 5, CV_8U));
+  std::vector<std::uint32_t> interior;
+  std::ranges::copy_if(pixels, std::back_inserter(interior), [&](std::uint32_t i) { return blob[i] != 0; });
+  return interior;
+}
+
+enum class Support { none, some, unknown };
+
+// Views do not lie over each other to the last pixel, and an edge that is a pixel off is objected to by both
+// sides: what has an interior is judged by that, what has none by the least objection within a pixel.
+Support support_of(const Region& blob, const SurfaceObjection& objection, const Comparison& comparison) {
+  std::vector<std::uint32_t> measured;
+  std::ranges::copy_if(blob.pixels, std::back_inserter(measured),
+                       [&](std::uint32_t i) { return is_measured(comparison, i); });
+  if (5 * measured.size() < blob.pixels.size()) return Support::unknown;
+  const std::vector<std::uint32_t> interior =
+      interior_of(measured, comparison.changed.width(), comparison.changed.height());
+  const bool supported = interior.size() >= least_interior_px
+                             ? mean_over(interior, objection.variances) >= least_variances
+                             : mean_over(measured, objection.variances_nearby) >= least_variances_nearby;
+  return supported ? Support::some : Support::none;
 }
 
 float rarest(const Region& blob, const Comparison& comparison) {
@@ -101,12 +127,12 @@ void keep_supported(const Captures& initial, const Captures& final, const Placed
       surface_of(comparison.initial_m, comparison.final_m, view),
       surface_of(comparison.final_m, comparison.initial_m, view), view.disparity_m_px, before, after);
   const auto shown_by_depth = static_cast<float>(-std::log10(false_findings));
-  const auto support = static_cast<float>(std::log10(rarity_of_support(initial, final)));
+  const auto rarer = static_cast<float>(std::log10(rarity_of_support(initial, final)));
   for (const Region& blob : find_regions(comparison.changed, {.min_blob_px = 0, .join_px = 0.0})) {
-    const std::optional<double> variances = mean_variances(blob, objection, comparison);
-    if (variances && *variances >= least_variances) {
-      for (const std::uint32_t i : blob.pixels) comparison.evidence[i] += support;
-    } else if (variances || rarest(blob, comparison) < shown_by_depth) {
+    const Support support = support_of(blob, objection, comparison);
+    if (support == Support::some) {
+      for (const std::uint32_t i : blob.pixels) comparison.evidence[i] += rarer;
+    } else if (support == Support::none || rarest(blob, comparison) < shown_by_depth) {
       take_back(blob, comparison);
     }
   }

@@ -52,19 +52,21 @@ cv::Mat noise_of(const SideCosts& costs) {
          window_mean(as_mat(costs.freedom), weights, noise_px);
 }
 
-// The least within a pixel: views do not lie over each other to the last pixel, so that both sides object to
-// unchanged edges, but in lines of a pixel or two.
-cv::Mat objection_of(const SideCosts& costs) {
-  constexpr int reach_px = 1;
+Image<float> objection_of(const SideCosts& costs) {
   const cv::Mat noise = noise_of(costs);
   Image<float> variances(noise.cols, noise.rows);
   for (std::size_t i = 0; i < variances.size(); ++i) {
-    if (costs.freedom[i] > 0.0F)
-      variances[i] =
-          std::max((costs.other[i] - costs.own[i]) / std::max(noise.ptr<float>()[i], least_noise), 0.0F);
+    const float excess = costs.other[i] - costs.own[i];
+    if (costs.freedom[i] > 0.0F && excess > 0.0F)
+      variances[i] = excess / std::max(noise.ptr<float>()[i], least_noise);
   }
-  cv::Mat least;
-  cv::erode(as_mat(variances), least, cv::Mat::ones(2 * reach_px + 1, 2 * reach_px + 1, CV_8U));
+  return variances;
+}
+
+Image<float> least_within_a_pixel(const Image<float>& variances) {
+  Image<float> least(variances.width(), variances.height());
+  cv::Mat target = as_mat(least);
+  cv::erode(as_mat(variances), target, cv::Mat::ones(3, 3, CV_8U));
   return least;
 }
 
@@ -75,14 +77,18 @@ SurfaceObjection surface_objection(const ReferenceSurface& surface_before,
                                    std::span<StereoView> before, std::span<StereoView> after) {
   const SideCosts of_before = costs_of(surface_before, surface_after, disparity_m_px, before);
   const SideCosts of_after = costs_of(surface_after, surface_before, disparity_m_px, after);
-  SurfaceObjection objection{Image<float>(of_before.own.width(), of_before.own.height()),
-                             Mask(of_before.own.width(), of_before.own.height())};
-  const cv::Mat objection_before = objection_of(of_before);
-  const cv::Mat objection_after = objection_of(of_after);
+  const Image<float> by_before = objection_of(of_before);
+  const Image<float> by_after = objection_of(of_after);
+  const Image<float> by_before_nearby = least_within_a_pixel(by_before);
+  const Image<float> by_after_nearby = least_within_a_pixel(by_after);
+  const int width = by_before.width();
+  const int height = by_before.height();
+  SurfaceObjection objection{Image<float>(width, height), Image<float>(width, height), Mask(width, height)};
   for (std::size_t i = 0; i < objection.judged.size(); ++i) {
     if (of_before.freedom[i] <= 0.0F || of_after.freedom[i] <= 0.0F) continue;
     objection.judged[i] = mask_set;
-    objection.variances[i] = std::min(objection_before.ptr<float>()[i], objection_after.ptr<float>()[i]);
+    objection.variances[i] = std::min(by_before[i], by_after[i]);
+    objection.variances_nearby[i] = std::min(by_before_nearby[i], by_after_nearby[i]);
   }
   return objection;
 }

@@ -12,7 +12,8 @@ struct SurfaceObjection {
   /// By how much worse the other side's surface explains a side's pairs than its own, of that side which
   /// objects less, in variances of the noise nearby; 0 where neither objects or not judged.
   Image<float> variances;
-  Mask judged;  ///< set where at least a tenth of the pairs of either side see the pixel
+  Image<float> variances_nearby;  ///< the least of them within a pixel
+  Mask judged;                    ///< set where at least a tenth of the pairs of either side see the pixel
 };
 
 /// A true change is objected to by both sides. Where one side's matcher was wrong, the other's surface
