@@ -1,26 +1,21 @@
 #include "cloud/appearance_evidence.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cloud/surface_support.hpp"
 #include "core/interrupt.hpp"
 #include "core/parallel.hpp"
-#include "core/quantile.hpp"
 #include "depth/mat_view.hpp"
 #include "infrared/dot_free_image.hpp"
 #include "infrared/dot_mask.hpp"
 #include "infrared/infrared_alignment.hpp"
 #include "infrared/lamp_check.hpp"
-#include "infrared/level.hpp"
 #include "infrared/paired_change.hpp"
 #include "infrared/reference_surface.hpp"
 
@@ -147,15 +142,6 @@ JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<Infra
   return with_tail(std::move(change), tail_between_dots);
 }
 
-bool warned_of_lamp(const std::vector<InfraredView>& before, const std::vector<InfraredView>& after,
-                    std::vector<std::string>& warnings) {
-  std::string warning = warning_under_lamp(before, "initial");
-  if (warning.empty()) warning = warning_under_lamp(after, "final");
-  if (warning.empty()) return false;
-  warnings.push_back(std::move(warning));
-  return true;
-}
-
 }  // namespace
 
 std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
@@ -169,7 +155,12 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
       views_of(final, light, level, placed.first_from_final, Transform::Identity());
   std::vector<InfraredView> before =
       views_of(initial, light, level, placed.first_from_initial, initial_from_final);
-  if (light == Light::lamp && warned_of_lamp(before, after, warnings)) return std::nullopt;
+  if (light == Light::lamp) {
+    if (std::string warning = warning_under_lamp(before, after); !warning.empty()) {
+      warnings.push_back(std::move(warning));
+      return std::nullopt;
+    }
+  }
   const std::vector<Transform> stated_after = poses_of(after);
   const std::vector<Transform> stated_before = poses_of(before);
   align_side(surface, after);

@@ -34,9 +34,7 @@ std::optional<JudgedChange> still_change_between(const Capture& initial, const C
   const InfraredView before = view_of(initial, light, level);
   const InfraredView after = view_of(final, light, level);
   if (light == Light::lamp) {
-    for (std::string warning :
-         {warning_under_lamp({&before, 1}, "initial"), warning_under_lamp({&after, 1}, "final")}) {
-      if (warning.empty()) continue;
+    if (std::string warning = warning_under_lamp({&before, 1}, {&after, 1}); !warning.empty()) {
       warnings.push_back(std::move(warning));
       return std::nullopt;
     }

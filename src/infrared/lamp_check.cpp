@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/quantile.hpp"
@@ -36,12 +37,14 @@ std::string problem_under_lamp(const InfraredView& view) {
   return "";
 }
 
-std::string warning_under_lamp(std::span<const InfraredView> views, std::string_view side) {
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    const std::string problem = problem_under_lamp(views[k]);
-    if (!problem.empty())
-      return fmt::format("the image under the lamp of {} capture {} was not compared, nor any other: {}",
-                         side, k + 1, problem);
+std::string warning_under_lamp(std::span<const InfraredView> initial, std::span<const InfraredView> final) {
+  for (const auto& [views, side] : {std::pair(initial, "initial"), std::pair(final, "final")}) {
+    for (std::size_t k = 0; k < views.size(); ++k) {
+      const std::string problem = problem_under_lamp(views[k]);
+      if (!problem.empty())
+        return fmt::format("the image under the lamp of {} capture {} was not compared, nor any other: {}",
+                           side, k + 1, problem);
+    }
   }
   return "";
 }

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "infrared/dot_free_image.hpp"
 
@@ -13,9 +12,10 @@ namespace rva {
 /// where nothing is; else a sentence without a full stop.
 [[nodiscard]] std::string problem_under_lamp(const InfraredView& view);
 
-/// The same for the views of a side, as a warning that names the capture; empty where nothing is wrong.
-/// @param side "initial" or "final"
-[[nodiscard]] std::string warning_under_lamp(std::span<const InfraredView> views, std::string_view side);
+/// The same for the views of both sides, as a warning that names the first capture with a problem; empty
+/// where nothing is wrong.
+[[nodiscard]] std::string warning_under_lamp(std::span<const InfraredView> initial,
+                                             std::span<const InfraredView> final);
 
 /// The middle of all grey levels: most of a view is the same before and after.
 [[nodiscard]] float middle_level(const Image<float>& grey);

@@ -18,7 +18,7 @@ const Eigen::Vector3f middle{0.1F, 0.3F, 0.002F};
 
 Trace trace(TraceKind kind, float contrast) { return {kind, middle, Eigen::Vector3f::UnitX(), contrast}; }
 
-// Of the light over a square of `side_m` about a place.
+// The least and the greatest factor of light within a square with sides of `side_m`, centred on `about`.
 std::pair<float, float> least_and_most(const std::vector<Trace>& traces, const Eigen::Vector3f& about,
                                        float side_m) {
   constexpr int steps = 40;
