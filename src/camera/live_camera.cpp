@@ -34,8 +34,8 @@ class LiveCamera::Reader : public Camera {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  void push(const std::shared_ptr<const LiveFrame>& frame) {
-    if (std::exchange(next_is_early_, false)) return;
+  void push(const std::shared_ptr<const LiveFrame>& frame, Light light) {
+    if (light != light_ || std::exchange(next_is_early_, false)) return;
     if (waiting_.size() == most_waiting) waiting_.pop_front();
     waiting_.push_back(frame);
   }
@@ -69,6 +69,16 @@ class LiveCamera::Reader : public Camera {
     next_is_early_ = true;
   }
 
+  [[nodiscard]] bool has_lamp() const override { return live_.has_lamp(); }
+
+  void set_light(Light light) override {
+    const std::lock_guard lock(live_.mutex_);
+    light_ = light;
+    waiting_.clear();
+  }
+
+  [[nodiscard]] Light light() const { return light_; }
+
  private:
   // @return whether it came true before the camera counts as silent
   template <typename Condition>
@@ -98,6 +108,7 @@ class LiveCamera::Reader : public Camera {
   std::deque<std::shared_ptr<const LiveFrame>> waiting_;
   std::shared_ptr<const LiveFrame> last_;
   bool next_is_early_ = true;
+  Light light_ = Light::projector;
 };
 
 LiveCamera::LiveCamera(std::unique_ptr<Camera> camera, double most_hz)
@@ -112,12 +123,14 @@ void LiveCamera::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const auto next = std::chrono::steady_clock::now() + period;
     try {
+      const Light light = wanted_light();
+      camera_->set_light(light);
       std::optional<CameraFrame> frame = camera_->wait_for_frame();
       if (!frame) {
         report(Error("camera", "the recording has ended", "give a capture with more frames"));
         return;
       }
-      publish(std::move(*frame));
+      publish(std::move(*frame), light);
       std::this_thread::sleep_until(next);
     } catch (const Interrupted&) {
       return;
@@ -128,22 +141,31 @@ void LiveCamera::run(const std::stop_token& stop) {
   }
 }
 
-void LiveCamera::publish(CameraFrame frame) {
+// The lamp, while a recorder wants it.
+Light LiveCamera::wanted_light() const {
+  const std::lock_guard lock(mutex_);
+  const bool lamp =
+      std::ranges::any_of(readers_, [](const Reader* reader) { return reader->light() == Light::lamp; });
+  return lamp ? Light::lamp : Light::projector;
+}
+
+void LiveCamera::publish(CameraFrame frame, Light light) {
   auto live = std::make_shared<LiveFrame>(
       LiveFrame{std::move(frame), camera_->info(), std::chrono::system_clock::now()});
   const double now_s = steady_clock().now_s();
   const std::lock_guard lock(mutex_);
-  if (newest_) {
-    health_.lost += live->frame.number - newest_->frame.number - 1;
+  if (last_number_) {
+    health_.lost += live->frame.number - *last_number_ - 1;
     constexpr double share = 0.1;
     const double rate_hz = 1.0 / std::max(1e-3, now_s - last_frame_s_);
     health_.rate_hz += health_.frames < 2 ? rate_hz : share * (rate_hz - health_.rate_hz);
   }
+  last_number_ = live->frame.number;
   last_frame_s_ = now_s;
   ++health_.frames;
   health_.problem.clear();
-  newest_ = std::move(live);
-  for (Reader* reader : readers_) reader->push(newest_);
+  for (Reader* reader : readers_) reader->push(live, light);
+  if (light == Light::projector) newest_ = std::move(live);
   changed_.notify_all();
 }
 

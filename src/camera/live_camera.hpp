@@ -35,6 +35,9 @@ struct CameraHealth {
 /// Reads a camera on a thread of its own. Whoever shows pictures takes the newest frame and may miss any;
 /// whoever records takes every frame, as a camera of his own. Neither holds up the other, nor the camera.
 ///
+/// A recorder may switch to the lamp. The frames under it go to the recorders that asked for it, and nobody
+/// else sees them: they have no depth to show.
+///
 /// A camera that fails is asked again until it answers. Every member may be called from any thread.
 class LiveCamera {
  public:
@@ -60,11 +63,15 @@ class LiveCamera {
 
   [[nodiscard]] CameraHealth health() const;
 
+  /// As Camera::has_lamp().
+  [[nodiscard]] bool has_lamp() const { return camera_->has_lamp(); }
+
  private:
   class Reader;
 
   void run(const std::stop_token& stop);
-  void publish(CameraFrame frame);
+  void publish(CameraFrame frame, Light light);
+  [[nodiscard]] Light wanted_light() const;
   void report(const Error& failure);
 
   std::unique_ptr<Camera> camera_;
@@ -72,6 +79,7 @@ class LiveCamera {
   mutable std::mutex mutex_;  // guards all below
   mutable std::condition_variable changed_;
   std::shared_ptr<const LiveFrame> newest_;
+  std::optional<std::uint64_t> last_number_;
   CameraHealth health_;
   std::optional<Error> failure_;  // the last one
   std::uint64_t problems_ = 0;

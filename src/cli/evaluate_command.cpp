@@ -54,15 +54,6 @@ std::string name_of_bay(const EvaluateArguments& arguments) {
   return fmt::format("{}", fmt::join(arguments.bay, ","));
 }
 
-// random:SEED draws another one for each inspection; any other model is that of all.
-std::function<StereoSensorOptions(std::uint64_t)> cameras_of(const std::string& text) {
-  const StereoSensorOptions sensor = camera_model(text);
-  constexpr std::string_view random = "random:";
-  if (!text.starts_with(random)) return [sensor](std::uint64_t) { return sensor; };
-  const std::uint64_t first = std::stoull(text.substr(random.size()));
-  return [first](std::uint64_t seed) { return random_camera(mix(first, seed)); };
-}
-
 std::vector<SimulatedInspection> earlier(const EvaluateArguments& arguments) {
   const std::filesystem::path file = std::filesystem::path(arguments.out) / file_name;
   if (!arguments.resume || !std::filesystem::exists(file)) return {};
@@ -78,7 +69,7 @@ void evaluate(const EvaluateArguments& arguments) {
   std::optional<Scene> scene;
   if (!arguments.scene.empty()) scene = load_scene(arguments.scene);
   StudyOptions options = arguments.study;
-  options.sensor = cameras_of(arguments.cameras);
+  options.sensor = camera_of_each(arguments.cameras);
   options.bay = bay_features(arguments.bay);
   Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
@@ -111,7 +102,7 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.how = returns.at(arguments.how);
   options.octree = arguments.octree;
   options.lamp = arguments.lamp;
-  options.sensor = cameras_of(arguments.cameras);
+  options.sensor = camera_of_each(arguments.cameras);
   options.bay = bay_features(arguments.bay);
   const std::string begun_with = fmt::format(
       "return {}, cameras {}, first seed {}, captures {}, allowed {}{}{}{}", arguments.how, arguments.cameras,
@@ -188,10 +179,10 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str()
       ->needs(moved);
   command
-      .add_option(
-          "--cameras", arguments->cameras,
-          "random:SEED draws a camera by chance for each inspection; or the name of a model, as of rva "
-          "simulate --camera-model")
+      .add_option("--cameras", arguments->cameras,
+                  "random:SEED or imperfect:SEED draws a camera by chance for each inspection; or the name "
+                  "of a model, as of rva "
+                  "simulate --camera-model")
       ->type_name("MODEL")
       ->capture_default_str();
   command

@@ -152,7 +152,7 @@ void add_simulate_command(CLI::App& program, Outcome& /*outcome*/) {
       .add_option(
           "--camera-model", arguments->camera_model,
           "of another matcher: d435, census-5, census-13, semi-global, correlation-5, correlation-9, or "
-          "random:SEED, drawn by chance")
+          "random:SEED or imperfect:SEED, drawn by chance")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_flag("--all-colors", arguments->all_colors,

@@ -31,6 +31,11 @@ std::size_t with_infrared(const Captures& side, Light light) {
       side, [light](const auto& capture) { return capture->has_infrared(Imager::left, light); }));
 }
 
+bool has_right_images(const Captures& side) {
+  return std::ranges::any_of(
+      side, [](const auto& capture) { return capture->has_infrared(Imager::right, Light::projector); });
+}
+
 void add_significant(const JudgedChange& found, double false_findings, const Mask& left_out, Mask& mask) {
   const AppearanceChange& change = found.change;
   const auto least = static_cast<float>(found.tail.height_of(0.5 * false_findings));
@@ -129,6 +134,15 @@ Mask judged_in_any(const std::vector<JudgedChange>& lights) {
   return judged;
 }
 
+// Where infrared images say whether depth is to be believed: where they were compared, and where the projector
+// does not reach.
+Mask asked_of(const std::vector<JudgedChange>& lights, Mask judged) {
+  for (const JudgedChange& light : lights) {
+    for (std::size_t i = 0; i < light.unlit.size(); ++i) judged[i] |= light.unlit[i];
+  }
+  return judged;
+}
+
 void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared compared, double false_findings,
                  const RegionOptions& regions, const DepthView& final_view, Detection& detection) {
   const Mask judged = judged_in_any(changes);
@@ -137,7 +151,7 @@ void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared comp
   for (const JudgedChange& change : changes) add_significant(change, of_each_light, detection.left_out, mask);
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
-  drop_unsupported(judged, compared, false_findings, detection);
+  drop_unsupported(asked_of(changes, judged), compared, false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
     for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
@@ -169,6 +183,9 @@ std::vector<Light> comparable_lights(const Captures& initial, const Captures& fi
       warnings.emplace_back(projector
                                 ? "not every capture has infrared images: depth alone was compared"
                                 : "not every capture has images under the lamp: these were not compared");
+    } else if (projector && (has_right_images(initial) || has_right_images(final))) {
+      warnings.emplace_back(
+          "the captures have infrared images of the right imager alone: depth alone was compared");
     }
   }
   return lights;
@@ -179,7 +196,11 @@ void add_appearance(const Captures& initial, const Captures& final, const std::v
                     Detection& detection) {
   const Stopwatch start;
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();
-  if (placed.final_view.disparity_px.empty() || !came_back_nearly(initial_from_final)) return;
+  if (placed.final_view.disparity_px.empty()) {
+    detection.warnings.emplace_back("the lens bends rays: infrared images were not compared");
+    return;
+  }
+  if (!came_back_nearly(initial_from_final)) return;
   std::vector<JudgedChange> changes;
   for (const Light light : lights) {
     if (auto change = change_between(initial, final, placed, initial_from_final, light, detection.warnings))

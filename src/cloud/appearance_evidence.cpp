@@ -15,14 +15,14 @@
 #include "infrared/dot_free_image.hpp"
 #include "infrared/dot_mask.hpp"
 #include "infrared/infrared_alignment.hpp"
-#include "infrared/lamp_check.hpp"
+#include "infrared/infrared_check.hpp"
 #include "infrared/paired_change.hpp"
 #include "infrared/reference_surface.hpp"
 
 namespace rva {
 namespace {
 
-/// @param level that images under the lamp are brought to, since their exposure follows what lies in the view
+/// @param level that images are brought to, since their exposure follows what lies in the view
 std::vector<InfraredView> views_of(const Captures& side, Light light, float level,
                                    const std::vector<Transform>& first_from_view,
                                    const Transform& first_from_reference) {
@@ -31,8 +31,8 @@ std::vector<InfraredView> views_of(const Captures& side, Light light, float leve
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
       throw_if_interrupted();
       const Image<float> grey = side[k]->infrared_mean(Imager::left, light).value();
-      const float scale = light == Light::lamp ? scale_to_level(level, grey) : 1.0F;
-      views[k] = InfraredView(grey, first_from_view[k].inverse() * first_from_reference, light, scale);
+      views[k] = InfraredView(grey, first_from_view[k].inverse() * first_from_reference, light,
+                              scale_to_level(level, grey, light));
     }
   });
   return views;
@@ -89,13 +89,13 @@ AppearanceChange with_surface(AppearanceChange change, const SurfaceChange& surf
   return change;
 }
 
-std::vector<StereoView> pairs_of(const Captures& side, const std::vector<InfraredView>& left) {
+std::vector<StereoView> pairs_of(const Captures& side, float level, const std::vector<InfraredView>& left) {
   std::vector<StereoView> pairs(side.size());
   parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
       throw_if_interrupted();
-      pairs[k] = {left[k].log_image,
-                  log_grey(side[k]->infrared_mean(Imager::right, Light::projector).value()),
+      const Image<float> right = side[k]->infrared_mean(Imager::right, Light::projector).value();
+      pairs[k] = {left[k].log_image, log_grey(right, scale_to_level(level, right, Light::projector)),
                   left[k].view_from_reference};
     }
   });
@@ -103,10 +103,10 @@ std::vector<StereoView> pairs_of(const Captures& side, const std::vector<Infrare
 }
 
 SurfaceChange surface_between(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
-                              double disparity_m_px, const std::vector<InfraredView>& before,
+                              double disparity_m_px, float level, const std::vector<InfraredView>& before,
                               const std::vector<InfraredView>& after) {
-  std::vector<StereoView> pairs_before = pairs_of(initial, before);
-  std::vector<StereoView> pairs_after = pairs_of(final, after);
+  std::vector<StereoView> pairs_before = pairs_of(initial, level, before);
+  std::vector<StereoView> pairs_after = pairs_of(final, level, after);
   return surface_change(surface, disparity_m_px, pairs_before, pairs_after);
 }
 
@@ -115,8 +115,19 @@ Mask both_set(Mask a, const Mask& b) {
   return a;
 }
 
+Mask either_set(Mask a, const Mask& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] |= b[i];
+  return a;
+}
+
+void forget(const Mask& where, Mask& mask) {
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (where[i] != 0) mask[i] = 0;
+  }
+}
+
 JudgedChange under_projector(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
-                             double disparity_m_px, const std::vector<InfraredView>& before,
+                             double disparity_m_px, float level, const std::vector<InfraredView>& before,
                              const std::vector<InfraredView>& after, const DotFreeImage& image_before,
                              const DotFreeImage& image_after) {
   const Mask lit = both_set(lit_in_all(surface, after), lit_in_all(surface, before));
@@ -126,11 +137,16 @@ JudgedChange under_projector(const Captures& initial, const Captures& final, con
   if (has_pairs) change = both(std::move(change), pairs);
   drop_faint(change);
   SurfaceChange moved;
+  Mask unlit = either_set(beyond_field(surface, after), beyond_field(surface, before));
   if (have_pairs(initial, final)) {
-    moved = surface_between(initial, final, surface, disparity_m_px, before, after);
+    moved = surface_between(initial, final, surface, disparity_m_px, level, before, after);
+    forget(unlit, moved.judged);
     change = with_surface(std::move(change), moved);
   }
-  return with_tail(std::move(change), has_pairs ? tail_with_pairs : tail_between_dots, std::move(moved));
+  JudgedChange judged =
+      with_tail(std::move(change), has_pairs ? tail_with_pairs : tail_between_dots, std::move(moved));
+  judged.unlit = std::move(unlit);
+  return judged;
 }
 
 JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<InfraredView>& before,
@@ -149,17 +165,14 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
                                            Light light, std::vector<std::string>& warnings) {
   const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
                                                      placed.final_view.disparity_m_px);
-  const float level =
-      light == Light::lamp ? middle_level(final.front()->infrared_mean(Imager::left, light).value()) : 0.0F;
+  const float level = exposed_level(final.front()->infrared_mean(Imager::left, light).value(), light);
   std::vector<InfraredView> after =
       views_of(final, light, level, placed.first_from_final, Transform::Identity());
   std::vector<InfraredView> before =
       views_of(initial, light, level, placed.first_from_initial, initial_from_final);
-  if (light == Light::lamp) {
-    if (std::string warning = warning_under_lamp(before, after); !warning.empty()) {
-      warnings.push_back(std::move(warning));
-      return std::nullopt;
-    }
+  if (std::string warning = warning_of(before, after, light); !warning.empty()) {
+    warnings.push_back(std::move(warning));
+    return std::nullopt;
   }
   const std::vector<Transform> stated_after = poses_of(after);
   const std::vector<Transform> stated_before = poses_of(before);
@@ -175,8 +188,8 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
   }
   const DotFreeImage image_before = fuse(surface, before);
   return light == Light::projector
-             ? under_projector(initial, final, surface, placed.final_view.disparity_m_px, before, after,
-                               image_before, image_after)
+             ? under_projector(initial, final, surface, placed.final_view.disparity_m_px, level, before,
+                               after, image_before, image_after)
              : under_lamp(surface, before, after, image_before, image_after);
 }
 

@@ -16,6 +16,7 @@
 #include "cloud/view_check.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 
 namespace rva {
@@ -121,24 +122,31 @@ class Run {
   // Servos report the same step and yet stand up to half a step apart: the images decide.
   bool are_aligned(const std::vector<Seen>& before, const std::vector<Seen>& after,
                    const std::vector<std::size_t>& returns) {
-    double farthest_px = 0.0;
     for (std::size_t k = 0; k < after.size(); ++k) {
       if (after[k].info.depth.distortion != Distortion::none) continue;
       const ViewCheck check = check_views(before[returns[k]].view(), after[k].view());
-      if (!check.is_aligned())
-        farthest_px = std::max({farthest_px, check.motion.displacement_px, check.registered_px});
+      if (check.is_aligned()) continue;
+      detection_.warnings.push_back(fmt::format(
+          "captures whose poses are stated as equal show views {:.2g} pixels apart: they were laid over each "
+          "other instead of being compared pixel by pixel",
+          std::max(check.motion.displacement_px, check.registered_px)));
+      return false;
     }
-    if (farthest_px <= 0.0) return true;
-    detection_.warnings.push_back(fmt::format(
-        "captures whose poses are stated as equal show views up to {:.2g} pixels apart: they were "
-        "laid over each other instead of being compared pixel by pixel",
-        farthest_px));
-    return false;
+    return true;
   }
 
   Compared from_elsewhere(const std::vector<Seen>& initial, const std::vector<Seen>& final) {
-    const DepthView before = fused(initial, "initial", placed_.first_from_initial);
-    const DepthView after = fused(final, "final", placed_.first_from_final);
+    DepthView before;
+    DepthView after;
+    constexpr int sides = 2;
+    parallel_bands(sides, [&](int first, int end) {
+      for (int side = first; side < end; ++side) {
+        if (side == 0)
+          before = fused(initial, "initial", placed_.first_from_initial);
+        else
+          after = fused(final, "final", placed_.first_from_final);
+      }
+    });
     throw_if_interrupted();
     Registration registration = lay_over(before, after, initial.front().info, final.front().info);
     SpatialChange change = change_from_elsewhere(before, after, registration, options_.known);

@@ -57,7 +57,7 @@ struct Samples {
 };
 
 // Brightness is cut off there, and a thing that stands in it may not show.
-Mask saturated(const Image<float>& grey) {
+Mask saturated_pixels(const Image<float>& grey) {
   constexpr float brightest = 250.0F;
   Mask mask(grey.width(), grey.height());
   for (std::size_t i = 0; i < grey.size(); ++i) {
@@ -66,11 +66,59 @@ Mask saturated(const Image<float>& grey) {
   return mask;
 }
 
+cv::Mat widened(const cv::Mat& mask, int by_px) {
+  cv::Mat wide;
+  cv::dilate(mask, wide, cv::Mat::ones(2 * by_px + 1, 2 * by_px + 1, CV_8U));
+  return wide;
+}
+
+// The parts of a mask that reach the image's border.
+cv::Mat touching_border(const cv::Mat& mask) {
+  constexpr int frame_px = 1;
+  cv::Mat framed;
+  cv::copyMakeBorder(mask, framed, frame_px, frame_px, frame_px, frame_px, cv::BORDER_CONSTANT, mask_set);
+  cv::Mat parts;
+  cv::connectedComponents(framed, parts);
+  const int frame = parts.at<int>(0, 0);
+  return (parts == frame)(cv::Rect(frame_px, frame_px, mask.cols, mask.rows));
+}
+
+// A window of dots is called dark only when its middle lies some nine pixels beyond where they end.
+cv::Mat dark_parts(const Mask& dots) {
+  constexpr int dots_window_px = 25;
+  constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
+  cv::Mat share;
+  cv::blur(as_mat(dots), share, {dots_window_px, dots_window_px});
+  return share < least_dots;
+}
+
+// What is dark up to the image's border is where the projector's field ends, which moves over the scene with
+// the camera.
+Mask outside_field(const cv::Mat& dark) {
+  constexpr int within_field_px = 15;
+  Mask outside(dark.cols, dark.rows);
+  cv::Mat target = as_mat(outside);
+  widened(touching_border(dark), within_field_px).copyTo(target);
+  return outside;
+}
+
+// Where a view has no dots, and what lies beside it: less beside a hole, where things lie, than where the
+// projector's field ends.
+Mask without_dots(const Mask& dots) {
+  constexpr int beside_hole_px = 6;
+  const cv::Mat dark = dark_parts(dots);
+  Mask without = outside_field(dark);
+  cv::Mat target = as_mat(without);
+  cv::bitwise_or(target, widened(dark, beside_hole_px), target);
+  return without;
+}
+
 }  // namespace
 
 InfraredView::InfraredView(const Image<float>& grey, const Transform& pose, Light light, float scale)
     : log_image(log_grey(grey, scale)),
-      dots(light == Light::projector ? dot_mask(log_image) : saturated(grey)),
+      saturated(saturated_pixels(grey)),
+      dots(light == Light::projector ? dot_mask(log_image) : saturated),
       view_from_reference(pose) {}
 
 DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView> views) {
@@ -113,23 +161,29 @@ Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> 
 }
 
 Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views) {
-  constexpr int dots_window_px = 25;
-  constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
-  constexpr int within_field_px = 13;
   Mask lit = seen_in_all(surface, views);
   for (const InfraredView& view : views) {
-    cv::Mat share;
-    cv::blur(as_mat(view.dots), share, {dots_window_px, dots_window_px});
-    Mask dark(lit.width(), lit.height());
-    cv::Mat target = as_mat(dark);
-    cv::dilate(share < least_dots, target, cv::Mat::ones(within_field_px, within_field_px, CV_8U));
     const Warp warp(surface, view.view_from_reference);
-    const Mask clear = warp.clear_of(dark);
+    const Mask clear = warp.clear_of(without_dots(view.dots));
     for (std::size_t i = 0; i < lit.size(); ++i) {
       if (clear[i] == 0) lit[i] = 0;
     }
   }
   return lit;
+}
+
+Mask beyond_field(const ReferenceSurface& surface, std::span<const InfraredView> views) {
+  Mask beyond(surface.inverse_depth_per_m.width(), surface.inverse_depth_per_m.height());
+  for (const InfraredView& view : views) {
+    const Warp warp(surface, view.view_from_reference);
+    const Mask clear = warp.clear_of(outside_field(dark_parts(view.dots)));
+    for (int v = 0; v < beyond.height(); ++v) {
+      for (int u = 0; u < beyond.width(); ++u) {
+        if (clear(u, v) == 0 && warp.inside(u, v, 0.0F)) beyond(u, v) = mask_set;
+      }
+    }
+  }
+  return beyond;
 }
 
 }  // namespace rva

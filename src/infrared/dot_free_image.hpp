@@ -18,13 +18,13 @@ struct InfraredView {
   /// @param grey  mean of the capture's frames, levels of 8 bits
   /// @param pose  view_from_reference, as far as it is known
   /// @param light under the lamp there are no dots, and what is saturated is covered instead
-  /// @param scale by which all grey levels are multiplied first, so that exposures are alike: in the dark,
-  /// the
+  /// @param scale by which all grey levels are multiplied first, so that exposures are alike: in the dark, the
   ///              logarithm of log_grey() depends on them
   InfraredView(const Image<float>& grey, const Transform& pose, Light light = Light::projector,
                float scale = 1.0F);
 
   Image<float> log_image;  ///< as of log_grey()
+  Mask saturated;          ///< where brightness is cut off
   Mask dots;               ///< as of dot_mask(): what does not show the surface itself
   Transform view_from_reference = Transform::Identity();
 };
@@ -52,5 +52,8 @@ struct DotFreeImage {
 /// Set where every view sees the pixel well inside its image and its projector's field: beyond, light falls
 /// off with the camera's pose.
 [[nodiscard]] Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views);
+
+/// Set where some view's projector does not reach, or hardly: what is matched there is not its dots.
+[[nodiscard]] Mask beyond_field(const ReferenceSurface& surface, std::span<const InfraredView> views);
 
 }  // namespace rva

@@ -32,28 +32,19 @@ ViewOfSurface::ViewOfSurface(const ReferenceSurface& surface, const Transform& v
   ray_of_corner_ = turn.col(2) - cx_ * ray_along_u_ - cy_ * ray_along_v_;
 }
 
-float cubic_at(const Image<float>& image, const Eigen::Vector2f& at) {
+float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at) {
   const int last_u = image.width() - 1;
   const int last_v = image.height() - 1;
   const int left = static_cast<int>(at.x());
   const int top = static_cast<int>(at.y());
-  const std::array<float, 4> across = cubic_weights(at.x() - static_cast<float>(left));
-  const std::array<float, 4> down = cubic_weights(at.y() - static_cast<float>(top));
-  const auto row_sum = [&](float a, float b, float c, float d) {
-    return across[0] * a + across[1] * b + across[2] * c + across[3] * d;
-  };
+  const Eigen::Array4f across = cubic_weights(at.x() - static_cast<float>(left));
+  const Eigen::Array4f down = cubic_weights(at.y() - static_cast<float>(top));
   float sum = 0.0F;
-  if (left >= 1 && top >= 1 && left + 2 <= last_u && top + 2 <= last_v) {
-    const float* pixels = &image(left - 1, top - 1);
-    for (std::size_t k = 0; k < down.size(); ++k, pixels += image.width())
-      sum += down[k] * row_sum(pixels[0], pixels[1], pixels[2], pixels[3]);
-    return sum;
-  }
-  // Beyond the border, the last pixel counts.
-  for (std::size_t k = 0; k < down.size(); ++k) {
-    const float* const pixels = &image(0, std::clamp(top - 1 + static_cast<int>(k), 0, last_v));
-    sum += down[k] * row_sum(pixels[std::max(left - 1, 0)], pixels[left], pixels[std::min(left + 1, last_u)],
-                             pixels[std::min(left + 2, last_u)]);
+  for (int k = 0; k < 4; ++k) {
+    const float* const pixels = &image(0, std::clamp(top - 1 + k, 0, last_v));
+    const Eigen::Array4f row(pixels[std::max(left - 1, 0)], pixels[left],
+                             pixels[std::min(left + 1, last_u)], pixels[std::min(left + 2, last_u)]);
+    sum += down[k] * (across * row).sum();
   }
   return sum;
 }

@@ -1,7 +1,8 @@
 // The surface in one camera's view, by which images of other views are laid upon it.
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
+#include <cstddef>
 #include <opencv2/core.hpp>
 
 #include "depth/image.hpp"
@@ -52,16 +53,29 @@ class ViewOfSurface {
 /// Weights of four neighbouring samples at `t` from the second towards the third, 0 to 1: Catmull and Rom's,
 /// the only cubic of four taps that gives a slope back as it is. OpenCV's is 0.04 px off there, and its table
 /// has steps of a thirty-second of a pixel.
-[[nodiscard]] inline std::array<float, 4> cubic_weights(float t) {
+[[nodiscard]] inline Eigen::Array4f cubic_weights(float t) {
   const float t2 = t * t;
   const float t3 = t2 * t;
   return {0.5F * (-t3 + 2.0F * t2 - t), 0.5F * (3.0F * t3 - 5.0F * t2 + 2.0F),
           0.5F * (-3.0F * t3 + 4.0F * t2 + t), 0.5F * (t3 - t2)};
 }
 
+/// As cubic_at() within two pixels of the image's border, beyond which its last pixels count.
+[[nodiscard]] float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at);
+
 /// The image between its pixels, by Catmull and Rom's cubic.
 /// @param at within [0, width - 1] x [0, height - 1]
-[[nodiscard]] float cubic_at(const Image<float>& image, const Eigen::Vector2f& at);
+[[nodiscard]] inline float cubic_at(const Image<float>& image, const Eigen::Vector2f& at) {
+  const int left = static_cast<int>(at.x());
+  const int top = static_cast<int>(at.y());
+  if (left < 1 || top < 1 || left + 2 >= image.width() || top + 2 >= image.height())
+    return cubic_at_border(image, at);
+  const Eigen::Array4f down = cubic_weights(at.y() - static_cast<float>(top));
+  const float* const pixels = &image(left - 1, top - 1);
+  const auto row = [&](int k) { return Eigen::Array4f::Map(pixels + std::ptrdiff_t{k} * image.width()); };
+  const Eigen::Array4f columns = down[0] * row(0) + down[1] * row(1) + down[2] * row(2) + down[3] * row(3);
+  return (cubic_weights(at.x() - static_cast<float>(left)) * columns).sum();
+}
 
 /// Where each pixel of the reference is seen in another view.
 class Warp {

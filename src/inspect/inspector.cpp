@@ -39,6 +39,8 @@ Inspector::Inspector(const InspectionRig& rig, Records& records, std::filesystem
                      const InspectorOptions& options)
     : rig_(rig), records_(records), data_(std::move(data)), options_(options) {
   check_options(options_);
+  if (options_.lamp && !rig_.camera.has_lamp())
+    throw UsageError("--lamp", "the camera has none", "leave it out");
   make_folders(data_);
 }
 
@@ -164,7 +166,7 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
   const BegunSide round = round_for(before, side, person, base_of(id, replaced));
   const auto captures = static_cast<std::size_t>(std::max(1, before.dither));
   const SideCapture wanted{waypoints_of(before), captures, folder(id).side(side, round.round), round.base,
-                           (static_cast<std::size_t>(options_.frames) + captures - 1) / captures};
+                           (static_cast<std::size_t>(options_.frames) + captures - 1) / captures, options_.lamp};
   folder(id).require_no_links(wanted.folder);
   records_.begin_side(id, side, round);
   return [this, id, side, round, wanted] {

@@ -19,6 +19,7 @@ namespace rva {
 struct InspectorOptions {
   int frames = 80;
   int dither = 8;
+  bool lamp = false;
   ReadinessOptions readiness;
 
   static void describe(auto&& self, auto&& visit) {
@@ -27,6 +28,8 @@ struct InspectorOptions {
     visit(self.dither,
           OptionField{"dither", "", 1, most_dithers,
                       "captures of each view, a few servo steps apart; 1 where there is no robot"});
+    visit(self.lamp,
+          OptionField{"lamp", "", 0, 1, "with each capture as many infrared images under the camera's lamp"});
     ReadinessOptions::describe(self.readiness, visit);
   }
 };
@@ -38,7 +41,7 @@ class Inspector {
  public:
   /// @param rig, records outlive this object
   /// @param data    folder of the captures, made where there is none
-  /// @throws UsageError when an option is out of range; Error when the folder cannot be made
+  /// @throws UsageError when an option is out of range or the camera has no lamp; Error when the folder cannot be made
   Inspector(const InspectionRig& rig, Records& records, std::filesystem::path data,
             const InspectorOptions& options = {});
   ~Inspector() = default;  ///< ends a task under way, as cancel() does

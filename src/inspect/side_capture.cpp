@@ -80,7 +80,7 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
     if (done < total) witness.begin(progress_at(side, done));
   };
   take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder,
-             {side.frames, 1}, progress);
+             {side.frames, 1, side.lamp}, progress);
 }
 
 void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,
@@ -93,6 +93,7 @@ void take_standing(const InspectionRig& rig, const SideCapture& side, const Capt
   OutputFolder out(folder, capture_files(), Existing::refuse);
   CaptureWriter writer(out.path(""), camera.info());
   record(camera, side.frames, writer, {});
+  if (side.lamp) record_lamp(camera, side.frames, writer, {});
   out.commit();
 }
 

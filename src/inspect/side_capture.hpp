@@ -45,6 +45,7 @@ struct SideCapture {
   std::filesystem::path folder;
   std::string base;         ///< name of the place where the robot's foot stands
   std::size_t frames = 40;  ///< of each capture
+  bool lamp = false;        ///< as many under the camera's lamp, too, which it must have
 };
 
 /// With a robot, goes on where an earlier call was ended: captures that are there are not taken again. A

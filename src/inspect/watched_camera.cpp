@@ -15,9 +15,14 @@ CaptureInfo WatchedCamera::info() const {
   return info;
 }
 
+void WatchedCamera::set_light(Light light) {
+  camera_.set_light(light);
+  light_ = light;
+}
+
 std::optional<CameraFrame> WatchedCamera::wait_for_frame() {
   std::optional<CameraFrame> frame = camera_.wait_for_frame();
-  if (frame) see_(*frame);
+  if (frame && light_ == Light::projector) see_(*frame);
   return frame;
 }
 

@@ -45,7 +45,7 @@ bool is_of_this_camera(const CaptureInfo& then, const CaptureInfo& now) {
 
 // @return false where there is none yet
 bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo& now,
-              const std::string& base, std::size_t frames) {
+              const std::string& base, const ViewCaptureOptions& options) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(folder, ignored))) return false;
   const std::unique_ptr<Capture> capture = open_view(folder);
@@ -59,9 +59,14 @@ bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo
   if (!is_of_this_camera(then, now) || pose.base != base)
     throw Error(printable(folder), "was taken by another camera or from another place",
                 "resume with the same camera and --base, or begin anew elsewhere");
-  if (capture->depth_frames() != frames)
-    throw Error(printable(folder), fmt::format("has {} frames, not {}", capture->depth_frames(), frames),
+  if (capture->depth_frames() != options.frames)
+    throw Error(printable(folder),
+                fmt::format("has {} frames, not {}", capture->depth_frames(), options.frames),
                 "resume with the same --frames, or remove it: it is taken again");
+  if (capture->has_infrared(Imager::left, Light::lamp) != options.lamp)
+    throw Error(printable(folder),
+                options.lamp ? "has no images under the lamp" : "has images under the lamp, which others lack",
+                "resume with or without the lamp as then, or remove it: it is taken again");
   return true;
 }
 
@@ -89,7 +94,7 @@ void take_views(const Rig& rig, const std::vector<PanTilt>& waypoints, const fs:
   const CaptureInfo info = rig.camera.info();
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    if (!is_taken(folder / view_name(i), waypoints[i], info, rig.base, options.frames)) missing.push_back(i);
+    if (!is_taken(folder / view_name(i), waypoints[i], info, rig.base, options)) missing.push_back(i);
   }
   std::size_t done = waypoints.size() - missing.size();
   if (progress) progress("views", done, waypoints.size());

@@ -11,6 +11,11 @@ SimulatedBay::SimulatedBay(Scene before, Scene after, std::uint64_t seed,
     : before_(std::move(before), {}, seed, ColorFrames::all, joints),
       after_(std::move(after), {}, mix(seed, 1), ColorFrames::all, joints) {}
 
+void SimulatedBay::set_light(Light light) {
+  before_.set_light(light);
+  after_.set_light(light);
+}
+
 std::optional<CameraFrame> SimulatedBay::wait_for_frame() {
   std::optional<CameraFrame> frame = (done_ ? after_ : before_).wait_for_frame();
   if (frame) frame->number = number_++;

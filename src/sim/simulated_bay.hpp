@@ -24,6 +24,8 @@ class SimulatedBay : public Camera {
 
   [[nodiscard]] CaptureInfo info() const override { return now().info(); }
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
+  [[nodiscard]] bool has_lamp() const override { return before_.has_lamp(); }
+  void set_light(Light light) override;
 
  private:
   [[nodiscard]] const SimulatedCamera& now() const { return done_ ? after_ : before_; }

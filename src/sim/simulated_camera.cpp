@@ -30,6 +30,24 @@ std::uint64_t seed_of(const Transform& world_from_camera, std::uint64_t device) 
   return seed;
 }
 
+// Of a view from a stand, which turns its camera.
+std::vector<SpeckleShare> speckle_of(const CameraStand& stand, const Transform& world_from_camera,
+                                     const StereoSensorOptions& options) {
+  if (options.speckle_turn_deg <= 0.0) return {{seed_of(world_from_camera, options.device), 1.0}};
+  return speckle_shares({stand.pan_deg, stand.tilt_deg}, options.speckle_turn_deg,
+                        seed_of(world_from_foot(stand), options.device));
+}
+
+// A bay that gives way holds the camera elsewhere at each rest.
+Transform swayed(const Transform& world_from_camera, double sway_mm, std::uint64_t seed) {
+  if (sway_mm <= 0.0) return world_from_camera;
+  constexpr double m_per_mm = 0.001;
+  Random random(mix(seed, 0x5A1));
+  Eigen::Vector3d offset_m;
+  for (double& along : offset_m) along = m_per_mm * sway_mm * random.normal();
+  return Eigen::Translation3d(offset_m) * world_from_camera;
+}
+
 // 10 bits to the 8 that a frame of a camera has.
 FineGrayImage brightness_of(const InfraredImage& infrared) {
   FineGrayImage gray(infrared.width(), infrared.height());
@@ -55,13 +73,15 @@ SimulatedCamera::SimulatedCamera(Scene scene, const StereoSensorOptions& options
     joints_ = [pan_tilt = PanTilt{scene_.stand.pan_deg, scene_.stand.tilt_deg}] { return pan_tilt; };
 }
 
-Transform SimulatedCamera::world_from_camera() const {
+CameraStand SimulatedCamera::stand() const {
   CameraStand stand = scene_.stand;
   const PanTilt joints = joints_();
   stand.pan_deg = joints.pan_deg;
   stand.tilt_deg = joints.tilt_deg;
-  return rva::world_from_camera(stand);
+  return stand;
 }
+
+Transform SimulatedCamera::world_from_camera() const { return rva::world_from_camera(stand()); }
 
 TrueView SimulatedCamera::look() const { return infrared_.look(world_from_camera()); }
 
@@ -103,13 +123,15 @@ void SimulatedCamera::render(const Transform& world_from_camera) {
     options.supersampling = 1;
   }
   const std::uint64_t capture_seed = mix(seed_, moving ? 0 : rests_);
-  InfraredPair pair = infrared_.render(world_from_camera, misalignment_of(options_, capture_seed),
-                                       options.supersampling, light_);
+  const Transform pose =
+      moving ? world_from_camera : swayed(world_from_camera, options.sway_mm, capture_seed);
+  InfraredPair pair =
+      infrared_.render(pose, misalignment_of(options_, capture_seed), options.supersampling, light_);
   if (light_ == Light::projector && wants_color(moving))
-    color_ = render_color(scene_, rays_, rig_, world_from_camera, options.supersampling);
-  sensor_ =
-      std::make_unique<StereoSensor>(std::move(pair), options, seed_of(world_from_camera, options_.device),
-                                     moving ? mix(capture_seed, number_) : capture_seed);
+    color_ = render_color(scene_, rays_, rig_, pose, options.supersampling);
+  sensor_ = std::make_unique<StereoSensor>(std::move(pair), options,
+                                           speckle_of(stand(), world_from_camera, options),
+                                           moving ? mix(capture_seed, number_) : capture_seed);
   rendered_pose_ = world_from_camera;
   rendered_light_ = light_;
 }

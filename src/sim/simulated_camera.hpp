@@ -49,6 +49,7 @@ class SimulatedCamera : public Camera {
 
  private:
   [[nodiscard]] bool wants_color(bool moving) const;
+  [[nodiscard]] CameraStand stand() const;  // turned as the joints are
   void render(const Transform& world_from_camera);
 
   Scene scene_;

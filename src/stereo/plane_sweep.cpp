@@ -1,7 +1,6 @@
 #include "stereo/plane_sweep.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -70,7 +69,7 @@ class RowDifferences {
     if (top < 1 || top + 2 >= right.height() || left < 1 || left - 1 + columns > right.width() ||
         at.x() < 0.0F || at.x() > static_cast<float>(right.width() - 1))
       return false;
-    const std::array<float, 4> down = cubic_weights(at.y() - static_cast<float>(top));
+    const Eigen::Array4f down = cubic_weights(at.y() - static_cast<float>(top));
     const float* pixels = &right(left - 1, top - 1);
     std::fill(segment_.begin(), segment_.end(), 0.0F);
     for (const float weight : down) {
@@ -82,7 +81,7 @@ class RowDifferences {
     for (int phase = 0; phase < per_px_; ++phase) {
       const float shifted = fraction + static_cast<float>(phase) / static_cast<float>(per_px_);
       const int whole = static_cast<int>(shifted);
-      const std::array<float, 4> across = cubic_weights(shifted - static_cast<float>(whole));
+      const Eigen::Array4f across = cubic_weights(shifted - static_cast<float>(whole));
       const float* samples = segment_.data() + whole;
       // A label is a disparity: the first sample, farthest to the left, is the last label's.
       for (int label = labels_ - 1 - phase; label >= 0; label -= per_px_, ++samples)
@@ -157,16 +156,26 @@ class WindowCosts {
 
   // From top to bottom, whichever row of the band this is: sums of floating point depend on their order.
   void sum_columns() {
-    std::fill(sums_.begin(), sums_.end(), 0.0F);
-    std::fill(squares_.begin(), squares_.end(), 0.0F);
     std::fill(counts_.begin(), counts_.end(), 0.0F);
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const Row& row = rows_[(newest_ + k) % rows_.size()];
-      for (std::size_t i = 0; i < sums_.size(); ++i) {
-        sums_[i] += row.differences[i];
-        squares_[i] += row.differences[i] * row.differences[i];
-      }
+    for (const Row& row : rows_) {
       for (std::size_t u = 0; u < counts_.size(); ++u) counts_[u] += row.seen[u];
+    }
+    constexpr std::size_t few = 64;  // that stay in the nearest cache while all rows are added
+    for (std::size_t first = 0; first < sums_.size(); first += few)
+      sum_rows(first, std::min(few, sums_.size() - first));
+  }
+
+  void sum_rows(std::size_t first, std::size_t count) {
+    float* const sums = sums_.data() + first;
+    float* const squares = squares_.data() + first;
+    std::fill_n(sums, count, 0.0F);
+    std::fill_n(squares, count, 0.0F);
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const float* const differences = rows_[(newest_ + k) % rows_.size()].differences.data() + first;
+      for (std::size_t i = 0; i < count; ++i) {
+        sums[i] += differences[i];
+        squares[i] += differences[i] * differences[i];
+      }
     }
   }
 

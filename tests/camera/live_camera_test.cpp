@@ -93,6 +93,40 @@ TEST_F(Live, WhatWaitedIsForgottenOnRequest) {
   EXPECT_THAT(numbers(*reader, 1), ElementsAre(6));
 }
 
+// A frame that was under way when the light was switched may be of either light.
+TEST_F(Live, FramesUnderTheLampGoToTheReaderThatAskedForItAlone) {
+  const auto is_under_lamp = [](const CameraFrame& frame) { return frame.metadata.laser_power_mw == 0.0; };
+  give(0);
+  const auto under_lamp = live_.every_frame();
+  const auto other = live_.every_frame();
+  give(1);
+  give(2);
+  EXPECT_TRUE(under_lamp->has_lamp());
+  under_lamp->set_light(Light::lamp);
+  for (std::uint64_t number = 3; number < 6; ++number) script_->give(number);
+  for (CameraFrame frame = *under_lamp->wait_for_frame(); frame.number < 5; frame = *under_lamp->wait_for_frame())
+    EXPECT_TRUE(is_under_lamp(frame)) << frame.number;
+  EXPECT_LE(live_.newest()->frame.number, 3U) << "a picture without depth is shown to nobody";
+  under_lamp->set_light(Light::projector);
+  script_->give(6);
+  give(7);
+  EXPECT_FALSE(is_under_lamp(live_.newest()->frame));
+  for (Camera* const reader : {under_lamp.get(), other.get()}) {
+    CameraFrame frame = *reader->wait_for_frame();
+    for (; frame.number < 7; frame = *reader->wait_for_frame()) EXPECT_FALSE(is_under_lamp(frame)) << frame.number;
+    EXPECT_EQ(frame.number, 7U);
+  }
+  EXPECT_EQ(live_.health().lost, 0U);
+}
+
+TEST_F(Live, AReaderThatGoesTurnsTheProjectorOnAgain) {
+  give(0);
+  live_.every_frame()->set_light(Light::lamp);
+  script_->give(1);  // may still be under the lamp
+  give(2);
+  EXPECT_EQ(live_.newest()->frame.metadata.laser_power_mw, std::nullopt);
+}
+
 TEST_F(Live, CountsFramesThatTheCameraLost) {
   give(3);
   give(4);

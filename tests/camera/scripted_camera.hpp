@@ -55,10 +55,15 @@ class ScriptedCamera : public Camera {
     const auto event = script_->take();
     if (!event) return std::nullopt;
     if (!event->problem.empty()) throw Error("camera", event->problem, "plug it in");
-    return CameraFrame{DepthImage(8, 6, event->depth), std::nullopt, event->number, 0.0};
+    CameraFrame frame{DepthImage(8, 6, event->depth), std::nullopt, event->number, 0.0};
+    if (light_ == Light::lamp) frame.metadata.laser_power_mw = 0.0;
+    return frame;
   }
+  [[nodiscard]] bool has_lamp() const override { return true; }
+  void set_light(Light light) override { light_ = light; }
 
  private:
+  Light light_ = Light::projector;
   std::shared_ptr<CameraScript> script_;
 };
 

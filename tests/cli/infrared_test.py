@@ -109,6 +109,65 @@ class InfraredTest(program.ProgramTest):
         result, _ = self.compare(self.before, self.after)
         self.assertGreaterEqual(len(result['detections']), 3)
 
+    def test_images_that_show_no_dots_or_are_saturated_are_named_and_not_compared(self):
+        file = self.after[2] / 'infrared' / '000000.png'
+        dots = cv2.imread(str(file), cv2.IMREAD_UNCHANGED)
+        without = cv2.GaussianBlur(cv2.erode(dots, np.ones((15, 15))), (0, 0), 5)
+        grain = np.random.default_rng(1).normal(0, 40, dots.shape)
+        for pixels, problem in ((without + grain, 'was the projector on?'), (np.zeros(dots.shape), 'was the projector on?'),
+                                (np.full(dots.shape, 65280.0), 'lower the exposure')):
+            cv2.imwrite(str(file), pixels.clip(0, 65535).astype('uint16'))
+            result, said = self.compare(self.before, self.after)
+            self.assertIn('infrared image of final capture 3', said)
+            self.assertIn(problem, said)
+            self.assertNotIn('appearance', result['coverage'])
+
+    def test_another_exposure_is_no_change_and_hides_none(self):
+        def exposed(captures, factor):
+            for capture in captures:
+                for file in capture.glob('infrared*/*.png'):
+                    image = cv2.imread(str(file), cv2.IMREAD_UNCHANGED)
+                    cv2.imwrite(str(file), (image * factor).astype('uint16'))
+        for factor in (0.5, 0.8):
+            exposed(self.unchanged + self.after, factor)
+            self.assertEqual(self.compare(self.before, self.unchanged)[0]['detections'], [])
+            self.assertGreaterEqual(len(self.compare(self.before, self.after)[0]['detections']), 4, 'of five collars')
+
+    def test_one_imager_alone_is_compared_or_the_reason_is_stated(self):
+        for capture in self.before + self.after:
+            shutil.move(capture / 'infrared_right', capture / 'kept')
+        result, said = self.compare(self.before, self.after)
+        self.assertIn('appearance', result['coverage'])
+        self.assertNotIn('imager', said)
+        for capture in self.before + self.after:
+            shutil.rmtree(capture / 'infrared')
+            shutil.move(capture / 'kept', capture / 'infrared_right')
+        result, said = self.compare(self.before, self.after)
+        self.assertNotIn('appearance', result['coverage'])
+        self.assertIn('right imager alone', said)
+
+    def test_bursts_of_other_lengths_are_compared(self):
+        for capture in self.after:
+            for file in sorted((capture / 'depth').iterdir())[2:]:
+                file.unlink()
+        result, _ = self.compare(self.before, self.after)
+        self.assertIn('appearance', result['coverage'])
+        self.assertGreaterEqual(len(result['detections']), 4, 'of five collars')
+
+    def test_images_of_another_size_are_refused(self):
+        file = self.after[1] / 'infrared_right' / '000000.png'
+        cv2.imwrite(str(file), cv2.imread(str(file), cv2.IMREAD_UNCHANGED)[::2, ::2])
+        self.check_fails('detect', '--initial', *self.before, '--final', *self.after, '--out', self.out,
+                         names=['infrared_right', '424x240'])
+
+    def test_a_lens_that_bends_rays_is_compared_by_depth_which_is_said(self):
+        for capture in self.before + self.after:
+            depth = json.loads((capture / 'capture.json').read_text())['depth']
+            self.describe(capture, depth={**depth, 'distortion_model': 'brown_conrady', 'distortion': [0.05, -0.02, 0, 0, 0]})
+        result, said = self.compare(self.before, self.after)
+        self.assertNotIn('appearance', result['coverage'])
+        self.assertIn('the lens bends rays', said)
+
     def test_a_scale_that_cannot_be_is_refused(self):
         for bad in ({'scale': 0}, {'scale': 256, 'frames': 1e300}, {'scale': 256, 'frames': 0}):
             for light in ('infrared', 'lamp'):

@@ -47,6 +47,12 @@ class Standing : public testing::Test {
   std::unique_ptr<Inspector> inspector_;
 };
 
+TEST_F(Standing, ALampThatTheCameraLacksIsRefused) {
+  InspectorOptions options;
+  options.lamp = true;
+  EXPECT_THROW(Inspector(InspectionRig{camera_}, *records_, folder_.path(), options), UsageError);
+}
+
 TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
   const std::int64_t id = inspector_->begin({"N1", "bay 3", "WO", "Ann"});
   EXPECT_EQ(take(id, Side::initial).end, TaskEnd::done);

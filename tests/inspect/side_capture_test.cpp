@@ -10,8 +10,10 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "depth/capture.hpp"
+#include "sim/simulated_bay.hpp"
 #include "sim/simulated_robot.hpp"
 #include "tests/inspect/waving_camera.hpp"
+#include "tests/sim/small_scenes.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rva {
@@ -146,6 +148,49 @@ TEST_F(Side3Views, BeyondTheLimitsNothingMoves) {
   side_.waypoints.push_back({0, 60});
   EXPECT_THROW(take(), UsageError);
   EXPECT_EQ(robot_.joints(), PanTilt{});
+}
+
+class UnderALamp : public testing::Test {
+ protected:
+  static Scene wall() {
+    Scene scene = test::room_with_wall(0.6);
+    scene.stand.base = "base";
+    return scene;
+  }
+  void take(const InspectionRig& rig, bool lamp) {
+    side_.lamp = lamp;
+    take_side(rig, side_, {[](const CaptureProgress&) {}, [](const NoiseSoFar&) {}, [](const std::string&) {}});
+  }
+  [[nodiscard]] bool has_lamp_images(const char* view) const {
+    const auto capture = open_capture(side_.folder / view);
+    return capture->has_infrared(Imager::left, Light::lamp) && capture->has_infrared(Imager::right, Light::lamp);
+  }
+
+  test::TemporaryFolder folder_;
+  PluggedRobot robot_;
+  LiveCamera camera_{std::make_unique<SimulatedBay>(wall(), wall(), 1, [this] { return robot_.joints(); }), 1000.0};
+  SideCapture side_{{{0, 0}}, 1, folder_ / "initial", "base", 2};
+};
+
+TEST_F(UnderALamp, EachCaptureHasItsImagesWithARobotAndWithout) {
+  take({camera_}, true);
+  EXPECT_TRUE(has_lamp_images("000"));
+  EXPECT_EQ(open_capture(side_.folder / "000")->depth_frames(), 2U) << "none of them under the lamp";
+  side_.folder = folder_ / "with a robot";
+  side_.waypoints = {{0, 0}, {1, 0}};
+  Drive drive(robot_);
+  take({camera_, &drive}, true);
+  EXPECT_TRUE(has_lamp_images("000"));
+  EXPECT_TRUE(has_lamp_images("001"));
+}
+
+TEST_F(UnderALamp, CapturesWithAndWithoutAreNotMixed) {
+  Drive drive(robot_);
+  take({camera_, &drive}, false);
+  EXPECT_FALSE(has_lamp_images("000"));
+  side_.waypoints = {{0, 0}, {1, 0}};
+  EXPECT_THAT([&] { take({camera_, &drive}, true); },
+              testing::ThrowsMessage<Error>(HasSubstr("has no images under the lamp")));
 }
 
 TEST(StandingCamera, TakesNoEarlierCaptureForItsView) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -30,6 +31,33 @@ TEST(SimulatedCamera, FramesAreOfTheSeed) {
     EXPECT_NE(frame.color, different.color);
     EXPECT_NE(camera.left_infrared(), other.left_infrared());
   }
+}
+
+TEST(SimulatedCamera, ABayThatGivesWayHoldsItElsewhereAtEachRest) {
+  PanTilt joints;
+  StereoSensorOptions options = test::quick();
+  options.speckle = options.wander = options.levels = options.drift_px = options.flicker = 0.0;
+  const auto depth_of_rests = [&](double sway_mm) {
+    options.sway_mm = sway_mm;
+    SimulatedCamera camera(test::room_with_wall(1.0), options, 3, ColorFrames::none,
+                           [&joints] { return joints; });
+    std::vector<double> depths_m;
+    for (int k = 0; k < 12; ++k) {
+      joints.pan_deg = 5.0;
+      (void)camera.wait_for_frame();
+      joints.pan_deg = 0.0;
+      (void)camera.wait_for_frame();
+      depths_m.push_back(test::middle_depth_m(camera.wait_for_frame()->depth));
+    }
+    const auto [least, most] = std::ranges::minmax(depths_m);
+    return most - least;
+  };
+  EXPECT_LT(depth_of_rests(0.0), 0.0005);
+  EXPECT_GT(depth_of_rests(20.0), 0.02);
+  EXPECT_EQ(
+      SimulatedCamera(test::room_with_wall(1.0), options, 3).info().pose->world_from_camera->matrix(),
+      SimulatedCamera(test::room_with_wall(1.0), test::quick(), 3).info().pose->world_from_camera->matrix())
+      << "the robot does not know it";
 }
 
 TEST(SimulatedCamera, CountsAndDatesItsFrames) {

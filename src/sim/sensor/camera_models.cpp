@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/path_text.hpp"
@@ -23,7 +25,25 @@ StereoSensorOptions with_matcher(Matcher matcher, int window_px) {
 std::string known_names() {
   std::string names;
   for (const CameraModel& model : camera_models()) names += fmt::format("{}, ", model.name);
-  return names + "random:SEED";
+  return names + "random:SEED or imperfect:SEED";
+}
+
+/// "random:7": how cameras are drawn, and from which seed.
+struct Drawn {
+  StereoSensorOptions (*draw)(std::uint64_t) = nullptr;
+  std::uint64_t seed = 0;
+};
+
+std::optional<Drawn> drawn_from_text(std::string_view text) {
+  for (const auto& [prefix, draw] : {std::pair(std::string_view("random:"), &random_camera),
+                                     std::pair(std::string_view("imperfect:"), &imperfect_camera)}) {
+    if (!text.starts_with(prefix)) continue;
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [last, failure] = std::from_chars(text.data() + prefix.size(), end, seed);
+    if (failure == std::errc() && last == end) return Drawn{draw, seed};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -69,19 +89,30 @@ StereoSensorOptions random_camera(std::uint64_t seed) {
   return sensor;
 }
 
+StereoSensorOptions imperfect_camera(std::uint64_t seed) {
+  StereoSensorOptions sensor = random_camera(seed);
+  Random random(mix(seed, 0x14FEC7));
+  sensor.rectification_px = random.uniform(0.03, 0.14);
+  sensor.imager_difference = random.uniform(-0.2, 0.2);
+  sensor.exposure_target = random.uniform(0.15, 0.8);
+  sensor.speckle_turn_deg = random.uniform(0.02, 0.3);
+  sensor.sway_mm = random.uniform(0.0, 0.1);
+  return sensor;
+}
+
 StereoSensorOptions camera_model(const std::string& text) {
   for (const CameraModel& model : camera_models()) {
     if (model.name == text) return model.sensor;
   }
-  constexpr std::string_view random = "random:";
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  if (text.starts_with(random)) {
-    const auto [last, failure] = std::from_chars(text.data() + random.size(), end, seed);
-    if (failure == std::errc() && last == end) return random_camera(seed);
-  }
+  if (const std::optional<Drawn> drawn = drawn_from_text(text)) return drawn->draw(drawn->seed);
   throw UsageError("--camera-model", printable(text) + " is none that there is",
                    "give one of " + known_names());
+}
+
+std::function<StereoSensorOptions(std::uint64_t)> camera_of_each(const std::string& text) {
+  if (const std::optional<Drawn> drawn = drawn_from_text(text))
+    return [drawn = *drawn](std::uint64_t seed) { return drawn.draw(mix(drawn.seed, seed)); };
+  return [sensor = camera_model(text)](std::uint64_t) { return sensor; };
 }
 
 std::string name_of_matcher(const StereoSensorOptions& sensor) {

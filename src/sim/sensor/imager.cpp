@@ -55,7 +55,7 @@ double automatic_exposure(const InfraredView& view, const StereoSensorOptions& o
     light.push_back(view.steady[i] + view.projected[i]);
   const auto bright = light.begin() + static_cast<std::ptrdiff_t>(light.size() * 95 / 100);
   std::nth_element(light.begin(), bright, light.end());
-  const double wanted_e = 0.25 * options.full_well_e;
+  const double wanted_e = options.exposure_target * options.full_well_e;
   return *bright * longest_exposure_e > wanted_e ? wanted_e / *bright : longest_exposure_e;
 }
 

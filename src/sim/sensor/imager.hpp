@@ -16,7 +16,7 @@ inline constexpr double longest_exposure_e = 2000.0;
 inline constexpr double longest_exposure_s = 0.033;
 
 /// Electrons per unit of light that the camera's own control would choose for a view: its brighter parts
-/// (95 % of pixels are darker) at a quarter of what saturates, as far as the longest exposure reaches.
+/// (95 % of pixels are darker) at the exposure target, as far as the longest exposure reaches.
 [[nodiscard]] double automatic_exposure(const InfraredView& view, const StereoSensorOptions& options);
 
 /// One exposure of one imager.

@@ -33,12 +33,14 @@ struct InfraredRenderer::Eye {
   Eigen::Vector3d position_m;  // in the camera's frame
   Misalignment misalignment;   // of this imager
   double dots_px = 0.0;        // how far the projector's pattern has moved
+  const RectificationError& error;
 
   // The pixel of a perfect rig whose light lands on this one.
   [[nodiscard]] Eigen::Vector2d ideal(const Intrinsics& imager, double u, double v) const {
     const double from_center = (u - imager.cx) / (imager.width / 2.0);
-    return {u - misalignment.offset_px - misalignment.scale_px * from_center,
-            v - misalignment.row_offset_px - misalignment.row_turn_px * from_center};
+    return Eigen::Vector2d(u - misalignment.offset_px - misalignment.scale_px * from_center,
+                           v - misalignment.row_offset_px - misalignment.row_turn_px * from_center) -
+           error.at(u, v);
   }
 };
 
@@ -92,16 +94,32 @@ class InfraredRenderer::RowShader {
     add(steady, [&](std::size_t i) { return from_lamp(i, lamp); });
   }
 
-  // Lenses without distortion: directions along a row are evenly spaced.
-  void aim(double v) {
+  [[nodiscard]] Eigen::Vector3f direction(double u, double v) const {
     const Intrinsics& imager = renderer_.rig_.imager;
-    const auto direction = [&](double u) { return imager.deproject(eye_.ideal(imager, u, v), 1.0); };
-    const Eigen::Vector3f first = turn_ * direction(offset(0)).cast<float>();
-    const Eigen::Vector3f last =
-        turn_ * direction(imager.width - 1 + offset(supersampling_ - 1)).cast<float>();
+    return turn_ * imager.deproject(eye_.ideal(imager, u, v), 1.0).cast<float>();
+  }
+
+  void aim(double v) {
+    if (eye_.error.is_none())
+      aim_evenly(v);
+    else
+      aim_one_by_one(v);
+  }
+
+  // Lenses without distortion: directions along a row are evenly spaced.
+  void aim_evenly(double v) {
+    const Eigen::Vector3f first = direction(offset(0), v);
+    const Eigen::Vector3f last = direction(renderer_.rig_.imager.width - 1 + offset(supersampling_ - 1), v);
     const Eigen::Vector3f step = (last - first) / static_cast<float>(row_.samples() - 1);
     for (std::size_t i = 0; i < row_.samples(); ++i)
       row_.rays()[i] = {origin_, first + static_cast<float>(i) * step};
+  }
+
+  void aim_one_by_one(double v) {
+    for (std::size_t i = 0; i < row_.samples(); ++i) {
+      const double u = offset(0) + static_cast<double>(i) / supersampling_;
+      row_.rays()[i] = {origin_, direction(u, v)};
+    }
   }
 
   [[nodiscard]] float albedo(std::size_t i) const {
@@ -150,6 +168,8 @@ InfraredRenderer::InfraredRenderer(const Scene& scene, const RayCaster& rays,
       rays_(rays),
       rig_(stereo_rig(options)),
       dots_(options.dots, options.dot_share, mix(options.device, 0xD075)),
+      left_error_(options, rig_.imager, mix(options.device, 0x2EC7, 1)),
+      right_error_(options, rig_.imager, mix(options.device, 0x2EC7, 2)),
       lens_blur_px_(options.lens_blur_px),
       bounce_(options.bounce),
       lamp_light_(options.lamp_light) {}
@@ -172,8 +192,9 @@ InfraredView InfraredRenderer::render_eye(const Eye& eye, const Transform& world
 
 InfraredPair InfraredRenderer::render(const Transform& world_from_camera, const Misalignment& misalignment,
                                       int supersampling, Light light) const {
-  const Eye left{Eigen::Vector3d::Zero(), Misalignment{}, misalignment.dots_px};
-  const Eye right{Eigen::Vector3d(rig_.baseline_m, 0.0, 0.0), misalignment, misalignment.dots_px};
+  const Eye left{Eigen::Vector3d::Zero(), Misalignment{}, misalignment.dots_px, left_error_};
+  const Eye right{Eigen::Vector3d(rig_.baseline_m, 0.0, 0.0), misalignment, misalignment.dots_px,
+                  right_error_};
   return {render_eye(left, world_from_camera, supersampling, light),
           render_eye(right, world_from_camera, supersampling, light)};
 }

@@ -6,6 +6,7 @@
 #include "sim/scene/ray_caster.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/sensor/dot_pattern.hpp"
+#include "sim/sensor/rectification_error.hpp"
 #include "sim/sensor/stereo_rig.hpp"
 
 namespace rva {
@@ -52,6 +53,8 @@ class InfraredRenderer {
   const RayCaster& rays_;
   StereoRig rig_;
   DotPattern dots_;
+  RectificationError left_error_;
+  RectificationError right_error_;
   double lens_blur_px_;
   double bounce_;
   double lamp_light_;

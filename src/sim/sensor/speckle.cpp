@@ -11,42 +11,68 @@ namespace rva {
 namespace {
 
 // Sums of four uniform numbers: near enough to a normal distribution, and quick.
-Image<float> random_field(int width, int height, double deviation, std::uint64_t seed) {
-  Image<float> field(width, height);
-  if (deviation <= 0.0) return field;
+void add_random_field(double deviation, std::uint64_t seed, Image<float>& field) {
+  if (deviation <= 0.0) return;
   const auto scale = static_cast<float>(deviation / 65536.0 / std::sqrt(4.0 / 12.0));
-  parallel_bands(height, [&](int first, int end) {
+  parallel_bands(field.height(), [&](int first, int end) {
     for (int v = first; v < end; ++v) {
       Random random(mix(seed, v));
-      for (int u = 0; u < width; ++u) {
+      for (int u = 0; u < field.width(); ++u) {
         const std::uint64_t bits = random.bits();
         const auto sum = static_cast<std::int32_t>((bits & 0xFFFF) + ((bits >> 16U) & 0xFFFF) +
                                                    ((bits >> 32U) & 0xFFFF) + (bits >> 48U));
-        field(u, v) = scale * static_cast<float>(sum - 2 * 65535);
+        field(u, v) += scale * static_cast<float>(sum - 2 * 65535);
       }
     }
   });
+}
+
+// @param part of the speckle, each with fields of its own
+Image<float> random_field(int width, int height, double deviation, const std::vector<SpeckleShare>& view,
+                          std::uint64_t part) {
+  Image<float> field(width, height);
+  for (const SpeckleShare& share : view)
+    add_random_field(share.weight * deviation, mix(share.seed, part), field);
   return field;
 }
 
 }  // namespace
 
-Speckle::Speckle(int width, int height, const StereoSensorOptions& options, std::uint64_t view_seed,
-                 std::uint64_t capture_seed)
+std::vector<SpeckleShare> speckle_shares(const PanTilt& turn, double speckle_turn_deg,
+                                         std::uint64_t stand_seed) {
+  const double pan = turn.pan_deg / speckle_turn_deg;
+  const double tilt = turn.tilt_deg / speckle_turn_deg;
+  std::vector<SpeckleShare> shares;
+  double squares = 0.0;
+  for (const double near_pan : {std::floor(pan), std::floor(pan) + 1.0}) {
+    for (const double near_tilt : {std::floor(tilt), std::floor(tilt) + 1.0}) {
+      const double weight = (1.0 - std::abs(pan - near_pan)) * (1.0 - std::abs(tilt - near_tilt));
+      if (weight <= 0.0) continue;
+      shares.push_back({mix(stand_seed, std::llround(near_pan), std::llround(near_tilt)), weight});
+      squares += weight * weight;
+    }
+  }
+  for (SpeckleShare& share : shares) share.weight /= std::sqrt(squares);
+  return shares;
+}
+
+Speckle::Speckle(int width, int height, const StereoSensorOptions& options,
+                 const std::vector<SpeckleShare>& view, std::uint64_t capture_seed)
     : options_(options),
       width_(width),
       capture_seed_(capture_seed),
-      fixed_(random_field(width, height, options.speckle, mix(view_seed, 0))),
+      fixed_(random_field(width, height, options.speckle, view, 0)),
       patch_levels_(width / patch_px + 1, height / patch_px + 1) {
   // The fields belong to the view: two captures of it differ in how they are weighted, not in what they are.
   if (options.wander > 0.0) {
     for (int i = 0; i < wander_fields; ++i)
-      wandering_.push_back(
-          random_field(width, height, options.wander / std::sqrt(wander_fields), mix(view_seed, 1 + i)));
+      wandering_.push_back(random_field(width, height, options.wander / std::sqrt(wander_fields), view,
+                                        std::uint64_t{1} + static_cast<std::uint64_t>(i)));
   }
   if (options.levels > 0.0) {
     for (int i = 0; i < level_patterns; ++i)
-      patterns_.push_back(random_field(width, height, options.levels, mix(view_seed, 100 + i)));
+      patterns_.push_back(random_field(width, height, options.levels, view,
+                                       std::uint64_t{100} + static_cast<std::uint64_t>(i)));
   }
 }
 

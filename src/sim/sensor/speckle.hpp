@@ -6,9 +6,24 @@
 #include <vector>
 
 #include "depth/image.hpp"
+#include "geometry/pan_tilt.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva {
+
+/// A pattern of speckle, and how much of a view's it makes.
+struct SpeckleShare {
+  std::uint64_t seed = 0;
+  double weight = 1.0;  ///< the squares of a view's weights sum to 1
+};
+
+/// The patterns that make a view's speckle. It depends on the surface and on where the eye is, and becomes
+/// another as the camera turns: views within `speckle_turn_deg` share patterns, which belong to the points of
+/// a grid of pan and tilt.
+/// @param speckle_turn_deg above 0
+/// @param stand_seed of all else that the pattern depends on: the camera, and where it stands
+[[nodiscard]] std::vector<SpeckleShare> speckle_shares(const PanTilt& turn, double speckle_turn_deg,
+                                                       std::uint64_t stand_seed);
 
 /// The relative change of the projector's light that one imager sees at each pixel, from frame to frame.
 ///
@@ -20,9 +35,9 @@ namespace rva {
 /// All reach depth through the matcher, so neighbours that share a window share their error.
 class Speckle {
  public:
-  /// @param view_seed    what the pattern depends on while nothing moves: the camera, the eye, its pose
+  /// @param view         what the pattern depends on while nothing moves: the camera, the eye, its pose
   /// @param capture_seed what differs between two captures of one view
-  Speckle(int width, int height, const StereoSensorOptions& options, std::uint64_t view_seed,
+  Speckle(int width, int height, const StereoSensorOptions& options, const std::vector<SpeckleShare>& view,
           std::uint64_t capture_seed);
 
   /// Goes on to the next frame; the first call prepares frame 0.

@@ -10,15 +10,23 @@
 #include "stereo/semi_global.hpp"
 
 namespace rva {
+namespace {
 
-StereoSensor::StereoSensor(InfraredPair view, const StereoSensorOptions& options, std::uint64_t view_seed,
-                           std::uint64_t capture_seed)
+std::vector<SpeckleShare> of_imager(std::vector<SpeckleShare> view, std::uint64_t imager) {
+  for (SpeckleShare& share : view) share.seed = mix(share.seed, imager);
+  return view;
+}
+
+}  // namespace
+
+StereoSensor::StereoSensor(InfraredPair view, const StereoSensorOptions& options,
+                           const std::vector<SpeckleShare>& speckle, std::uint64_t capture_seed)
     : view_(std::move(view)),
       options_(options),
       capture_seed_(capture_seed),
-      left_speckle_(view_.left.steady.width(), view_.left.steady.height(), options, mix(view_seed, 1),
+      left_speckle_(view_.left.steady.width(), view_.left.steady.height(), options, of_imager(speckle, 1),
                     mix(capture_seed, 1)),
-      right_speckle_(view_.right.steady.width(), view_.right.steady.height(), options, mix(view_seed, 2),
+      right_speckle_(view_.right.steady.width(), view_.right.steady.height(), options, of_imager(speckle, 2),
                      mix(capture_seed, 2)),
       exposure_e_(options.exposure > 0.0 ? options.exposure : automatic_exposure(view_.left, options)) {}
 
@@ -28,7 +36,8 @@ StereoFrame StereoSensor::next_pair() {
   const std::uint64_t seed = mix(capture_seed_, 0xE390, frame_++);
   const double exposure_e = exposure_e_ * std::max(0.0, 1.0 + options_.flicker * Random(seed).normal());
   return {expose(view_.left, left_speckle_, exposure_e, options_, mix(seed, 1)),
-          expose(view_.right, right_speckle_, exposure_e, options_, mix(seed, 2)),
+          expose(view_.right, right_speckle_, exposure_e * (1.0 + options_.imager_difference), options_,
+                 mix(seed, 2)),
           {}};
 }
 

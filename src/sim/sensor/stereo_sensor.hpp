@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "depth/image.hpp"
 #include "sim/sensor/imager.hpp"
@@ -21,10 +22,10 @@ struct StereoFrame {
 class StereoSensor {
  public:
   /// @param view         light on both imagers
-  /// @param view_seed    of what stays while nothing moves (Speckle)
+  /// @param speckle      of this view, as of speckle_shares()
   /// @param capture_seed of everything that differs between captures of one view
-  StereoSensor(InfraredPair view, const StereoSensorOptions& options, std::uint64_t view_seed,
-               std::uint64_t capture_seed);
+  StereoSensor(InfraredPair view, const StereoSensorOptions& options,
+               const std::vector<SpeckleShare>& speckle, std::uint64_t capture_seed);
 
   [[nodiscard]] StereoFrame next_frame();
 

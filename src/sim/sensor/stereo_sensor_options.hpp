@@ -22,6 +22,7 @@ struct StereoSensorOptions {
   double baseline_mm = 50.0;
   double lens_blur_px = 0.6;
   double misalignment_px = 0.1;
+  double rectification_px = 0.0;
   int supersampling = 2;
   // Projector
   int dots = 5000;
@@ -30,16 +31,20 @@ struct StereoSensorOptions {
   double lamp_light = 1.0;
   // Imager
   double exposure = 0.0;
+  double exposure_target = 0.25;
+  double imager_difference = 0.0;
   double full_well_e = 1500.0;
   double read_noise_e = 6.0;
   // What makes real noise hard
   double speckle = 0.12;
+  double speckle_turn_deg = 0.0;
   double wander = 0.05;
   double wander_frames = 50.0;
   double levels = 0.04;
   double level_frames = 150.0;
   double flicker = 0.01;
   double drift_px = 0.05;
+  double sway_mm = 0.0;
   // Answer
   Matcher matcher = Matcher::census;  ///< chosen with a camera's model (camera_models.hpp)
   int window_px = 9;
@@ -52,6 +57,9 @@ struct StereoSensorOptions {
     visit(self.lens_blur_px, OptionField{"lens-blur", "px", 0, 5, "standard deviation of the lenses' blur"});
     visit(self.misalignment_px, OptionField{"misalignment", "px", 0, 5,
                                             "how far rows of the imagers are apart, at the image's edges"});
+    visit(self.rectification_px,
+          OptionField{"rectification", "px", 0, 5,
+                      "standard deviation of what calibration leaves in each imager, slowly varying"});
     visit(self.supersampling, OptionField{"supersampling", "", 1, 8, "rays a pixel along each side"});
     visit(self.dots, OptionField{"dots", "", 0, 100000, "dots of the projector"});
     visit(self.dot_share,
@@ -64,10 +72,19 @@ struct StereoSensorOptions {
           OptionField{"exposure", "", 0, 1e6,
                       "electrons for a white surface in the projector's mean light at 1 m; 0 sets "
                       "it by the view, as the camera does on its own"});
+    visit(self.exposure_target,
+          OptionField{"exposure-target", "", 0.01, 10,
+                      "where that control puts the view's brighter parts, of what saturates a pixel"});
+    visit(self.imager_difference,
+          OptionField{"imager-difference", "", -0.9, 9,
+                      "how much more light the right imager records; -0.1 is a tenth less"});
     visit(self.full_well_e, OptionField{"full-well", "e", 100, 1e6, "electrons at which a pixel saturates"});
     visit(self.read_noise_e, OptionField{"read-noise", "e", 0, 1000, "electrons of noise without light"});
     visit(self.speckle,
           OptionField{"speckle", "", 0, 1, "contrast of laser speckle that stays while nothing moves"});
+    visit(self.speckle_turn_deg,
+          OptionField{"speckle-turn", "deg", 0, 90,
+                      "turn of the camera over which its speckle becomes another; 0: the least motion does"});
     visit(self.wander, OptionField{"wander", "", 0, 1, "contrast of speckle that wanders slowly"});
     visit(self.wander_frames, OptionField{"wander-frames", "", 1, 1e6, "frames over which it wanders"});
     visit(self.levels,
@@ -79,6 +96,10 @@ struct StereoSensorOptions {
     visit(self.drift_px,
           OptionField{"drift", "px", 0, 5,
                       "standard deviation of the disparity's offset between captures (temperature)"});
+    visit(self.sway_mm,
+          OptionField{"sway", "mm", 0, 100,
+                      "standard deviation of where a bay that gives way holds the camera, along "
+                      "each axis, from rest to rest; stated poses and the truth do not know it"});
     visit(self.window_px, OptionField{"window", "px", 5, 13, "edge of the matcher's window; odd"});
     visit(self.depth_unit_mm, OptionField{"depth-unit", "mm", 0.01, 10, "one step of the depth image"});
     visit(self.device, OptionField{"device", "", 0, 1e9,

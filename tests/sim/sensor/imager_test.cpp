@@ -35,7 +35,7 @@ StereoSensorOptions smooth() {
 
 InfraredImage exposed(const InfraredView& view, double exposure_e, const StereoSensorOptions& options,
                       std::uint64_t seed = 1) {
-  Speckle speckle(width, height, options, 1, 2);
+  Speckle speckle(width, height, options, {{1, 1.0}}, 2);
   speckle.advance();
   return expose(view, speckle, exposure_e, options, seed);
 }

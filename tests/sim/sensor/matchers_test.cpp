@@ -99,8 +99,30 @@ TEST(CameraModels, DrawnByChanceAreAllowedAndDiffer) {
   EXPECT_EQ(matchers.size(), 11U) << "five windows of two matchers, and one that has none";
 }
 
+TEST(CameraModels, ImperfectOnesAreTheDrawnOnesWithFlaws) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const StereoSensorOptions sensor = imperfect_camera(seed);
+    EXPECT_NO_THROW(check_options(sensor));
+    EXPECT_GT(sensor.rectification_px, 0.0);
+    EXPECT_EQ(sensor.focal_px, random_camera(seed).focal_px);
+    EXPECT_EQ(sensor.sway_mm, camera_model("imperfect:" + std::to_string(seed)).sway_mm);
+  }
+}
+
+TEST(CameraModels, AStudyDrawsAnotherForEachInspection) {
+  for (const char* const text : {"random:3", "imperfect:3"}) {
+    const auto camera = camera_of_each(text);
+    EXPECT_EQ(camera(1).focal_px, camera(1).focal_px);
+    EXPECT_NE(camera(1).focal_px, camera(2).focal_px);
+    EXPECT_NE(camera(1).focal_px, camera_model(text).focal_px) << "the seed counts, too";
+  }
+  EXPECT_EQ(camera_of_each("census-5")(1).window_px, camera_of_each("census-5")(2).window_px);
+  EXPECT_THROW((void)camera_of_each("random:x"), UsageError);
+}
+
 TEST(CameraModels, UnknownOnesAreRefused) {
-  for (const char* const text : {"", "D435", "random", "random:", "random:x", "random:1 ", "random:-1"})
+  for (const char* const text : {"", "D435", "random", "random:", "random:x", "random:1 ", "random:-1",
+                                 "imperfect", "imperfect:", "imperfect:99999999999999999999"})
     EXPECT_THROW((void)camera_model(text), UsageError) << text;
 }
 

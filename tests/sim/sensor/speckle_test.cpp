@@ -33,7 +33,7 @@ Field field_of(const Speckle& speckle, int columns = width, int rows = height) {
 }
 
 Field frame(const StereoSensorOptions& options, std::uint64_t view, std::uint64_t capture, int number = 0) {
-  Speckle speckle(width, height, options, view, capture);
+  Speckle speckle(width, height, options, {{view, 1.0}}, capture);
   for (int k = 0; k <= number; ++k) speckle.advance();
   return field_of(speckle);
 }
@@ -95,6 +95,34 @@ TEST(Speckle, TwoCapturesOfAViewShareWhatStays) {
   EXPECT_LT(std::abs(correlation(frame({}, 1, 2), frame({}, 2, 2))), 0.05);
 }
 
+TEST(Speckle, BecomesAnotherAsTheCameraTurns) {
+  constexpr double turn_deg = 0.2;
+  const auto turned = [](const PanTilt& joints) {
+    Speckle speckle(width, height, with(0.09, 0, 0), speckle_shares(joints, turn_deg, 7), 2);
+    speckle.advance();
+    return field_of(speckle);
+  };
+  // Over many poses, since how much two of them share depends on where they lie between the grid's points.
+  double like_itself = 0.0;
+  double a_little = 0.0;
+  double more = 0.0;
+  constexpr int poses = 12;
+  for (int k = 0; k < poses; ++k) {
+    const PanTilt joints{-3.0 + 0.37 * k, 1.0 - 0.23 * k};
+    const Field here = turned(joints);
+    EXPECT_NEAR(std::sqrt(covariance(here, here)), 0.09, 0.05 * 0.09) << "the contrast is the same anywhere";
+    like_itself += correlation(here, turned(joints)) / poses;
+    a_little += correlation(here, turned({joints.pan_deg + 0.25 * turn_deg, joints.tilt_deg})) / poses;
+    more += correlation(here, turned({joints.pan_deg + turn_deg, joints.tilt_deg})) / poses;
+    EXPECT_LT(std::abs(correlation(here, turned({joints.pan_deg + 2.0 * turn_deg, joints.tilt_deg}))), 0.05);
+  }
+  EXPECT_NEAR(like_itself, 1.0, 1e-6);
+  EXPECT_GT(a_little, 0.8);
+  EXPECT_LT(a_little, 0.98);
+  EXPECT_GT(more, 0.1);
+  EXPECT_LT(more, 0.6);
+}
+
 TEST(Speckle, NeighboursAreIndependent) {
   const Field field = frame(with(0.09, 0, 0), 1, 2);
   const Field right(field.begin() + 1, field.end());
@@ -109,7 +137,7 @@ TEST(Speckle, WandersOverAsManyFramesAsTheOptionSays) {
   constexpr std::size_t lags[] = {0, 5, 10, 20, 40};
   double covariances[5] = {};
   for (std::uint64_t capture = 0; capture < 8; ++capture) {
-    Speckle speckle(12, 12, options, capture, capture);
+    Speckle speckle(12, 12, options, {{capture, 1.0}}, capture);
     std::vector<Field> frames;
     for (int k = 0; k < 1500; ++k) {
       speckle.advance();
@@ -128,7 +156,7 @@ TEST(Speckle, WandersOverAsManyFramesAsTheOptionSays) {
 TEST(Speckle, JumpsBetweenThreeLevelsAndHoldsThem) {
   StereoSensorOptions options = with(0, 0, 0.05);
   options.level_frames = 20.0;
-  Speckle speckle(width, height, options, 1, 2);
+  Speckle speckle(width, height, options, {{1, 1.0}}, 2);
   constexpr int frames = 1000;
   constexpr std::size_t patch_px = 12;
   std::vector<std::set<float>> values(width / patch_px * height / patch_px);

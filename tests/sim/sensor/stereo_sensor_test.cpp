@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/stereo/random_images.hpp"
 
@@ -65,6 +66,7 @@ TEST(MatchStereo, MeasuresAWall) {
 
 class Sensor : public testing::Test {
  protected:
+  const std::vector<SpeckleShare> speckle_{{1, 1.0}};
   static InfraredPair wall() {
     const test::BlobTexture texture(200, 60, 1.2, 1);
     const auto view = [](const InfraredImage& image) {
@@ -83,9 +85,9 @@ class Sensor : public testing::Test {
 };
 
 TEST_F(Sensor, SeedsMakeItsFrames) {
-  StereoSensor sensor(wall(), {}, 1, 2);
-  StereoSensor same(wall(), {}, 1, 2);
-  StereoSensor other(wall(), {}, 1, 3);
+  StereoSensor sensor(wall(), {}, speckle_, 2);
+  StereoSensor same(wall(), {}, speckle_, 2);
+  StereoSensor other(wall(), {}, speckle_, 3);
   for (int k = 0; k < 3; ++k) {
     const StereoFrame frame = sensor.next_frame();
     const StereoFrame again = same.next_frame();
@@ -103,7 +105,7 @@ TEST_F(Sensor, TheWholeFrameFlickers) {
   options.speckle = options.wander = options.levels = 0.0;
   for (const double flicker : {0.0, 0.02}) {
     options.flicker = flicker;
-    StereoSensor sensor(wall(), options, 1, 2);
+    StereoSensor sensor(wall(), options, speckle_, 2);
     double sum = 0.0;
     double squares = 0.0;
     constexpr int frames = 30;
@@ -116,13 +118,32 @@ TEST_F(Sensor, TheWholeFrameFlickers) {
   }
 }
 
+TEST_F(Sensor, TheRightImagerMayRecordMoreLight) {
+  StereoSensorOptions options;
+  options.speckle = options.wander = options.levels = 0.0;
+  const auto ratio = [&] {
+    const StereoFrame frame = StereoSensor(wall(), options, speckle_, 2).next_pair();
+    return mean_of(frame.right) / mean_of(frame.left);
+  };
+  const double alike = ratio();
+  options.imager_difference = -0.2;
+  EXPECT_NEAR(ratio() / alike, 0.8, 0.01);
+}
+
+TEST_F(Sensor, TheTargetSaysHowBrightAnExposureIs) {
+  StereoSensorOptions options;
+  const double quarter_e = automatic_exposure(wall().left, options);
+  options.exposure_target = 0.125;
+  EXPECT_NEAR(automatic_exposure(wall().left, options), 0.5 * quarter_e, 1e-9 * quarter_e);
+}
+
 TEST_F(Sensor, ExposureIsAutomaticUntilItIsSet) {
   StereoSensorOptions options;
-  const double automatic = mean_of(StereoSensor(wall(), options, 1, 2).next_frame().left);
+  const double automatic = mean_of(StereoSensor(wall(), options, speckle_, 2).next_frame().left);
   options.exposure = automatic_exposure(wall().left, options);
-  EXPECT_NEAR(mean_of(StereoSensor(wall(), options, 1, 2).next_frame().left), automatic, 1e-9);
+  EXPECT_NEAR(mean_of(StereoSensor(wall(), options, speckle_, 2).next_frame().left), automatic, 1e-9);
   options.exposure /= 2.0;
-  EXPECT_NEAR(mean_of(StereoSensor(wall(), options, 1, 2).next_frame().left), automatic / 2.0,
+  EXPECT_NEAR(mean_of(StereoSensor(wall(), options, speckle_, 2).next_frame().left), automatic / 2.0,
               0.02 * automatic);
 }
 
