@@ -165,8 +165,12 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
   if (side == Side::final) require_baseline(before);
   const BegunSide round = round_for(before, side, person, base_of(id, replaced));
   const auto captures = static_cast<std::size_t>(std::max(1, before.dither));
-  const SideCapture wanted{waypoints_of(before), captures, folder(id).side(side, round.round), round.base,
-                           (static_cast<std::size_t>(options_.frames) + captures - 1) / captures, options_.lamp};
+  const SideCapture wanted{waypoints_of(before),
+                           captures,
+                           folder(id).side(side, round.round),
+                           round.base,
+                           (static_cast<std::size_t>(options_.frames) + captures - 1) / captures,
+                           options_.lamp};
   folder(id).require_no_links(wanted.folder);
   records_.begin_side(id, side, round);
   return [this, id, side, round, wanted] {

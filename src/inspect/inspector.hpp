@@ -41,7 +41,8 @@ class Inspector {
  public:
   /// @param rig, records outlive this object
   /// @param data    folder of the captures, made where there is none
-  /// @throws UsageError when an option is out of range or the camera has no lamp; Error when the folder cannot be made
+  /// @throws UsageError when an option is out of range or the camera has no lamp; Error when the folder
+  /// cannot be made
   Inspector(const InspectionRig& rig, Records& records, std::filesystem::path data,
             const InspectorOptions& options = {});
   ~Inspector() = default;  ///< ends a task under way, as cancel() does

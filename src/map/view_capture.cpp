@@ -64,9 +64,10 @@ bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo
                 fmt::format("has {} frames, not {}", capture->depth_frames(), options.frames),
                 "resume with the same --frames, or remove it: it is taken again");
   if (capture->has_infrared(Imager::left, Light::lamp) != options.lamp)
-    throw Error(printable(folder),
-                options.lamp ? "has no images under the lamp" : "has images under the lamp, which others lack",
-                "resume with or without the lamp as then, or remove it: it is taken again");
+    throw Error(
+        printable(folder),
+        options.lamp ? "has no images under the lamp" : "has images under the lamp, which others lack",
+        "resume with or without the lamp as then, or remove it: it is taken again");
   return true;
 }
 

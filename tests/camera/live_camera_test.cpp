@@ -104,7 +104,8 @@ TEST_F(Live, FramesUnderTheLampGoToTheReaderThatAskedForItAlone) {
   EXPECT_TRUE(under_lamp->has_lamp());
   under_lamp->set_light(Light::lamp);
   for (std::uint64_t number = 3; number < 6; ++number) script_->give(number);
-  for (CameraFrame frame = *under_lamp->wait_for_frame(); frame.number < 5; frame = *under_lamp->wait_for_frame())
+  for (CameraFrame frame = *under_lamp->wait_for_frame(); frame.number < 5;
+       frame = *under_lamp->wait_for_frame())
     EXPECT_TRUE(is_under_lamp(frame)) << frame.number;
   EXPECT_LE(live_.newest()->frame.number, 3U) << "a picture without depth is shown to nobody";
   under_lamp->set_light(Light::projector);
@@ -113,7 +114,8 @@ TEST_F(Live, FramesUnderTheLampGoToTheReaderThatAskedForItAlone) {
   EXPECT_FALSE(is_under_lamp(live_.newest()->frame));
   for (Camera* const reader : {under_lamp.get(), other.get()}) {
     CameraFrame frame = *reader->wait_for_frame();
-    for (; frame.number < 7; frame = *reader->wait_for_frame()) EXPECT_FALSE(is_under_lamp(frame)) << frame.number;
+    for (; frame.number < 7; frame = *reader->wait_for_frame())
+      EXPECT_FALSE(is_under_lamp(frame)) << frame.number;
     EXPECT_EQ(frame.number, 7U);
   }
   EXPECT_EQ(live_.health().lost, 0U);

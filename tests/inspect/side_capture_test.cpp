@@ -159,16 +159,19 @@ class UnderALamp : public testing::Test {
   }
   void take(const InspectionRig& rig, bool lamp) {
     side_.lamp = lamp;
-    take_side(rig, side_, {[](const CaptureProgress&) {}, [](const NoiseSoFar&) {}, [](const std::string&) {}});
+    take_side(rig, side_,
+              {[](const CaptureProgress&) {}, [](const NoiseSoFar&) {}, [](const std::string&) {}});
   }
   [[nodiscard]] bool has_lamp_images(const char* view) const {
     const auto capture = open_capture(side_.folder / view);
-    return capture->has_infrared(Imager::left, Light::lamp) && capture->has_infrared(Imager::right, Light::lamp);
+    return capture->has_infrared(Imager::left, Light::lamp) &&
+           capture->has_infrared(Imager::right, Light::lamp);
   }
 
   test::TemporaryFolder folder_;
   PluggedRobot robot_;
-  LiveCamera camera_{std::make_unique<SimulatedBay>(wall(), wall(), 1, [this] { return robot_.joints(); }), 1000.0};
+  LiveCamera camera_{std::make_unique<SimulatedBay>(wall(), wall(), 1, [this] { return robot_.joints(); }),
+                     1000.0};
   SideCapture side_{{{0, 0}}, 1, folder_ / "initial", "base", 2};
 };
 
@@ -189,8 +192,11 @@ TEST_F(UnderALamp, CapturesWithAndWithoutAreNotMixed) {
   take({camera_, &drive}, false);
   EXPECT_FALSE(has_lamp_images("000"));
   side_.waypoints = {{0, 0}, {1, 0}};
-  EXPECT_THAT([&] { take({camera_, &drive}, true); },
-              testing::ThrowsMessage<Error>(HasSubstr("has no images under the lamp")));
+  EXPECT_THAT(
+      [&] {
+        take({camera_, &drive}, true);
+      },
+      testing::ThrowsMessage<Error>(HasSubstr("has no images under the lamp")));
 }
 
 TEST(StandingCamera, TakesNoEarlierCaptureForItsView) {
