@@ -42,8 +42,8 @@ float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at) {
   float sum = 0.0F;
   for (int k = 0; k < 4; ++k) {
     const float* const pixels = &image(0, std::clamp(top - 1 + k, 0, last_v));
-    const Eigen::Array4f row(pixels[std::max(left - 1, 0)], pixels[left],
-                             pixels[std::min(left + 1, last_u)], pixels[std::min(left + 2, last_u)]);
+    const Eigen::Array4f row(pixels[std::max(left - 1, 0)], pixels[left], pixels[std::min(left + 1, last_u)],
+                             pixels[std::min(left + 2, last_u)]);
     sum += down[k] * (across * row).sum();
   }
   return sum;
