@@ -36,6 +36,18 @@ bool has_right_images(const Captures& side) {
       side, [](const auto& capture) { return capture->has_infrared(Imager::right, Light::projector); });
 }
 
+// Where some captures have what others lack; empty where all have images in this light, or none has.
+std::string why_not_comparable(const Captures& initial, const Captures& final, Light light) {
+  const std::size_t images = with_infrared(initial, light) + with_infrared(final, light);
+  if (images == initial.size() + final.size()) return "";
+  if (light == Light::lamp)
+    return images > 0 ? "not every capture has images under the lamp: these were not compared" : "";
+  if (images > 0) return "not every capture has infrared images: depth alone was compared";
+  if (has_right_images(initial) || has_right_images(final))
+    return "the captures have infrared images of the right imager alone: depth alone was compared";
+  return "";
+}
+
 void add_significant(const JudgedChange& found, double false_findings, const Mask& left_out, Mask& mask) {
   const AppearanceChange& change = found.change;
   const auto least = static_cast<float>(found.tail.height_of(0.5 * false_findings));
@@ -134,15 +146,6 @@ Mask judged_in_any(const std::vector<JudgedChange>& lights) {
   return judged;
 }
 
-// Where infrared images say whether depth is to be believed: where they were compared, and where the projector
-// does not reach.
-Mask asked_of(const std::vector<JudgedChange>& lights, Mask judged) {
-  for (const JudgedChange& light : lights) {
-    for (std::size_t i = 0; i < light.unlit.size(); ++i) judged[i] |= light.unlit[i];
-  }
-  return judged;
-}
-
 void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared compared, double false_findings,
                  const RegionOptions& regions, const DepthView& final_view, Detection& detection) {
   const Mask judged = judged_in_any(changes);
@@ -151,7 +154,7 @@ void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared comp
   for (const JudgedChange& change : changes) add_significant(change, of_each_light, detection.left_out, mask);
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
-  drop_unsupported(asked_of(changes, judged), compared, false_findings, detection);
+  drop_unsupported(judged, compared, false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
     for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
@@ -175,18 +178,11 @@ std::vector<Light> comparable_lights(const Captures& initial, const Captures& fi
   std::vector<Light> lights;
   const std::size_t fewest = std::min(initial.size(), final.size());
   for (const Light light : {Light::projector, Light::lamp}) {
-    const std::size_t images = with_infrared(initial, light) + with_infrared(final, light);
-    const bool projector = light == Light::projector;
-    if (images == initial.size() + final.size()) {
-      if (fewest >= (projector ? least_captures : least_captures_under_lamp)) lights.push_back(light);
-    } else if (images > 0) {
-      warnings.emplace_back(projector
-                                ? "not every capture has infrared images: depth alone was compared"
-                                : "not every capture has images under the lamp: these were not compared");
-    } else if (projector && (has_right_images(initial) || has_right_images(final))) {
-      warnings.emplace_back(
-          "the captures have infrared images of the right imager alone: depth alone was compared");
-    }
+    if (std::string reason = why_not_comparable(initial, final, light); !reason.empty())
+      warnings.push_back(std::move(reason));
+    else if (with_infrared(initial, light) > 0 &&
+             fewest >= (light == Light::projector ? least_captures : least_captures_under_lamp))
+      lights.push_back(light);
   }
   return lights;
 }

@@ -115,17 +115,6 @@ Mask both_set(Mask a, const Mask& b) {
   return a;
 }
 
-Mask either_set(Mask a, const Mask& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] |= b[i];
-  return a;
-}
-
-void forget(const Mask& where, Mask& mask) {
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (where[i] != 0) mask[i] = 0;
-  }
-}
-
 JudgedChange under_projector(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
                              double disparity_m_px, float level, const std::vector<InfraredView>& before,
                              const std::vector<InfraredView>& after, const DotFreeImage& image_before,
@@ -137,16 +126,11 @@ JudgedChange under_projector(const Captures& initial, const Captures& final, con
   if (has_pairs) change = both(std::move(change), pairs);
   drop_faint(change);
   SurfaceChange moved;
-  Mask unlit = either_set(beyond_field(surface, after), beyond_field(surface, before));
   if (have_pairs(initial, final)) {
     moved = surface_between(initial, final, surface, disparity_m_px, level, before, after);
-    forget(unlit, moved.judged);
     change = with_surface(std::move(change), moved);
   }
-  JudgedChange judged =
-      with_tail(std::move(change), has_pairs ? tail_with_pairs : tail_between_dots, std::move(moved));
-  judged.unlit = std::move(unlit);
-  return judged;
+  return with_tail(std::move(change), has_pairs ? tail_with_pairs : tail_between_dots, std::move(moved));
 }
 
 JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<InfraredView>& before,

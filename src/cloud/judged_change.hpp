@@ -15,9 +15,6 @@ struct JudgedChange {
   FalseAlarmTail tail;  ///< of the peaks of these deviations, of either sign
   /// How far the surface moved, as the pairs of both imagers show it; empty where they were not compared.
   SurfaceChange surface{};
-  /// Where the projector does not reach in some view: depth is doubtful there, and so are surfaces. Empty
-  /// where that does not matter.
-  Mask unlit{};
 };
 
 /// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras

@@ -83,33 +83,21 @@ cv::Mat touching_border(const cv::Mat& mask) {
   return (parts == frame)(cv::Rect(frame_px, frame_px, mask.cols, mask.rows));
 }
 
-// A window of dots is called dark only when its middle lies some nine pixels beyond where they end.
-cv::Mat dark_parts(const Mask& dots) {
+// Where a view has no dots, and what lies beside it. A window of dots is called dark only when its middle lies
+// some nine pixels beyond where they end. What is dark up to the image's border is where the projector's field
+// ends, which moves over the scene with the camera: there, more is left out. Elsewhere a dark part is a hole,
+// beside which things lie.
+Mask without_dots(const Mask& dots) {
   constexpr int dots_window_px = 25;
   constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
+  constexpr int beside_hole_px = 6;
+  constexpr int within_field_px = 15;
   cv::Mat share;
   cv::blur(as_mat(dots), share, {dots_window_px, dots_window_px});
-  return share < least_dots;
-}
-
-// What is dark up to the image's border is where the projector's field ends, which moves over the scene with
-// the camera.
-Mask outside_field(const cv::Mat& dark) {
-  constexpr int within_field_px = 15;
-  Mask outside(dark.cols, dark.rows);
-  cv::Mat target = as_mat(outside);
-  widened(touching_border(dark), within_field_px).copyTo(target);
-  return outside;
-}
-
-// Where a view has no dots, and what lies beside it: less beside a hole, where things lie, than where the
-// projector's field ends.
-Mask without_dots(const Mask& dots) {
-  constexpr int beside_hole_px = 6;
-  const cv::Mat dark = dark_parts(dots);
-  Mask without = outside_field(dark);
+  const cv::Mat dark = share < least_dots;
+  Mask without(dots.width(), dots.height());
   cv::Mat target = as_mat(without);
-  cv::bitwise_or(target, widened(dark, beside_hole_px), target);
+  cv::bitwise_or(widened(dark, beside_hole_px), widened(touching_border(dark), within_field_px), target);
   return without;
 }
 
@@ -170,20 +158,6 @@ Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> v
     }
   }
   return lit;
-}
-
-Mask beyond_field(const ReferenceSurface& surface, std::span<const InfraredView> views) {
-  Mask beyond(surface.inverse_depth_per_m.width(), surface.inverse_depth_per_m.height());
-  for (const InfraredView& view : views) {
-    const Warp warp(surface, view.view_from_reference);
-    const Mask clear = warp.clear_of(outside_field(dark_parts(view.dots)));
-    for (int v = 0; v < beyond.height(); ++v) {
-      for (int u = 0; u < beyond.width(); ++u) {
-        if (clear(u, v) == 0 && warp.inside(u, v, 0.0F)) beyond(u, v) = mask_set;
-      }
-    }
-  }
-  return beyond;
 }
 
 }  // namespace rva

@@ -18,7 +18,8 @@ struct InfraredView {
   /// @param grey  mean of the capture's frames, levels of 8 bits
   /// @param pose  view_from_reference, as far as it is known
   /// @param light under the lamp there are no dots, and what is saturated is covered instead
-  /// @param scale by which all grey levels are multiplied first, so that exposures are alike: in the dark, the
+  /// @param scale by which all grey levels are multiplied first, so that exposures are alike: in the dark,
+  /// the
   ///              logarithm of log_grey() depends on them
   InfraredView(const Image<float>& grey, const Transform& pose, Light light = Light::projector,
                float scale = 1.0F);
@@ -52,8 +53,5 @@ struct DotFreeImage {
 /// Set where every view sees the pixel well inside its image and its projector's field: beyond, light falls
 /// off with the camera's pose.
 [[nodiscard]] Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views);
-
-/// Set where some view's projector does not reach, or hardly: what is matched there is not its dots.
-[[nodiscard]] Mask beyond_field(const ReferenceSurface& surface, std::span<const InfraredView> views);
 
 }  // namespace rva

@@ -17,7 +17,7 @@ constexpr double smoothing_px = 0.8;
 constexpr int wide_px = 61;
 constexpr int border_px = 3;
 constexpr float tukey_log = 0.2F;
-constexpr int most_rounds = 10;
+constexpr int most_rounds = 8;
 constexpr double settled_rad = 0.002 * std::numbers::pi / 180.0;
 
 /// The mean of the set pixels around each; `missing` where hardly any is.
@@ -70,12 +70,6 @@ std::vector<SmoothView> smooth_views(const std::vector<InfraredView>& views) {
   return smooth;
 }
 
-Transform turned(const Transform& view_from_reference, const Eigen::Vector3d& by_rad) {
-  const double angle = by_rad.norm();
-  return angle > 0.0 ? Transform(Eigen::AngleAxisd(angle, by_rad / angle) * view_from_reference)
-                     : view_from_reference;
-}
-
 /// What views are laid upon.
 class Target {
  public:
@@ -96,6 +90,12 @@ class Target {
   }
 
  private:
+  static Transform turned(const Transform& view_from_reference, const Eigen::Vector3d& by_rad) {
+    const double angle = by_rad.norm();
+    return angle > 0.0 ? Transform(Eigen::AngleAxisd(angle, by_rad / angle) * view_from_reference)
+                       : view_from_reference;
+  }
+
   // Where the image is flat, nothing is learnt about the pose.
   void choose_pixels() {
     constexpr double most_share = 0.3;
@@ -178,87 +178,34 @@ std::vector<Transform> stepped(const Target& target, const std::vector<SmoothVie
   return poses;
 }
 
-/// The turns of all views since the start, three numbers each, towards where a step turns nothing any more.
-/// Where there is little texture, plain steps shrink by no more than a fifth each. What the last of them have
-/// in common says where they lead to (Anderson 1965, "Iterative procedures for nonlinear integral equations").
-class Turns {
- public:
-  explicit Turns(const std::vector<InfraredView>& views) {
-    for (const InfraredView& view : views) start_.push_back(view.view_from_reference);
-    now_ = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(views.size()));
+// @return true when no view turned any more
+bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views) {
+  double most_rad = 0.0;
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const Transform motion = poses[k] * views[k].view_from_reference.inverse();
+    most_rad = std::max(most_rad, Eigen::AngleAxisd(motion.linear()).angle());
+    views[k].view_from_reference = poses[k];
   }
-
-  /// @param poses where a step from the views' poses led
-  /// @return true when no view turned any more
-  bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views) {
-    const Eigen::VectorXd stepped = turns_of(poses);
-    const Eigen::VectorXd step = stepped - now_;
-    const double most_rad = step.reshaped(3, step.size() / 3).colwise().norm().maxCoeff();
-    Eigen::VectorXd next = stepped;
-    if (last_step_.size() > 0) {
-      remember(step - last_step_, stepped - last_stepped_);
-      next -= stepped_changes_ * step_changes_.colPivHouseholderQr().solve(step);
-    }
-    last_step_ = step;
-    last_stepped_ = stepped;
-    now_ = next;
-    for (std::size_t k = 0; k < views.size(); ++k) {
-      const Eigen::Vector3d turn = now_.segment<3>(3 * static_cast<Eigen::Index>(k));
-      views[k].view_from_reference = turned(start_[k], turn);
-    }
-    return most_rad < settled_rad;
-  }
-
- private:
-  [[nodiscard]] Eigen::VectorXd turns_of(const std::vector<Transform>& poses) const {
-    Eigen::VectorXd turns(now_.size());
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-      const Eigen::AngleAxisd turn((poses[k] * start_[k].inverse()).linear());
-      turns.segment<3>(3 * static_cast<Eigen::Index>(k)) = turn.angle() * turn.axis();
-    }
-    return turns;
-  }
-
-  void remember(const Eigen::VectorXd& step_change, const Eigen::VectorXd& stepped_change) {
-    constexpr Eigen::Index most = 3;
-    const auto append = [](const Eigen::MatrixXd& columns, const Eigen::VectorXd& column) {
-      const Eigen::Index kept = std::min(columns.cols(), most - 1);
-      Eigen::MatrixXd appended(column.size(), kept + 1);
-      if (kept > 0) appended.leftCols(kept) = columns.rightCols(kept);
-      appended.col(kept) = column;
-      return appended;
-    };
-    step_changes_ = append(step_changes_, step_change);
-    stepped_changes_ = append(stepped_changes_, stepped_change);
-  }
-
-  std::vector<Transform> start_;
-  Eigen::VectorXd now_;
-  Eigen::VectorXd last_step_;
-  Eigen::VectorXd last_stepped_;
-  Eigen::MatrixXd step_changes_;
-  Eigen::MatrixXd stepped_changes_;
-};
+  return most_rad < settled_rad;
+}
 
 }  // namespace
 
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views) {
   const std::vector<SmoothView> smooth = smooth_views(views);
-  Turns turns(views);
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<Transform> poses = stepped(Target(fuse(surface, views), surface), smooth, views);
     const Transform reference_from_first = poses.front().inverse();
     for (Transform& pose : poses) pose = pose * reference_from_first;
-    if (turns.take(poses, views)) return;
+    if (take(poses, views)) return;
   }
 }
 
 void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views) {
   const std::vector<SmoothView> smooth = smooth_views(views);
   const Target target(image, surface);
-  Turns turns(views);
   for (int round = 0; round < most_rounds; ++round) {
-    if (turns.take(stepped(target, smooth, views), views)) return;
+    if (take(stepped(target, smooth, views), views)) return;
   }
 }
 

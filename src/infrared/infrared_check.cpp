@@ -22,14 +22,15 @@ double share_of(const Mask& mask) {
 
 Mask everywhere(const Image<float>& image) { return {image.width(), image.height(), mask_set}; }
 
-// How much brighter dots are than what lies between them, in log_grey(). A mask of dots finds some in noise.
+// How much brighter the brightest dots are than what lies between them, in log_grey(). A mask of dots finds
+// some in noise.
 float rise_of_dots(const InfraredView& view) {
   Mask between = view.dots;
   for (std::uint8_t& pixel : between.pixels()) pixel = pixel == 0 ? mask_set : std::uint8_t{0};
   std::vector<float> on_dots = sampled(as_mat(view.log_image), view.dots);
   std::vector<float> between_dots = sampled(as_mat(view.log_image), between);
   if (on_dots.empty() || between_dots.empty()) return 0.0F;
-  return quantile(on_dots, 0.5) - quantile(between_dots, 0.5);
+  return quantile(on_dots, 0.95) - quantile(between_dots, 0.5);
 }
 
 std::string problem_under_lamp(const InfraredView& view) {
@@ -39,8 +40,7 @@ std::string problem_under_lamp(const InfraredView& view) {
   constexpr double most_dots = 0.1;  // under the projector it is 0.2 and more
   std::vector<float> levels = sampled(as_mat(view.log_image), everywhere(view.log_image));
   const Image<float> darkest = log_grey(Image<float>(1, 1, least_grey));
-  if (levels.empty() || quantile(levels, brighter_share) < darkest[0])
-    return "it is dark: was the lamp on?";
+  if (levels.empty() || quantile(levels, brighter_share) < darkest[0]) return "it is dark: was the lamp on?";
   if (share_of(view.saturated) > most_saturated) return "most of it is saturated: dim the lamp";
   if (share_of(dot_mask(view.log_image)) > most_dots)
     return "it shows the projector's dots: was the projector off?";
