@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -17,6 +18,7 @@
 #include "core/quantile.hpp"
 #include "detect/calibrated/calibrated.hpp"
 #include "evaluate/intervals.hpp"
+#include "sim/scene/debris_catalogue.hpp"
 
 namespace rva {
 namespace {
@@ -199,6 +201,39 @@ MovedInspection inspection_from(const nlohmann::json& json) {
   return inspection;
 }
 
+// The collars that count at a distance, of the k-th result of each inspection.
+std::vector<DetectionTrial> trials_of(const std::vector<MovedInspection>& inspections, std::size_t k,
+                                      double from_m, double to_m) {
+  std::vector<DetectionTrial> trials;
+  for (const MovedInspection& inspection : inspections) {
+    for (std::size_t i = 0; i < inspection.targets.size(); ++i) {
+      const MovedTarget& target = inspection.targets[i];
+      const DebrisKind* const kind = find_debris_kind(target.target.kind);
+      if (!target.counts() || kind == nullptr || !kind->name.starts_with("collar-")) continue;
+      if (target.target.distance_m < from_m || target.target.distance_m >= to_m) continue;
+      trials.push_back({kind->size_mm, inspection.results[k].found[i]});
+    }
+  }
+  return trials;
+}
+
+// "a90 9.1 mm, a90/95 11.3 mm"
+std::string stated_sizes(const std::optional<DetectionSizes>& sizes) {
+  if (!sizes) return "no curve fits";
+  return fmt::format("a90 {:.1f} mm, a90/95 {}", sizes->a90_mm,
+                     sizes->a90_95_mm ? fmt::format("{:.1f} mm", *sizes->a90_95_mm) : "not proven");
+}
+
+Json to_json_value(const CollarDetection& of) {
+  Json json{{"method", of.method}, {"captures", of.captures}, {"setting", of.setting}, {"from_m", of.from_m},
+            {"to_m", of.to_m},     {"collars", of.collars},   {"found", of.found}};
+  if (!of.sizes) return json;
+  json["a50_mm"] = of.sizes->a50_mm;
+  json["a90_mm"] = of.sizes->a90_mm;
+  if (of.sizes->a90_95_mm) json["a90_95_mm"] = *of.sizes->a90_95_mm;
+  return json;
+}
+
 }  // namespace
 
 std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections) {
@@ -216,6 +251,25 @@ std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections) {
     for (std::size_t i = 0; i < tallies.size(); ++i) add(inspection, inspection.results[i], tallies[i]);
   }
   return tallies;
+}
+
+std::vector<CollarDetection> collar_detection(const std::vector<MovedInspection>& inspections) {
+  constexpr std::array edges_m{0.0, 0.4, 0.6, 1.0};
+  std::vector<CollarDetection> all;
+  if (inspections.empty()) return all;
+  for (std::size_t k = 0; k < inspections.front().results.size(); ++k) {
+    const MovedResult& result = inspections.front().results[k];
+    for (std::size_t i = 0; i + 1 < edges_m.size(); ++i) {
+      CollarDetection one{
+          result.method, result.captures, result.setting, edges_m[i], edges_m[i + 1], 0, 0, {}};
+      const std::vector<DetectionTrial> trials = trials_of(inspections, k, one.from_m, one.to_m);
+      one.collars = trials.size();
+      one.found = static_cast<std::size_t>(std::ranges::count_if(trials, &DetectionTrial::found));
+      one.sizes = fit_detection_sizes(trials);
+      all.push_back(std::move(one));
+    }
+  }
+  return all;
 }
 
 std::string to_table(const std::vector<MovedInspection>& inspections) {
@@ -243,6 +297,12 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
     fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:26} {}\n", method, captures, kind,
                    stated_share(share.found, share.all));
   }
+  for (const CollarDetection& of : collar_detection(inspections)) {
+    if (of.collars == 0) continue;
+    fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:>7}  collars at {:.1f} to {:.1f} m: {}, {}\n",
+                   of.method, of.captures, fmt::format("{:g}", of.setting), of.from_m, of.to_m,
+                   stated_share(of.found, of.collars), stated_sizes(of.sizes));
+  }
   return table;
 }
 
@@ -250,6 +310,9 @@ std::string to_json(const std::vector<MovedInspection>& inspections, const std::
   Json json{{"format", "rva-evaluation-moved"}, {"version", 2}, {"arguments", arguments}};
   json["tallies"] = Json::array();
   for (const MovedTally& of : tally(inspections)) json["tallies"].push_back(to_json_value(of));
+  json["probability_of_detection"] = Json::array();
+  for (const CollarDetection& of : collar_detection(inspections))
+    json["probability_of_detection"].push_back(to_json_value(of));
   json["inspections"] = Json::array();
   for (const MovedInspection& inspection : inspections)
     json["inspections"].push_back(to_json_value(inspection));

@@ -1,10 +1,12 @@
 // What a study of moved cameras says, summed up.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "evaluate/moved_study.hpp"
+#include "evaluate/probability_of_detection.hpp"
 
 namespace rva {
 
@@ -25,6 +27,21 @@ struct MovedTally {
   std::size_t found = 0;
   std::size_t targets = 0;  ///< all that count
 };
+
+/// How large a collar has to be so that it is found, at one setting with so many captures a side.
+struct CollarDetection {
+  std::string method;
+  int captures = 1;
+  double setting = 0.0;
+  double from_m = 0.0;  ///< distance of the collars
+  double to_m = 0.0;
+  std::size_t found = 0;
+  std::size_t collars = 0;  ///< that count
+  std::optional<DetectionSizes> sizes;
+};
+
+/// In the order of the results, nearest collars first.
+[[nodiscard]] std::vector<CollarDetection> collar_detection(const std::vector<MovedInspection>& inspections);
 
 /// In the order of the results.
 [[nodiscard]] std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections);

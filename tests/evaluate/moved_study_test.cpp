@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -99,6 +100,31 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   EXPECT_EQ(json["tallies"][0]["big_found"], 1);
   EXPECT_EQ(json["tallies"][0]["big"], 2);
   EXPECT_EQ(json["inspections"][0]["results"][0]["found"][1], false);
+}
+
+TEST(MovedReport, StatesHowLargeACollarHasToBe) {
+  constexpr std::array kinds{"collar-0.27", "collar-0.36", "collar-0.44", "collar-0.53"};
+  MovedInspection collars;
+  collars.results = {{"auto", 8, 0.05, 0, 0, 0, 0, {}}};
+  for (std::size_t i = 0; i < 200; ++i) {
+    MovedTarget one = target(i % 8 == 7 ? 1.05 : 0.7, 200, false, true);
+    one.target.kind = kinds.at(i % kinds.size());
+    collars.targets.push_back(one);
+    collars.results[0].found.push_back(i % 4 > 0 || i % 8 == 0);  // half of the smallest
+  }
+  const std::vector<CollarDetection> detection = collar_detection({collars});
+  ASSERT_EQ(detection.size(), 3U);
+  EXPECT_EQ(detection[0].collars, 0U);
+  const CollarDetection& far = detection[2];
+  EXPECT_EQ(far.collars, 175U) << "those beyond a metre do not count";
+  EXPECT_EQ(far.found, 150U);
+  ASSERT_TRUE(far.sizes && far.sizes->a90_95_mm);
+  EXPECT_GT(far.sizes->a90_mm, 0.27 * 25.4);
+  EXPECT_LT(*far.sizes->a90_95_mm, 0.36 * 25.4);
+  EXPECT_THAT(to_table({collars}), testing::HasSubstr("collars at 0.6 to 1.0 m: 150/175"));
+  const auto json = nlohmann::json::parse(to_json({collars}, "some"))["probability_of_detection"];
+  EXPECT_EQ(json[2]["a90_95_mm"], *far.sizes->a90_95_mm);
+  EXPECT_FALSE(json[0].contains("a90_mm"));
 }
 
 TEST(MovedReport, IsReadBackToGoOnWith) {
