@@ -83,10 +83,10 @@ cv::Mat touching_border(const cv::Mat& mask) {
   return (parts == frame)(cv::Rect(frame_px, frame_px, mask.cols, mask.rows));
 }
 
-// Where a view has no dots, and what lies beside it. A window of dots is called dark only when its middle lies
-// some nine pixels beyond where they end. What is dark up to the image's border is where the projector's field
-// ends, which moves over the scene with the camera: there, more is left out. Elsewhere a dark part is a hole,
-// beside which things lie.
+// Where a view has no dots, and what lies beside it. A window of dots is called dark only when its middle
+// lies some nine pixels beyond where they end. What is dark up to the image's border is where the projector's
+// field ends, which moves over the scene with the camera: there, more is left out. Elsewhere a dark part is a
+// hole, beside which things lie.
 Mask without_dots(const Mask& dots) {
   constexpr int dots_window_px = 25;
   constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
