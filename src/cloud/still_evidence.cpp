@@ -16,6 +16,11 @@ InfraredView view_of(const Capture& capture, Light light, float level) {
   return {grey, Transform::Identity(), light, scale_to_level(level, grey, light)};
 }
 
+// Pixels are compared with pixels, in whatever light there was on both sides.
+bool are_both_without_dots(const InfraredView& before, const InfraredView& after, Light light) {
+  return light == Light::projector && problem_of(before, light) == problem_of(after, light);
+}
+
 bool has_pair(const Capture& capture) { return capture.has_infrared(Imager::right, Light::projector); }
 
 std::array<StereoView, 1> pair_of(const Capture& capture, float level, const InfraredView& left) {
@@ -32,7 +37,8 @@ std::optional<JudgedChange> still_change_between(const Capture& initial, const C
   const float level = exposed_level(final.infrared_mean(Imager::left, light).value(), light);
   const InfraredView before = view_of(initial, light, level);
   const InfraredView after = view_of(final, light, level);
-  if (std::string warning = warning_of({&before, 1}, {&after, 1}, light); !warning.empty()) {
+  if (std::string warning = warning_of({&before, 1}, {&after, 1}, light);
+      !warning.empty() && !are_both_without_dots(before, after, light)) {
     warnings.push_back(std::move(warning));
     return std::nullopt;
   }
