@@ -63,7 +63,7 @@ class LiveCamera {
 
   [[nodiscard]] CameraHealth health() const;
 
-  /// As Camera::has_lamp().
+  /// Whether the camera has a lamp beside its imagers (Camera::has_lamp()).
   [[nodiscard]] bool has_lamp() const { return camera_->has_lamp(); }
 
  private:

@@ -60,7 +60,8 @@ class ViewOfSurface {
           0.5F * (-3.0F * t3 + 4.0F * t2 + t), 0.5F * (t3 - t2)};
 }
 
-/// As cubic_at() within two pixels of the image's border, beyond which its last pixels count.
+/// Interpolates like cubic_at(), for points within two pixels of the image's border: samples beyond the
+/// border take the value of the nearest pixel.
 [[nodiscard]] float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at);
 
 /// The image between its pixels, by Catmull and Rom's cubic.

@@ -30,7 +30,8 @@ std::uint64_t seed_of(const Transform& world_from_camera, std::uint64_t device) 
   return seed;
 }
 
-// Of a view from a stand, which turns its camera.
+// The patterns of speckle in one view. They depend on the stand's pan and tilt where speckle stays over small
+// turns, and on the exact pose where it does not.
 std::vector<SpeckleShare> speckle_of(const CameraStand& stand, const Transform& world_from_camera,
                                      const StereoSensorOptions& options) {
   if (options.speckle_turn_deg <= 0.0) return {{seed_of(world_from_camera, options.device), 1.0}};
