@@ -47,7 +47,7 @@ void fill_normal(Random& random, std::vector<float>& values) {
 
 }  // namespace
 
-double automatic_exposure(const InfraredView& view, const StereoSensorOptions& options) {
+double automatic_exposure(const ImagerLight& view, const StereoSensorOptions& options) {
   constexpr std::size_t step = 7;  // a sample of the pixels tells as much
   std::vector<float> light;
   light.reserve(view.steady.size() / step + 1);
@@ -59,7 +59,7 @@ double automatic_exposure(const InfraredView& view, const StereoSensorOptions& o
   return *bright * longest_exposure_e > wanted_e ? wanted_e / *bright : longest_exposure_e;
 }
 
-InfraredImage expose(const InfraredView& view, const Speckle& speckle, double exposure_e,
+InfraredImage expose(const ImagerLight& view, const Speckle& speckle, double exposure_e,
                      const StereoSensorOptions& options, std::uint64_t seed) {
   const int width = view.steady.width();
   InfraredImage image(width, view.steady.height());

@@ -17,12 +17,12 @@ inline constexpr double longest_exposure_s = 0.033;
 
 /// Electrons per unit of light that the camera's own control would choose for a view: its brighter parts
 /// (95 % of pixels are darker) at the exposure target, as far as the longest exposure reaches.
-[[nodiscard]] double automatic_exposure(const InfraredView& view, const StereoSensorOptions& options);
+[[nodiscard]] double automatic_exposure(const ImagerLight& view, const StereoSensorOptions& options);
 
 /// One exposure of one imager.
 /// @param exposure_e electrons per unit of light in this frame, flicker included
 /// @param seed       of this frame and imager: the same seed gives the same noise
-[[nodiscard]] InfraredImage expose(const InfraredView& view, const Speckle& speckle, double exposure_e,
+[[nodiscard]] InfraredImage expose(const ImagerLight& view, const Speckle& speckle, double exposure_e,
                                    const StereoSensorOptions& options, std::uint64_t seed);
 
 }  // namespace rva

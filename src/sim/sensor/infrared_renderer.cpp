@@ -174,9 +174,9 @@ InfraredRenderer::InfraredRenderer(const Scene& scene, const RayCaster& rays,
       bounce_(options.bounce),
       lamp_light_(options.lamp_light) {}
 
-InfraredView InfraredRenderer::render_eye(const Eye& eye, const Transform& world_from_camera,
+ImagerLight InfraredRenderer::render_eye(const Eye& eye, const Transform& world_from_camera,
                                           int supersampling, Light light) const {
-  InfraredView view{Image<float>(rig_.imager.width, rig_.imager.height),
+  ImagerLight view{Image<float>(rig_.imager.width, rig_.imager.height),
                     Image<float>(rig_.imager.width, rig_.imager.height)};
   parallel_bands(rig_.imager.height, [&](int first, int end) {
     RowShader shader(*this, eye, world_from_camera, supersampling, light);

@@ -13,14 +13,14 @@ namespace rva {
 
 /// Light on one imager, by where it comes from. A white, matt surface that faces the projector at 1 m, in its
 /// mean light, gives 1.
-struct InfraredView {
+struct ImagerLight {
   Image<float> steady;     ///< ambient light, lamps and what bounces about
   Image<float> projected;  ///< straight from the projector: this is laser light, and speckles
 };
 
 struct InfraredPair {
-  InfraredView left;
-  InfraredView right;
+  ImagerLight left;
+  ImagerLight right;
 };
 
 /// What is really there, at the centre of each pixel of the depth (left) imager.
@@ -46,7 +46,7 @@ class InfraredRenderer {
  private:
   struct Eye;
   class RowShader;
-  [[nodiscard]] InfraredView render_eye(const Eye& eye, const Transform& world_from_camera, int supersampling,
+  [[nodiscard]] ImagerLight render_eye(const Eye& eye, const Transform& world_from_camera, int supersampling,
                                         Light light) const;
 
   const Scene& scene_;

@@ -13,12 +13,12 @@ namespace {
 constexpr int width = 300;
 constexpr int height = 200;
 
-InfraredView flat(float steady, float projected) {
+ImagerLight flat(float steady, float projected) {
   return {Image<float>(width, height, steady), Image<float>(width, height, projected)};
 }
 
-InfraredView evenly_spread_to(float brightest) {
-  InfraredView view = flat(0.0F, 0.0F);
+ImagerLight evenly_spread_to(float brightest) {
+  ImagerLight view = flat(0.0F, 0.0F);
   Random random(1);
   for (std::size_t i = 0; i < view.steady.size(); ++i) {
     view.steady[i] = 0.4F * brightest * static_cast<float>(random.uniform());
@@ -33,7 +33,7 @@ StereoSensorOptions smooth() {
   return options;
 }
 
-InfraredImage exposed(const InfraredView& view, double exposure_e, const StereoSensorOptions& options,
+InfraredImage exposed(const ImagerLight& view, double exposure_e, const StereoSensorOptions& options,
                       std::uint64_t seed = 1) {
   Speckle speckle(width, height, options, {{1, 1.0}}, 2);
   speckle.advance();
@@ -86,7 +86,7 @@ TEST(Imager, DarkIsNeverLessThanNothing) {
 }
 
 TEST(Imager, NoiseIsNewForEachSeedAndOnlyThen) {
-  const InfraredView view = flat(0.5F, 0.5F);
+  const ImagerLight view = flat(0.5F, 0.5F);
   const InfraredImage image = exposed(view, 400.0, smooth(), 1);
   EXPECT_EQ(image, exposed(view, 400.0, smooth(), 1));
   const InfraredImage other = exposed(view, 400.0, smooth(), 2);
@@ -124,7 +124,7 @@ TEST(AutomaticExposure, PutsTheBrighterPartsAtAQuarterOfTheWell) {
 }
 
 TEST(AutomaticExposure, AFewBrightPixelsDoNotCount) {
-  InfraredView view = flat(0.5F, 0.0F);
+  ImagerLight view = flat(0.5F, 0.0F);
   const double exposure_e = automatic_exposure(view, {});
   std::fill_n(view.steady.pixels().begin(), view.steady.size() * 4 / 100, 1000.0F);
   EXPECT_EQ(automatic_exposure(view, {}), exposure_e);

@@ -19,7 +19,7 @@ StereoSensorOptions even_light() {
   return options;
 }
 
-InfraredView left_view(const Scene& scene, const StereoSensorOptions& options = even_light()) {
+ImagerLight left_view(const Scene& scene, const StereoSensorOptions& options = even_light()) {
   const RayCaster rays(scene);
   return InfraredRenderer(scene, rays, options).render(Transform::Identity(), {}, 1).left;
 }
@@ -39,7 +39,7 @@ double greatest(const Image<float>& image) {
 
 TEST(InfraredLight, AWhiteWallAtOneMetreGivesOneWithinTheField) {
   const double projector_x_m = stereo_rig({}).projector_m.x();
-  const InfraredView view = left_view(scene_of({test::wall_at(1.0)}));
+  const ImagerLight view = left_view(scene_of({test::wall_at(1.0)}));
   EXPECT_NEAR(view.projected(column_of(projector_x_m, 1.0), middle_row), 1.0F, 1e-3F);
   EXPECT_EQ(greatest(view.steady), 0.0);
   const int left_end = column_of(projector_x_m - DotPattern::half_width, 1.0);
@@ -50,7 +50,7 @@ TEST(InfraredLight, AWhiteWallAtOneMetreGivesOneWithinTheField) {
 TEST(InfraredLight, FallsWithTheSquareOfTheDistance) {
   const StereoRig rig = stereo_rig({});
   for (const double z_m : {0.4, 2.0}) {
-    const InfraredView view = left_view(scene_of({test::wall_at(z_m)}));
+    const ImagerLight view = left_view(scene_of({test::wall_at(z_m)}));
     for (const auto& [u, v] : {std::pair{150, 100}, {424, 240}, {700, 400}}) {
       const Eigen::Vector3d from_projector = rig.imager.deproject({u, v}, z_m) - rig.projector_m;
       const double distance_m = from_projector.norm();
@@ -62,8 +62,8 @@ TEST(InfraredLight, FallsWithTheSquareOfTheDistance) {
 }
 
 TEST(InfraredLight, IsProportionalToTheAlbedo) {
-  const InfraredView white = left_view(scene_of({test::wall_at(1.0)}));
-  const InfraredView grey = left_view(scene_of({test::wall_at(1.0, test::with_albedo(0.25))}));
+  const ImagerLight white = left_view(scene_of({test::wall_at(1.0)}));
+  const ImagerLight grey = left_view(scene_of({test::wall_at(1.0, test::with_albedo(0.25))}));
   for (const int u : {200, 424, 600})
     EXPECT_NEAR(grey.projected(u, 99), 0.25F * white.projected(u, 99), 1e-5F);
 }
@@ -83,7 +83,7 @@ class Post : public testing::Test {
 TEST_F(Post, ShadesTheProjector) {
   StereoSensorOptions options = even_light();
   options.bounce = 0.05;
-  const InfraredView view = left_view(scene(), options);
+  const ImagerLight view = left_view(scene(), options);
   EXPECT_EQ(view.projected(shadow_, middle_row), 0.0F);
   EXPECT_GT(view.projected(beside_, middle_row), 0.9F);
   EXPECT_NEAR(view.projected(post_, middle_row), 4.0F, 0.05F);
@@ -92,7 +92,7 @@ TEST_F(Post, ShadesTheProjector) {
 }
 
 TEST_F(Post, TheShadowIsWhereGeometryPutsIt) {
-  const InfraredView view = left_view(scene());
+  const ImagerLight view = left_view(scene());
   EXPECT_GT(view.projected(column_of(-0.0685, 1.0) - 2, middle_row), 0.9F);
   EXPECT_EQ(view.projected(column_of(-0.0685, 1.0) + 2, middle_row), 0.0F);
   EXPECT_EQ(view.projected(column_of(-0.0400, 1.0) - 2, middle_row), 0.0F);
@@ -101,9 +101,9 @@ TEST_F(Post, TheShadowIsWhereGeometryPutsIt) {
 
 TEST_F(Post, AmbientLightIsSteadyAndEverywhere) {
   Scene scene = this->scene();
-  const InfraredView dark = left_view(scene);
+  const ImagerLight dark = left_view(scene);
   scene.lighting.ambient = 0.3;
-  const InfraredView bright = left_view(scene);
+  const ImagerLight bright = left_view(scene);
   EXPECT_EQ(bright.projected, dark.projected);
   EXPECT_EQ(greatest(dark.steady), 0.0);
   EXPECT_GT(bright.steady(shadow_, middle_row), 0.0F);
@@ -113,15 +113,15 @@ TEST_F(Post, AmbientLightIsSteadyAndEverywhere) {
 
 TEST_F(Post, ShadesLampsToo) {
   Scene scene = this->scene();
-  const InfraredView dark = left_view(scene);
+  const ImagerLight dark = left_view(scene);
   // At the eye, so that the post hides its own shadow; then to its right, which shades the wall left of it.
   scene.lighting.lamps = {{Eigen::Vector3d::Zero(), 2.0}};
-  const InfraredView from_eye = left_view(scene);
+  const ImagerLight from_eye = left_view(scene);
   EXPECT_EQ(from_eye.projected, dark.projected);
   EXPECT_NEAR(from_eye.steady(column_of(0.0, 0.5), middle_row), 8.0F, 0.01F);
   EXPECT_GT(from_eye.steady(shadow_, middle_row), 1.9F);
   scene.lighting.lamps = {{Eigen::Vector3d(0.0285, 0, 0), 1.0}};
-  const InfraredView from_projector = left_view(scene);
+  const ImagerLight from_projector = left_view(scene);
   EXPECT_EQ(from_projector.steady(shadow_, middle_row), 0.0F);
   EXPECT_FLOAT_EQ(from_projector.steady(beside_, middle_row), dark.projected(beside_, middle_row));
 }
@@ -129,7 +129,7 @@ TEST_F(Post, ShadesLampsToo) {
 TEST(InfraredLight, NothingThereIsDark) {
   Scene scene;
   scene.lighting.ambient = 1.0;
-  const InfraredView view = left_view(scene);
+  const ImagerLight view = left_view(scene);
   EXPECT_EQ(greatest(view.steady), 0.0);
   EXPECT_EQ(greatest(view.projected), 0.0);
 }

@@ -68,7 +68,7 @@ TEST(InfraredRenderer, MisalignmentGrowsTowardsTheEdgesAsItSays) {
   scene.lighting.ambient = 1.0;
   // A dark step over the wall's right part, whose edge is sharp.
   scene.objects.push_back(test::box_at("step", {2.6, 0, 0.95}, {4, 12, 0.1}));
-  const auto edge = [](const InfraredView& view) {
+  const auto edge = [](const ImagerLight& view) {
     int u = 500;
     while (u < 847 && std::abs(view.steady(u, 240) - view.steady(u + 1, 240)) < 0.01F) ++u;
     return u;
@@ -96,8 +96,8 @@ TEST(InfraredRenderer, MoreRaysAreTheSameLight) {
       sum += static_cast<double>(light) / static_cast<double>(image.size());
     return sum;
   };
-  const InfraredView coarse = rendered(wall_scene(0.7)).left;
-  const InfraredView fine = rendered(wall_scene(0.7), {}, 2).left;
+  const ImagerLight coarse = rendered(wall_scene(0.7)).left;
+  const ImagerLight fine = rendered(wall_scene(0.7), {}, 2).left;
   EXPECT_NEAR(mean(fine.projected), mean(coarse.projected), 0.01 * mean(coarse.projected));
   EXPECT_NEAR(mean(fine.steady), mean(coarse.steady), 1e-5);
   EXPECT_NE(fine.projected, coarse.projected);

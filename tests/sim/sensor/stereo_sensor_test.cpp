@@ -70,7 +70,7 @@ class Sensor : public testing::Test {
   static InfraredPair wall() {
     const test::BlobTexture texture(200, 60, 1.2, 1);
     const auto view = [](const InfraredImage& image) {
-      InfraredView light{Image<float>(200, 60), Image<float>(200, 60)};
+      ImagerLight light{Image<float>(200, 60), Image<float>(200, 60)};
       for (std::size_t i = 0; i < image.size(); ++i)
         light.projected[i] = static_cast<float>(image[i]) / 400.0F;
       return light;
