@@ -70,7 +70,6 @@ class Run {
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
     const Stopwatch start;
-    rarity_of_support_ = rarity_of_support(initial, final);
     const std::vector<Seen> before = read(initial, "initial", findings().initial_frames);
     const std::vector<Seen> after = read(final, "final", findings().final_frames);
     const std::vector<std::size_t> returns = exact_returns(initial, final);
@@ -216,7 +215,7 @@ class Run {
   [[nodiscard]] CalibratedOptions allowed(const Transform& initial_from_final) const {
     CalibratedOptions options = options_.calibrated;
     if (leans_on_pairs(initial_from_final))
-      options.false_findings *= rarity_of_support_;
+      options.false_findings *= rarity_of_support;
     else if (came_back_nearly(initial_from_final))
       options.false_findings *= options_.share;
     return options;
@@ -284,7 +283,6 @@ class Run {
   const Mask& left_out_;
   Detection detection_;
   PlacedCaptures placed_;
-  double rarity_of_support_ = 1.0;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace {
 constexpr double least_variances = 12.0;
 constexpr double least_variances_nearby = 6.0;
 constexpr std::size_t least_interior_px = 5;
-constexpr std::size_t least_pairs = 4;
+constexpr std::size_t least_views_of_an_edge = 4;
 
 std::vector<StereoView> pairs_of(const Captures& side, const std::vector<Transform>& first_from_view,
                                  const Transform& first_from_reference) {
@@ -60,28 +60,49 @@ double mean_over(const std::vector<std::uint32_t>& pixels, const Image<float>& v
   return sum / static_cast<double>(pixels.size());
 }
 
-// The pixels at least two from the blob's edge.
-std::vector<std::uint32_t> interior_of(const std::vector<std::uint32_t>& pixels, int width, int height) {
+// Set where all of the shape, laid upon the pixel, lies on the blob.
+Mask eroded(const std::vector<std::uint32_t>& pixels, int width, int height, const cv::Mat& shape) {
   Mask blob(width, height);
   for (const std::uint32_t i : pixels) blob[i] = mask_set;
   cv::Mat mask = as_mat(blob);
-  cv::erode(mask, mask, cv::Mat::ones(5, 5, CV_8U));
+  cv::erode(mask, mask, shape);
+  return blob;
+}
+
+// The pixels at least two from the blob's edge.
+std::vector<std::uint32_t> interior_of(const std::vector<std::uint32_t>& pixels, int width, int height) {
+  const Mask inner = eroded(pixels, width, height, cv::Mat::ones(5, 5, CV_8U));
   std::vector<std::uint32_t> interior;
-  std::ranges::copy_if(pixels, std::back_inserter(interior), [&](std::uint32_t i) { return blob[i] != 0; });
+  std::ranges::copy_if(pixels, std::back_inserter(interior), [&](std::uint32_t i) { return inner[i] != 0; });
   return interior;
+}
+
+// Either matcher may put an edge four pixels, half of its window, from where it is. Two of them are allowed
+// for in either view (free_space.cpp), which leaves lines of up to four pixels of what did not change. Windows
+// of five pixels on such a line see the surfaces beside it, on both sides.
+bool is_thicker_than_an_edge(const std::vector<std::uint32_t>& pixels, int width, int height) {
+  constexpr int thicker_px = 5;
+  cv::Mat disc = cv::Mat::ones(thicker_px, thicker_px, CV_8U);
+  for (const int row : {0, thicker_px - 1}) {
+    for (const int column : {0, thicker_px - 1}) disc.at<std::uint8_t>(row, column) = 0;
+  }
+  return std::ranges::count(eroded(pixels, width, height, disc).pixels(), mask_set) > 0;
 }
 
 enum class Support { none, some, unknown };
 
 // Views do not lie over each other to the last pixel, and an edge that is a pixel off is objected to by both
 // sides: what has an interior is judged by that, what has none by the least objection within a pixel.
-Support support_of(const Region& blob, const SurfaceObjection& objection, const Comparison& comparison) {
+Support support_of(const Region& blob, const SurfaceObjection& objection, const Comparison& comparison,
+                   bool edges_may_be_off) {
   std::vector<std::uint32_t> measured;
   std::ranges::copy_if(blob.pixels, std::back_inserter(measured),
                        [&](std::uint32_t i) { return is_measured(comparison, i); });
   if (5 * measured.size() < blob.pixels.size()) return Support::unknown;
-  const std::vector<std::uint32_t> interior =
-      interior_of(measured, comparison.changed.width(), comparison.changed.height());
+  const int width = comparison.changed.width();
+  const int height = comparison.changed.height();
+  if (edges_may_be_off && !is_thicker_than_an_edge(measured, width, height)) return Support::none;
+  const std::vector<std::uint32_t> interior = interior_of(measured, width, height);
   const bool supported = interior.size() >= least_interior_px
                              ? mean_over(interior, objection.variances) >= least_variances
                              : mean_over(measured, objection.variances_nearby) >= least_variances_nearby;
@@ -113,10 +134,6 @@ bool have_pairs(const Captures& initial, const Captures& final) {
   return have(initial) && have(final);
 }
 
-double rarity_of_support(const Captures& initial, const Captures& final) {
-  return std::min(initial.size(), final.size()) >= least_pairs ? 20.0 : 1.0;
-}
-
 void keep_supported(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
                     const Transform& initial_from_final, double false_findings, Comparison& comparison) {
   if (cv::countNonZero(as_mat(comparison.changed)) == 0) return;
@@ -127,9 +144,11 @@ void keep_supported(const Captures& initial, const Captures& final, const Placed
       surface_of(comparison.initial_m, comparison.final_m, view),
       surface_of(comparison.final_m, comparison.initial_m, view), view.disparity_m_px, before, after);
   const auto shown_by_depth = static_cast<float>(-std::log10(false_findings));
-  const auto rarer = static_cast<float>(std::log10(rarity_of_support(initial, final)));
+  const auto rarer = static_cast<float>(std::log10(rarity_of_support));
+  // The mean of several views has its edges where they are.
+  const bool edges_may_be_off = std::min(initial.size(), final.size()) < least_views_of_an_edge;
   for (const Region& blob : find_regions(comparison.changed, {.min_blob_px = 0, .join_px = 0.0})) {
-    const Support support = support_of(blob, objection, comparison);
+    const Support support = support_of(blob, objection, comparison, edges_may_be_off);
     if (support == Support::some) {
       for (const std::uint32_t i : blob.pixels) comparison.evidence[i] += rarer;
     } else if (support == Support::none || rarest(blob, comparison) < shown_by_depth) {

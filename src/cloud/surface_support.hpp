@@ -10,13 +10,13 @@ namespace rva {
 [[nodiscard]] bool have_pairs(const Captures& initial, const Captures& final);
 
 /// Changes that both sides' pairs object to are so many times rarer by chance than depth alone has it, so
-/// that depth may propose so many times the false findings allowed: 20 from four captures a side on, and 1
-/// for fewer, since wrong matches of single pairs remain.
-[[nodiscard]] double rarity_of_support(const Captures& initial, const Captures& final);
+/// that depth may propose so many times the false findings allowed.
+inline constexpr double rarity_of_support = 20.0;
 
 /// Takes back changes that one side's pairs do not object to: there, its matcher was wrong, and the other
-/// side's surface explains what it saw as well as its own (stereo/surface_objection.hpp). Those that stay are
-/// rarer by rarity_of_support(). No image is compared with one of the other side, so that the camera may
+/// side's surface explains what it saw as well as its own (stereo/surface_objection.hpp); with fewer than four
+/// captures of either side, also lines that an edge may leave which both matchers put elsewhere. Those that
+/// stay are rarer by rarity_of_support. No image is compared with one of the other side, so that the camera may
 /// have come back to anywhere. Blobs whose depth went missing or came back stay if depth alone shows them.
 /// @param initial, final as of have_pairs()
 /// @param false_findings allowed for depth alone
