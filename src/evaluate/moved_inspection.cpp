@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -88,7 +89,17 @@ double turn_deg(const Transform& motion) {
 }
 
 MovedRegistration error_of(std::string method, int captures, const Transform& off, std::string doubt) {
-  return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), std::move(doubt)};
+  return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), std::move(doubt), {}};
+}
+
+// Of the error as a small motion in the initial camera's frame, as the covariance has it. Where the images show
+// that the camera came back exactly, none is stated.
+std::optional<double> normalised(const Registration& found, const Transform& off) {
+  if (found.covariance.isZero()) return std::nullopt;
+  const Eigen::AngleAxisd turn(off.linear());
+  Eigen::Matrix<double, 6, 1> error;
+  error << turn.angle() * turn.axis(), off.translation();
+  return error.dot(found.covariance.ldlt().solve(error));
 }
 
 void note_error(const std::optional<Registration>& found, const Transform& final_from_initial, int captures,
@@ -96,6 +107,8 @@ void note_error(const std::optional<Registration>& found, const Transform& final
   if (!found) return;
   inspection.registrations.push_back(
       error_of("auto", captures, final_from_initial * found->initial_from_final, found->doubt));
+  inspection.registrations.back().normalised =
+      normalised(*found, found->initial_from_final * final_from_initial);
 }
 
 MovedResult result_of(std::string method, int captures, double setting, std::size_t false_when_clean,

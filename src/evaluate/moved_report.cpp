@@ -54,7 +54,13 @@ struct Registrations {
   std::size_t within = 0;  ///< 4 mm and 0.25 degrees
   std::size_t refused = 0;
   std::size_t trusted_and_wrong = 0;  ///< off by more than 20 mm or a degree
+  std::vector<double> normalised;     ///< of those that were trusted and state a covariance
+  std::size_t as_claimed = 0;         ///< of these, within the 95 % that their covariance claims
 };
+
+// With six degrees of freedom.
+constexpr double chi_squared_50 = 5.348;
+constexpr double chi_squared_95 = 12.592;
 
 /// By method and captures a side.
 std::map<std::pair<std::string, int>, Registrations> registrations_of(
@@ -67,6 +73,10 @@ std::map<std::pair<std::string, int>, Registrations> registrations_of(
       sum.deg.push_back(one.error_deg);
       sum.within += one.error_mm < 4.0 && one.error_deg < 0.25 ? 1 : 0;
       sum.refused += one.doubt.empty() ? 0 : 1;
+      if (one.normalised && one.doubt.empty()) {
+        sum.normalised.push_back(*one.normalised);
+        sum.as_claimed += *one.normalised <= chi_squared_95 ? 1 : 0;
+      }
       sum.trusted_and_wrong += one.doubt.empty() && (one.error_mm > 20.0 || one.error_deg > 1.0) ? 1 : 0;
     }
   }
@@ -152,12 +162,14 @@ Json to_json_value(const MovedInspection& inspection) {
                                    {"distance_m", of.target.distance_m},
                                    {"big", of.big},
                                    {"seen_free", of.seen_free}});
-  for (const MovedRegistration& of : inspection.registrations)
-    json["registrations"].push_back(Json{{"method", of.method},
-                                         {"captures", of.captures},
-                                         {"error_mm", of.error_mm},
-                                         {"error_deg", of.error_deg},
-                                         {"doubt", of.doubt}});
+  for (const MovedRegistration& of : inspection.registrations) {
+    Json& registration = json["registrations"].emplace_back(Json{{"method", of.method},
+                                                                 {"captures", of.captures},
+                                                                 {"error_mm", of.error_mm},
+                                                                 {"error_deg", of.error_deg},
+                                                                 {"doubt", of.doubt}});
+    if (of.normalised) registration["normalised"] = *of.normalised;
+  }
   for (const MovedResult& of : inspection.results)
     json["results"].push_back(Json{{"method", of.method},
                                    {"captures", of.captures},
@@ -187,9 +199,11 @@ MovedInspection inspection_from(const nlohmann::json& json) {
     of.at("seen_free").get_to(target.seen_free);
     inspection.targets.push_back(std::move(target));
   }
-  for (const nlohmann::json& of : json.value("registrations", nlohmann::json::array()))
+  for (const nlohmann::json& of : json.value("registrations", nlohmann::json::array())) {
     inspection.registrations.push_back(
-        {of.at("method"), of.at("captures"), of.at("error_mm"), of.at("error_deg"), of.at("doubt")});
+        {of.at("method"), of.at("captures"), of.at("error_mm"), of.at("error_deg"), of.at("doubt"), {}});
+    if (of.contains("normalised")) inspection.registrations.back().normalised = of.at("normalised");
+  }
   for (const nlohmann::json& of : json.at("results")) {
     inspection.results.push_back({of.at("method"), of.at("captures"), of.at("setting"),
                                   of.at("false_when_clean"), of.at("false_with_debris"),
@@ -291,6 +305,12 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
         "degrees; {} refused; {} trusted and wrong\n",
         method, captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size(), of.refused,
         of.trusted_and_wrong);
+    if (of.normalised.empty()) continue;
+    fmt::format_to(std::back_inserter(table),
+                   "{:8}  {:>8}  errors within the 95 % of the stated covariance: {}; median of their squares in "
+                   "deviations {:.1f}, where {:.1f} is expected\n",
+                   method, captures, stated_share(of.as_claimed, of.normalised.size()),
+                   quantile(of.normalised, 0.5), chi_squared_50);
   }
   for (const auto& [key, share] : shares_at_usual_setting(inspections)) {
     const auto& [kind, method, captures] = key;

@@ -37,6 +37,9 @@ struct MovedRegistration {
   double error_mm = 0.0;
   double error_deg = 0.0;
   std::string doubt;  ///< empty where it was trusted
+  /// Square of the error in deviations of the stated covariance: chi-squared with six degrees of freedom where
+  /// it states what it should. Empty where none is stated.
+  std::optional<double> normalised{};
 };
 
 /// One setting with so many captures a side.

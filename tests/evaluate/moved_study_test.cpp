@@ -66,7 +66,9 @@ MovedInspection inspection() {
   inspection.targets = {target(0.5, 200, true, true),  target(0.5, 110, true, true),
                         target(0.5, 150, false, true), target(1.1, 200, true, true),
                         target(0.5, 200, true, false), target(0.5, 20, true, true)};
-  inspection.registrations = {{"spatial", 4, 1.0, 0.1, ""}, {"spatial", 4, 157.0, 0.1, "two places"}};
+  inspection.registrations = {{"spatial", 4, 1.0, 0.1, "", 5.0},
+                              {"spatial", 4, 2.0, 0.1, "", 20.0},
+                              {"spatial", 4, 157.0, 0.1, "two places", 9000.0}};
   inspection.results = {{"spatial", 4, 0.05, 2, 1, 3, 2, {true, false, true, true, true, true}}};
   return inspection;
 }
@@ -92,9 +94,11 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   const std::string table = to_table({inspection()});
   EXPECT_THAT(table, testing::HasSubstr("1/2 50 %"));
   EXPECT_THAT(table,
-              testing::HasSubstr("1 of 2 within 4 mm and 0.25 degrees; 1 refused; 0 trusted and wrong"));
+              testing::HasSubstr("2 of 3 within 4 mm and 0.25 degrees; 1 refused; 0 trusted and wrong"));
   const auto json = nlohmann::json::parse(to_json({inspection()}, "some"));
-  EXPECT_EQ(json["inspections"][0]["registrations"][1]["doubt"], "two places");
+  EXPECT_THAT(table, testing::HasSubstr("errors within the 95 % of the stated covariance: 1/2 50 %"));
+  EXPECT_EQ(json["inspections"][0]["registrations"][2]["doubt"], "two places");
+  EXPECT_EQ(json["inspections"][0]["registrations"][1]["normalised"], 20.0);
   EXPECT_EQ(json["inspections"][0]["targets"].size(), 6U);
   EXPECT_EQ(json["tallies"][0]["method"], "spatial");
   EXPECT_EQ(json["tallies"][0]["big_found"], 1);
