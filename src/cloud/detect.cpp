@@ -148,11 +148,12 @@ class Run {
   SidesDetection spatial_after(const CheckedViews& views, Detection compared) {
     const Registration registration = views.registration();
     if (!registration.trusted() && views.check.shows_other_view())
-      throw Error("initial and final",
-                  fmt::format("the captures do not show the same view, nor one that can be laid over it ({})",
-                              registration.doubt),
-                  "give the baseline of this bay, taken from nearly the same place; --method calibrated "
-                  "compares pixel by pixel all the same");
+      throw RegistrationRefused(
+          "initial and final",
+          fmt::format("the captures do not show the same view, nor one that can be laid over it ({})",
+                      registration.doubt),
+          "give the baseline of this bay, taken from nearly the same place; --method calibrated "
+          "compares pixel by pixel all the same");
     if (!registration.trusted()) {
       compared.warnings.push_back(warning_of_motion(views.check, registration));
       return {std::move(compared), std::nullopt};

@@ -5,6 +5,7 @@
 
 #include "cloud/depth_view.hpp"
 #include "cloud/registration_uncertainty.hpp"
+#include "core/error.hpp"
 #include "geometry/transform.hpp"
 
 namespace rva {
@@ -20,6 +21,12 @@ struct Registration {
   std::string doubt;
 
   [[nodiscard]] bool trusted() const { return doubt.empty(); }
+};
+
+/// Thrown where a comparison needs views laid over each other and their registration is not to be trusted.
+class RegistrationRefused : public Error {
+ public:
+  using Error::Error;
 };
 
 /// Where to begin.

@@ -255,9 +255,9 @@ class Run {
     }
     const Registration registration = register_views(first, view);
     if (!registration.trusted())
-      throw Error(fmt::format("{} captures", name),
-                  "they could not be laid over each other: " + registration.doubt,
-                  "record them from one base with poses, or from nearly one place");
+      throw RegistrationRefused(fmt::format("{} captures", name),
+                                "they could not be laid over each other: " + registration.doubt,
+                                "record them from one base with poses, or from nearly one place");
     return registration.initial_from_final;
   }
 
@@ -273,8 +273,9 @@ class Run {
     }
     Registration registration = register_views(before, after);
     if (!registration.trusted())
-      throw Error("initial and final", "the views could not be laid over each other: " + registration.doubt,
-                  "record both so that they show the same ribs and stringers, from places less far apart");
+      throw RegistrationRefused(
+          "initial and final", "the views could not be laid over each other: " + registration.doubt,
+          "record both so that they show the same ribs and stringers, from places less far apart");
     return registration;
   }
 

@@ -78,18 +78,30 @@ DepthView view_of(const Capture& capture) {
   return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
 }
 
-SidesDetection compare(const RobotSide& before, const RobotSide& after, int captures, double allowed) {
+/// What a comparison came to; a refused one finds nothing, neither debris nor anything false.
+struct Compared {
+  std::vector<Finding> findings;
+  std::optional<Registration> registration;
+  std::string refused;  ///< why; empty where it was not
+};
+
+Compared compare(const RobotSide& before, const RobotSide& after, int captures, double allowed) {
   DetectOptions options;
   options.static_camera.calibrated.false_findings = allowed;
-  return detect(before.open(captures), after.open(captures), options, {});
+  try {
+    SidesDetection found = detect(before.open(captures), after.open(captures), options, {});
+    return {std::move(found.detection.findings.findings), std::move(found.registration), {}};
+  } catch (const RegistrationRefused& refused) {
+    return {{}, {}, refused.problem()};
+  }
 }
 
 double turn_deg(const Transform& motion) {
   return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
 }
 
-MovedRegistration error_of(std::string method, int captures, const Transform& off, std::string doubt) {
-  return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), std::move(doubt), {}};
+MovedRegistration error_of(std::string method, int captures, const Transform& off) {
+  return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), {}, {}};
 }
 
 // Of the error as a small motion in the initial camera's frame, as the covariance has it. Where the images show
@@ -102,13 +114,15 @@ std::optional<double> normalised(const Registration& found, const Transform& off
   return error.dot(found.covariance.ldlt().solve(error));
 }
 
-void note_error(const std::optional<Registration>& found, const Transform& final_from_initial, int captures,
+void note_error(const Compared& compared, const Transform& final_from_initial, int captures,
                 MovedInspection& inspection) {
-  if (!found) return;
-  inspection.registrations.push_back(
-      error_of("auto", captures, final_from_initial * found->initial_from_final, found->doubt));
+  if (!compared.refused.empty())
+    inspection.registrations.push_back({"auto", captures, 0.0, 0.0, compared.refused, {}});
+  if (!compared.registration) return;
+  const Transform& found = compared.registration->initial_from_final;
+  inspection.registrations.push_back(error_of("auto", captures, final_from_initial * found));
   inspection.registrations.back().normalised =
-      normalised(*found, found->initial_from_final * final_from_initial);
+      normalised(*compared.registration, found * final_from_initial);
 }
 
 MovedResult result_of(std::string method, int captures, double setting, std::size_t false_when_clean,
@@ -140,7 +154,7 @@ void inspect_by_octree(const Sides& sides, const Transform& initial_from_final, 
   const RegisteredClouds littered = register_clouds(before.frame(), changed.frame(), {}, {});
   for (const RegisteredClouds* clouds : {&clean, &littered})
     inspection.registrations.push_back(
-        error_of("octree", 1, initial_from_final * clouds->final_from_initial, ""));
+        error_of("octree", 1, initial_from_final * clouds->final_from_initial));
   const Intrinsics& camera = changed.info.depth;
   const auto findings = [&](const RegisteredClouds& clouds, const FirstFrame& final, double cell_m) {
     return find_findings(compare_clouds(clouds, final.frame(), cell_m), {.join_px = join_px}, camera);
@@ -181,19 +195,19 @@ MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t se
   before.stand = wing.after.stand;
   const OtherChanges others = other_changes(camera_at(before, sensor, sides.changed.rested.front()),
                                             camera_at(wing.after, sensor, sides.changed.rested.front()));
+  const Intrinsics camera = sides.changed.open(1).front()->info().depth;
   for (const int captures : options.captures) {
     for (const double allowed : options.allowed) {
-      const SidesDetection clean = compare(sides.before, sides.unchanged, captures, allowed);
-      const SidesDetection littered = compare(sides.before, sides.changed, captures, allowed);
+      const Compared clean = compare(sides.before, sides.unchanged, captures, allowed);
+      const Compared littered = compare(sides.before, sides.changed, captures, allowed);
       if (allowed == options.allowed.front()) {
-        note_error(clean.registration, initial_from_unchanged.inverse(), captures, inspection);
-        note_error(littered.registration, initial_from_final.inverse(), captures, inspection);
+        note_error(clean, initial_from_unchanged.inverse(), captures, inspection);
+        note_error(littered, initial_from_final.inverse(), captures, inspection);
       }
       const Judgement judgement =
-          judge(littered.detection.findings.findings, plain(inspection.targets),
-                littered.detection.final_m.width(), littered.detection.final_m.height(), others);
+          judge(littered.findings, plain(inspection.targets), camera.width, camera.height, others);
       inspection.results.push_back(
-          result_of("auto", captures, allowed, clean.detection.findings.findings.size(), judgement));
+          result_of("auto", captures, allowed, clean.findings.size(), judgement));
     }
   }
   if (options.octree) inspect_by_octree(sides, initial_from_final, others, inspection);

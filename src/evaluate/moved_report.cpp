@@ -49,12 +49,12 @@ void add(const MovedInspection& inspection, const MovedResult& result, MovedTall
 
 /// Of all inspections with so many captures a side.
 struct Registrations {
-  std::vector<double> mm;
-  std::vector<double> deg;
+  std::vector<double> mm;   ///< of those that were trusted
+  std::vector<double> deg;  ///< likewise
   std::size_t within = 0;  ///< 4 mm and 0.25 degrees
   std::size_t refused = 0;
   std::size_t trusted_and_wrong = 0;  ///< off by more than 20 mm or a degree
-  std::vector<double> normalised;     ///< of those that were trusted and state a covariance
+  std::vector<double> normalised;     ///< of those that state a covariance
   std::size_t as_claimed = 0;         ///< of these, within the 95 % that their covariance claims
 };
 
@@ -69,15 +69,18 @@ std::map<std::pair<std::string, int>, Registrations> registrations_of(
   for (const MovedInspection& inspection : inspections) {
     for (const MovedRegistration& one : inspection.registrations) {
       Registrations& sum = all[{one.method, one.captures}];
+      if (!one.doubt.empty()) {
+        ++sum.refused;
+        continue;
+      }
       sum.mm.push_back(one.error_mm);
       sum.deg.push_back(one.error_deg);
       sum.within += one.error_mm < 4.0 && one.error_deg < 0.25 ? 1 : 0;
-      sum.refused += one.doubt.empty() ? 0 : 1;
-      if (one.normalised && one.doubt.empty()) {
+      sum.trusted_and_wrong += one.error_mm > 20.0 || one.error_deg > 1.0 ? 1 : 0;
+      if (one.normalised) {
         sum.normalised.push_back(*one.normalised);
         sum.as_claimed += *one.normalised <= chi_squared_95 ? 1 : 0;
       }
-      sum.trusted_and_wrong += one.doubt.empty() && (one.error_mm > 20.0 || one.error_deg > 1.0) ? 1 : 0;
     }
   }
   return all;
@@ -299,12 +302,17 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
   }
   for (auto& [key, of] : registrations_of(inspections)) {
     const auto& [method, captures] = key;
+    if (of.mm.empty()) {
+      fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  registration: all {} refused\n", method, captures,
+                     of.refused);
+      continue;
+    }
     fmt::format_to(
         std::back_inserter(table),
         "{:8}  {:>8}  registration: median {:.2f} mm, {:.3f} degrees; {} of {} within 4 mm and 0.25 "
         "degrees; {} refused; {} trusted and wrong\n",
-        method, captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size(), of.refused,
-        of.trusted_and_wrong);
+        method, captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size() + of.refused,
+        of.refused, of.trusted_and_wrong);
     if (of.normalised.empty()) continue;
     fmt::format_to(std::back_inserter(table),
                    "{:8}  {:>8}  errors within the 95 % of the stated covariance: {}; median of their squares in "

@@ -34,9 +34,9 @@ struct MovedStudyOptions {
 struct MovedRegistration {
   std::string method;  ///< as of MovedResult
   int captures = 1;
-  double error_mm = 0.0;
-  double error_deg = 0.0;
-  std::string doubt;  ///< empty where it was trusted
+  double error_mm = 0.0;   ///< 0 where it was refused
+  double error_deg = 0.0;  ///< likewise
+  std::string doubt;       ///< why it was refused; empty where it was trusted
   /// Square of the error in deviations of the stated covariance: chi-squared with six degrees of freedom where
   /// it states what it should. Empty where none is stated.
   std::optional<double> normalised{};
