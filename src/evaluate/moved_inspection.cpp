@@ -104,8 +104,8 @@ MovedRegistration error_of(std::string method, int captures, const Transform& of
   return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), {}, {}};
 }
 
-// Of the error as a small motion in the initial camera's frame, as the covariance has it. Where the images show
-// that the camera came back exactly, none is stated.
+// Of the error as a small motion in the initial camera's frame, as the covariance has it. Where the images
+// show that the camera came back exactly, none is stated.
 std::optional<double> normalised(const Registration& found, const Transform& off) {
   if (found.covariance.isZero()) return std::nullopt;
   const Eigen::AngleAxisd turn(off.linear());
@@ -121,8 +121,7 @@ void note_error(const Compared& compared, const Transform& final_from_initial, i
   if (!compared.registration) return;
   const Transform& found = compared.registration->initial_from_final;
   inspection.registrations.push_back(error_of("auto", captures, final_from_initial * found));
-  inspection.registrations.back().normalised =
-      normalised(*compared.registration, found * final_from_initial);
+  inspection.registrations.back().normalised = normalised(*compared.registration, found * final_from_initial);
 }
 
 MovedResult result_of(std::string method, int captures, double setting, std::size_t false_when_clean,
@@ -206,8 +205,7 @@ MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t se
       }
       const Judgement judgement =
           judge(littered.findings, plain(inspection.targets), camera.width, camera.height, others);
-      inspection.results.push_back(
-          result_of("auto", captures, allowed, clean.findings.size(), judgement));
+      inspection.results.push_back(result_of("auto", captures, allowed, clean.findings.size(), judgement));
     }
   }
   if (options.octree) inspect_by_octree(sides, initial_from_final, others, inspection);

@@ -51,7 +51,7 @@ void add(const MovedInspection& inspection, const MovedResult& result, MovedTall
 struct Registrations {
   std::vector<double> mm;   ///< of those that were trusted
   std::vector<double> deg;  ///< likewise
-  std::size_t within = 0;  ///< 4 mm and 0.25 degrees
+  std::size_t within = 0;   ///< 4 mm and 0.25 degrees
   std::size_t refused = 0;
   std::size_t trusted_and_wrong = 0;  ///< off by more than 20 mm or a degree
   std::vector<double> normalised;     ///< of those that state a covariance
@@ -62,26 +62,26 @@ struct Registrations {
 constexpr double chi_squared_50 = 5.348;
 constexpr double chi_squared_95 = 12.592;
 
+void add(const MovedRegistration& one, Registrations& sum) {
+  if (!one.doubt.empty()) {
+    ++sum.refused;
+    return;
+  }
+  sum.mm.push_back(one.error_mm);
+  sum.deg.push_back(one.error_deg);
+  sum.within += one.error_mm < 4.0 && one.error_deg < 0.25 ? 1 : 0;
+  sum.trusted_and_wrong += one.error_mm > 20.0 || one.error_deg > 1.0 ? 1 : 0;
+  if (!one.normalised) return;
+  sum.normalised.push_back(*one.normalised);
+  sum.as_claimed += *one.normalised <= chi_squared_95 ? 1 : 0;
+}
+
 /// By method and captures a side.
 std::map<std::pair<std::string, int>, Registrations> registrations_of(
     const std::vector<MovedInspection>& inspections) {
   std::map<std::pair<std::string, int>, Registrations> all;
   for (const MovedInspection& inspection : inspections) {
-    for (const MovedRegistration& one : inspection.registrations) {
-      Registrations& sum = all[{one.method, one.captures}];
-      if (!one.doubt.empty()) {
-        ++sum.refused;
-        continue;
-      }
-      sum.mm.push_back(one.error_mm);
-      sum.deg.push_back(one.error_deg);
-      sum.within += one.error_mm < 4.0 && one.error_deg < 0.25 ? 1 : 0;
-      sum.trusted_and_wrong += one.error_mm > 20.0 || one.error_deg > 1.0 ? 1 : 0;
-      if (one.normalised) {
-        sum.normalised.push_back(*one.normalised);
-        sum.as_claimed += *one.normalised <= chi_squared_95 ? 1 : 0;
-      }
-    }
+    for (const MovedRegistration& one : inspection.registrations) add(one, all[{one.method, one.captures}]);
   }
   return all;
 }
@@ -303,8 +303,8 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
   for (auto& [key, of] : registrations_of(inspections)) {
     const auto& [method, captures] = key;
     if (of.mm.empty()) {
-      fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  registration: all {} refused\n", method, captures,
-                     of.refused);
+      fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  registration: all {} refused\n", method,
+                     captures, of.refused);
       continue;
     }
     fmt::format_to(
@@ -314,11 +314,12 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
         method, captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size() + of.refused,
         of.refused, of.trusted_and_wrong);
     if (of.normalised.empty()) continue;
-    fmt::format_to(std::back_inserter(table),
-                   "{:8}  {:>8}  errors within the 95 % of the stated covariance: {}; median of their squares in "
-                   "deviations {:.1f}, where {:.1f} is expected\n",
-                   method, captures, stated_share(of.as_claimed, of.normalised.size()),
-                   quantile(of.normalised, 0.5), chi_squared_50);
+    fmt::format_to(
+        std::back_inserter(table),
+        "{:8}  {:>8}  errors within the 95 % of the stated covariance: {}; median of their squares in "
+        "deviations {:.1f}, where {:.1f} is expected\n",
+        method, captures, stated_share(of.as_claimed, of.normalised.size()), quantile(of.normalised, 0.5),
+        chi_squared_50);
   }
   for (const auto& [key, share] : shares_at_usual_setting(inspections)) {
     const auto& [kind, method, captures] = key;

@@ -37,8 +37,8 @@ struct MovedRegistration {
   double error_mm = 0.0;   ///< 0 where it was refused
   double error_deg = 0.0;  ///< likewise
   std::string doubt;       ///< why it was refused; empty where it was trusted
-  /// Square of the error in deviations of the stated covariance: chi-squared with six degrees of freedom where
-  /// it states what it should. Empty where none is stated.
+  /// Square of the error in deviations of the stated covariance: chi-squared with six degrees of freedom
+  /// where it states what it should. Empty where none is stated.
   std::optional<double> normalised{};
 };
 
