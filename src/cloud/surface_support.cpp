@@ -78,8 +78,8 @@ std::vector<std::uint32_t> interior_of(const std::vector<std::uint32_t>& pixels,
 }
 
 // Either matcher may put an edge four pixels, half of its window, from where it is. Two of them are allowed
-// for in either view (free_space.cpp), which leaves lines of up to four pixels of what did not change. Windows
-// of five pixels on such a line see the surfaces beside it, on both sides.
+// for in either view (free_space.cpp), which leaves lines of up to four pixels of what did not change.
+// Windows of five pixels on such a line see the surfaces beside it, on both sides.
 bool is_thicker_than_an_edge(const std::vector<std::uint32_t>& pixels, int width, int height) {
   constexpr int thicker_px = 5;
   cv::Mat disc = cv::Mat::ones(thicker_px, thicker_px, CV_8U);

@@ -14,10 +14,11 @@ namespace rva {
 inline constexpr double rarity_of_support = 20.0;
 
 /// Takes back changes that one side's pairs do not object to: there, its matcher was wrong, and the other
-/// side's surface explains what it saw as well as its own (stereo/surface_objection.hpp); with fewer than four
-/// captures of either side, also lines that an edge may leave which both matchers put elsewhere. Those that
-/// stay are rarer by rarity_of_support. No image is compared with one of the other side, so that the camera may
-/// have come back to anywhere. Blobs whose depth went missing or came back stay if depth alone shows them.
+/// side's surface explains what it saw as well as its own (stereo/surface_objection.hpp); with fewer than
+/// four captures of either side, also lines that an edge may leave which both matchers put elsewhere. Those
+/// that stay are rarer by rarity_of_support. No image is compared with one of the other side, so that the
+/// camera may have come back to anywhere. Blobs whose depth went missing or came back stay if depth alone
+/// shows them.
 /// @param initial, final as of have_pairs()
 /// @param false_findings allowed for depth alone
 /// @param comparison     of depth in the final view, whose evidence is rarity

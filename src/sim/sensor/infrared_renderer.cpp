@@ -175,9 +175,9 @@ InfraredRenderer::InfraredRenderer(const Scene& scene, const RayCaster& rays,
       lamp_light_(options.lamp_light) {}
 
 ImagerLight InfraredRenderer::render_eye(const Eye& eye, const Transform& world_from_camera,
-                                          int supersampling, Light light) const {
+                                         int supersampling, Light light) const {
   ImagerLight view{Image<float>(rig_.imager.width, rig_.imager.height),
-                    Image<float>(rig_.imager.width, rig_.imager.height)};
+                   Image<float>(rig_.imager.width, rig_.imager.height)};
   parallel_bands(rig_.imager.height, [&](int first, int end) {
     RowShader shader(*this, eye, world_from_camera, supersampling, light);
     for (int v = first; v < end; ++v) {

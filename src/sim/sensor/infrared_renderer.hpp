@@ -47,7 +47,7 @@ class InfraredRenderer {
   struct Eye;
   class RowShader;
   [[nodiscard]] ImagerLight render_eye(const Eye& eye, const Transform& world_from_camera, int supersampling,
-                                        Light light) const;
+                                       Light light) const;
 
   const Scene& scene_;
   const RayCaster& rays_;
