@@ -66,6 +66,22 @@ Mask saturated_pixels(const Image<float>& grey) {
   return mask;
 }
 
+// Where next to no light of the lamp comes back, an image shows the level of the imager itself. That does not
+// follow exposure, so that it changes when images are brought to one level.
+Mask without_light(const Image<float>& grey) {
+  constexpr float least_grey = 3.0F;
+  Mask mask(grey.width(), grey.height());
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    if (grey[i] < least_grey) mask[i] = mask_set;
+  }
+  return mask;
+}
+
+Mask either_set(Mask a, const Mask& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] |= b[i];
+  return a;
+}
+
 cv::Mat widened(const cv::Mat& mask, int by_px) {
   cv::Mat wide;
   cv::dilate(mask, wide, cv::Mat::ones(2 * by_px + 1, 2 * by_px + 1, CV_8U));
@@ -106,7 +122,7 @@ Mask without_dots(const Mask& dots) {
 InfraredView::InfraredView(const Image<float>& grey, const Transform& pose, Light light, float scale)
     : log_image(log_grey(grey, scale)),
       saturated(saturated_pixels(grey)),
-      dots(light == Light::projector ? dot_mask(log_image) : saturated),
+      dots(light == Light::projector ? dot_mask(log_image) : either_set(saturated, without_light(grey))),
       view_from_reference(pose) {}
 
 DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView> views) {

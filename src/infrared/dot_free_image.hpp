@@ -17,7 +17,7 @@ struct InfraredView {
   InfraredView() = default;
   /// @param grey  mean of the capture's frames, levels of 8 bits
   /// @param pose  view_from_reference, as far as it is known
-  /// @param light under the lamp there are no dots, and what is saturated is covered instead
+  /// @param light under the lamp there are no dots, and what is saturated or not lit is covered instead
   /// @param scale by which all grey levels are multiplied first, so that exposures are alike: in the dark,
   /// the
   ///              logarithm of log_grey() depends on them

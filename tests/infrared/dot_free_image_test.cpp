@@ -37,6 +37,18 @@ int lit_columns(const Mask& lit, int v, int first, int end) {
   return count;
 }
 
+// The imager's own level is no brightness of the surface, and what is cut off neither.
+TEST(InfraredView, CoversUnderALampWhatIsDarkOrSaturated) {
+  const std::vector<float> greys{0.0F, 1.3F, 2.9F, 3.1F, 40.0F, 249.0F, 251.0F, 255.0F};
+  const std::vector<bool> covered{true, true, true, false, false, false, true, true};
+  for (const float scale : {0.5F, 1.0F, 4.0F}) {
+    Image<float> grey(static_cast<int>(greys.size()), 1);
+    for (std::size_t i = 0; i < greys.size(); ++i) grey[i] = greys[i];
+    const InfraredView view(grey, Transform::Identity(), Light::lamp, scale);
+    for (std::size_t i = 0; i < greys.size(); ++i) EXPECT_EQ(view.dots[i] != 0, covered[i]) << greys[i];
+  }
+}
+
 TEST(LitInAll, EndsWithinTheProjectorsField) {
   const Mask lit = lit_in_all(test::wall_surface(), std::vector{view_of(0.0)});
   for (int v = 20; v < test::wall_camera.height - 20; v += 5) {
