@@ -139,7 +139,7 @@ JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<Infra
   const Mask seen = both_set(seen_in_all(surface, after), seen_in_all(surface, before));
   AppearanceChange change = appearance_change(image_before, image_after, seen);
   drop_faint(change);
-  return with_tail(std::move(change), tail_between_dots);
+  return with_tail(std::move(change), tail_under_lamp);
 }
 
 }  // namespace

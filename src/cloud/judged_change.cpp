@@ -8,11 +8,9 @@
 #include "depth/mat_view.hpp"
 
 namespace rva {
-namespace {
 
-// Peaks of what is not beside a thing that changed beyond doubt. Where dots leave few samples, there are more
-// and higher ones.
-FalseAlarmTail tail_of(const AppearanceChange& change, const UsualTail& usual) {
+// Where dots leave few samples, there are more and higher ones.
+std::vector<float> peaks_of(const AppearanceChange& change) {
   constexpr int apart_px = 11;
   constexpr int beside_px = 31;
   constexpr double beyond_doubt = 7.0;
@@ -27,10 +25,8 @@ FalseAlarmTail tail_of(const AppearanceChange& change, const UsualTail& usual) {
     const bool is_peak = size > static_cast<float>(FalseAlarmTail::onset) && size >= highest.ptr<float>()[i];
     if (is_peak && change.judged[i] != 0 && beside.data[i] == 0) peaks.push_back(size);
   }
-  return fit_tail(peaks, usual.slope, usual.end);
+  return peaks;
 }
-
-}  // namespace
 
 void drop_faint(AppearanceChange& change) {
   constexpr float least_contrast = 0.015F;
@@ -40,7 +36,7 @@ void drop_faint(AppearanceChange& change) {
 }
 
 JudgedChange with_tail(AppearanceChange change, const UsualTail& usual, SurfaceChange surface) {
-  const FalseAlarmTail tail = tail_of(change, usual);
+  const FalseAlarmTail tail = fit_tail(peaks_of(change), usual.slope, usual.end);
   return {std::move(change), tail, std::move(surface)};
 }
 

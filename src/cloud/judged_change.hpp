@@ -1,6 +1,8 @@
 // Change that infrared images show, with how often so much shows by chance.
 #pragma once
 
+#include <vector>
+
 #include "detect/calibrated/false_alarm_tail.hpp"
 #include "infrared/appearance_change.hpp"
 #include "stereo/surface_change.hpp"
@@ -27,9 +29,14 @@ struct UsualTail {
 };
 inline constexpr UsualTail tail_between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
 inline constexpr UsualTail tail_with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
+inline constexpr UsualTail tail_of_still_pair = tail_with_pairs;
+inline constexpr UsualTail tail_under_lamp = tail_between_dots;
 
 /// Nothing where the contrast is no more than stains and reflections change by; a collar changes more.
 void drop_faint(AppearanceChange& change);
+
+/// Heights of the peaks, of both signs, of what is not beside a thing that changed beyond doubt.
+[[nodiscard]] std::vector<float> peaks_of(const AppearanceChange& change);
 
 /// Learns the tail from what is not beside a thing that changed beyond doubt.
 [[nodiscard]] JudgedChange with_tail(AppearanceChange change, const UsualTail& usual,

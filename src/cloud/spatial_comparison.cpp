@@ -5,17 +5,6 @@
 #include "cloud/free_space.hpp"
 
 namespace rva {
-namespace {
-
-// Of simulated wings, one to three captures a side (docs/spatial.md). Depth that went missing is no evidence
-// from another place.
-constexpr UsualSlopes slopes_of_moved_cameras{{0.9, 0.45}, {1.5, 0.8}};
-// One capture a side that is a degree off shows two to five times the false findings that are allowed with
-// the slopes above, about as many as allowed with these (`rva evaluate --moved --return near --captures 1`;
-// docs/spatial.md has both).
-constexpr UsualSlopes slopes_of_bumped_cameras{{0.6, 0.3}, {1.5, 0.8}};
-
-}  // namespace
 
 SpatialChange change_from_elsewhere(const DepthView& initial, const DepthView& final,
                                     const Registration& registration, KnownMotion known) {

@@ -17,6 +17,14 @@ struct SpatialChange {
   double disparity_m_px = 0.0;  ///< focal length times baseline of the final camera
 };
 
+/// Of views that were laid over each other, in docs/spatial.md. Depth that went missing is no evidence from
+/// another place.
+inline constexpr UsualSlopes slopes_of_moved_cameras{{{0.9}, {0.45}}, slopes_of_means.loss};
+/// One capture a side that is a degree off shows two to five times the false findings that are allowed with
+/// the slopes above, about as many as allowed with these (`rva evaluate --moved --return near --captures 1`;
+/// docs/spatial.md has both).
+inline constexpr UsualSlopes slopes_of_bumped_cameras{{{0.6}, {0.3}}, slopes_of_means.loss};
+
 /// What is known of the camera's motion before the images are registered.
 enum class KnownMotion {
   moved,   ///< the robot was moved, or several captures a side were taken

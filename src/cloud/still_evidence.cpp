@@ -53,7 +53,7 @@ std::optional<JudgedChange> still_change_between(const Capture& initial, const C
     std::array<StereoView, 1> pair_after = pair_of(final, level, after);
     moved = surface_change(surface, final_view.disparity_m_px, pair_before, pair_after);
   }
-  return with_tail(std::move(change), tail_with_pairs, std::move(moved));
+  return with_tail(std::move(change), tail_of_still_pair, std::move(moved));
 }
 
 }  // namespace rva

@@ -1,24 +1,20 @@
 #include "evaluate/moved_inspection.hpp"
 
-#include <unistd.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cloud/detect.hpp"
 #include "cloud/octree_detection.hpp"
-#include "core/error.hpp"
 #include "core/random.hpp"
 #include "detect/findings.hpp"
+#include "evaluate/capture_room.hpp"
 #include "evaluate/judgement.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
@@ -31,28 +27,6 @@ namespace {
 
 constexpr std::array cells_m{0.02, 0.05, 0.1, 0.2};  // the thesis has 5 cm
 constexpr double join_px = 9.0;                      // of the thesis' findings: as in the static study
-
-/// For the captures of one inspection, gone afterwards.
-class CaptureRoom {
- public:
-  CaptureRoom() {
-    std::string name = fs::temp_directory_path() / "rva-evaluate-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-      throw Error("captures", "have no room in the folder for temporary files",
-                  "set TMPDIR to one that can be written");
-    path_ = name;
-  }
-  ~CaptureRoom() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  CaptureRoom(const CaptureRoom&) = delete;
-  CaptureRoom& operator=(const CaptureRoom&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 struct Sides {
   RobotSide before;

@@ -24,10 +24,6 @@ constexpr int lost_window_px = 9;
 constexpr double lost_deviations = 30.0;  // of a window that lost all of its depth
 // Both signs, sure and unsure, at each scale and of what was lost.
 constexpr double looks = 4.0 * (windows_px.size() + 1);
-// Those of simulated wings (docs/calibrated.md).
-constexpr UsualSlopes slopes_of_means{{2.0, 1.1}, {1.5, 0.8}};
-// Without repeated frames, wrong matches cannot be told from noise: no place is taken to be surer.
-constexpr UsualSlopes slopes_of_single_frames{{1.1, 1.1}, {0.5, 0.5}};
 
 Image<float> evidence_of(const DisparityChange& change, const Image<float>& drift_px,
                          const Image<float>& deviation_px) {
@@ -45,6 +41,22 @@ PooledEvidence pool_lost(const Image<float>& lost) {
   const Mask everywhere(lost.width(), lost.height(), mask_set);
   return pool(lost, everywhere, lost_window_px, lost_window_px / lost_deviations);
 }
+
+/// A change, held against the drift and the noise of its places.
+struct WeighedChange {
+  WeighedChange(const DisparityChange& change, double disparity_by_depth)
+      : drift(fit_drift(change)),
+        drift_px(drift.px()),
+        unsure(unsure_places(change)),
+        noise(noise_by_place(change, unsure, drift_px, drift.variance_px2(), disparity_by_depth)),
+        evidence(evidence_of(change, drift_px, noise.deviation_px)) {}
+
+  Drift drift;
+  Image<float> drift_px;
+  Mask unsure;
+  NoiseByPlace noise;
+  Image<float> evidence;
+};
 
 // The depth before is what the camera would have measured had it been as warm as after: heights are of
 // things, not of drift.
@@ -108,6 +120,18 @@ UsualSlopes usual_slopes(std::size_t frames) {
   return frames < 2 ? slopes_of_single_frames : slopes_of_means;
 }
 
+CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_depth) {
+  const WeighedChange weighed(change, disparity_by_depth);
+  CalibratedPeaks peaks;
+  for (const int window_px : windows_px) {
+    const auto of_window = peaks_of(pool(weighed.evidence, change.judged, window_px), weighed.unsure);
+    peaks.change.sure.insert(peaks.change.sure.end(), of_window.sure.begin(), of_window.sure.end());
+    peaks.change.unsure.insert(peaks.change.unsure.end(), of_window.unsure.begin(), of_window.unsure.end());
+  }
+  peaks.loss = peaks_of(pool_lost(change.lost), weighed.unsure);
+  return peaks;
+}
+
 CalibratedComparison compare_calibrated(const DepthStatistics& initial, const DepthStatistics& final,
                                         double unit_m, double disparity_m_px,
                                         const CalibratedOptions& options) {
@@ -119,36 +143,31 @@ CalibratedComparison compare_calibrated(const DepthStatistics& initial, const De
 CalibratedComparison compare_calibrated(const DisparityChange& change, double disparity_by_depth,
                                         double disparity_m_px, const UsualSlopes& slopes,
                                         const CalibratedOptions& options) {
-  const Drift drift = fit_drift(change);
-  const Image<float> drift_px = drift.px();
-  const Mask unsure = unsure_places(change);
-  const NoiseByPlace noise =
-      noise_by_place(change, unsure, drift_px, drift.variance_px2(), disparity_by_depth);
-  const Image<float> evidence = evidence_of(change, drift_px, noise.deviation_px);
-
+  const WeighedChange weighed(change, disparity_by_depth);
   CalibratedComparison result{Comparison(change.judged.width(), change.judged.height()), {}, {}};
   Comparison& comparison = result.comparison;
   comparison.evidence_is_rarity = true;
-  fill_depth(change, drift_px, disparity_m_px, comparison);
+  fill_depth(change, weighed.drift_px, disparity_m_px, comparison);
   const double false_findings = options.false_findings / looks;
-  Outlines outlines(unsure, looks, comparison);
+  Outlines outlines(weighed.unsure, looks, comparison);
   std::vector<Scale> scales;
   for (const int window_px : windows_px) {
-    scales.push_back(
-        look_at(pool(evidence, change.judged, window_px), unsure, slopes.change, false_findings));
-    outlines.add(scales.back(), evidence);
+    scales.push_back(look_at(pool(weighed.evidence, change.judged, window_px), weighed.unsure, slopes.change,
+                             false_findings));
+    outlines.add(scales.back(), weighed.evidence);
   }
-  outlines.add(look_at(pool_lost(change.lost), unsure, slopes.loss, false_findings), change.lost);
+  outlines.add(look_at(pool_lost(change.lost), weighed.unsure, slopes.loss, false_findings), change.lost);
   const Scale& finest = finest_reachable(scales);
-  result.level_of_detection_mm =
-      level_of_detection_mm(unsure, noise.deviation_px, comparison.final_m, finest, disparity_m_px);
+  result.level_of_detection_mm = level_of_detection_mm(weighed.unsure, weighed.noise.deviation_px,
+                                                       comparison.final_m, finest, disparity_m_px);
   clear_left_out(change.left_out, result);
-  result.levels = {judged_share(result.level_of_detection_mm),
-                   finest.evidence.window_px,
-                   static_cast<double>(drift_px(drift_px.width() / 2, drift_px.height() / 2)),
-                   noise.fixed_px,
-                   noise.effective_frames,
-                   levels_by_distance(result.level_of_detection_mm, comparison.final_m)};
+  result.levels = {
+      judged_share(result.level_of_detection_mm),
+      finest.evidence.window_px,
+      static_cast<double>(weighed.drift_px(change.judged.width() / 2, change.judged.height() / 2)),
+      weighed.noise.fixed_px,
+      weighed.noise.effective_frames,
+      levels_by_distance(result.level_of_detection_mm, comparison.final_m)};
   comparison.coverage = coverage_of(change);
   comparison.blind = blind_share(change, result.level_of_detection_mm);
   return result;

@@ -1,9 +1,12 @@
 // The method of this program's own: what changed, by a noise that is learnt from the two captures.
 #pragma once
 
+#include <vector>
+
 #include "core/options.hpp"
 #include "depth/depth_statistics.hpp"
 #include "detect/calibrated/disparity_change.hpp"
+#include "detect/calibrated/false_alarm_tail.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
 #include "detect/calibrated/unsure_places.hpp"
 #include "detect/comparison.hpp"
@@ -27,16 +30,31 @@ struct CalibratedComparison {
   DetectionLevelSummary levels;
 };
 
-/// How the tails of what unchanged places show usually fall off, per deviation: where an image has few peaks
-/// to learn from, it is taken to be as others are.
+/// How the tails of what unchanged places show usually fall off: where an image has few peaks to learn from,
+/// it is taken to be as others are.
 struct UsualSlopes {
-  ByPlace<double> change;
-  ByPlace<double> loss;
+  ByPlace<UsualSlope> change;
+  ByPlace<UsualSlope> loss;
 };
+
+/// Of means over frames, and of single frames, without which wrong matches cannot be told from noise and no
+/// place is surer than another (docs/calibrated.md).
+inline constexpr UsualSlopes slopes_of_means{{{2.0}, {1.1}}, {{1.5}, {0.8}}};
+inline constexpr UsualSlopes slopes_of_single_frames{{{1.1}, {1.1}}, {{0.5}, {0.5}}};
 
 /// Of a camera that did not move.
 /// @param frames of the side that has fewer
 [[nodiscard]] UsualSlopes usual_slopes(std::size_t frames);
+
+/// Heights of the peaks of pooled evidence, of all windows together.
+struct CalibratedPeaks {
+  ByPlace<std::vector<float>> change;
+  ByPlace<std::vector<float>> loss;
+};
+
+/// What the tails of a comparison are learnt from.
+/// @param disparity_by_depth as for disparity_change()
+[[nodiscard]] CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_depth);
 
 /// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 7,
 /// 15 and 31 pixels, and marks what is higher than `false_findings` places of an unchanged image would be,

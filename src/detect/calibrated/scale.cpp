@@ -80,11 +80,15 @@ class Peaks {
 
 }  // namespace
 
-Scale look_at(PooledEvidence evidence, const Mask& unsure, const ByPlace<double>& usual_slopes,
+ByPlace<std::vector<float>> peaks_of(const PooledEvidence& evidence, const Mask& unsure) {
+  return Peaks(evidence, unsure).heights();
+}
+
+Scale look_at(PooledEvidence evidence, const Mask& unsure, const ByPlace<UsualSlope>& usual_slopes,
               double false_findings) {
-  const Peaks peaks(evidence, unsure);
-  const ByPlace<FalseAlarmTail> tails{fit_tail(peaks.heights().sure, {usual_slopes.sure}),
-                                      fit_tail(peaks.heights().unsure, {usual_slopes.unsure})};
+  const ByPlace<std::vector<float>> peaks = peaks_of(evidence, unsure);
+  const ByPlace<FalseAlarmTail> tails{fit_tail(peaks.sure, usual_slopes.sure),
+                                      fit_tail(peaks.unsure, usual_slopes.unsure)};
   return {std::move(evidence),
           tails,
           {tails.sure.height_of(false_findings), tails.unsure.height_of(false_findings)}};
