@@ -143,8 +143,8 @@ class UnchangedBay {
       SimulatedCamera camera(scene, sensor_, mix(mix(seed_, stream), views.size()), ColorFrames::none,
                              [joints] { return joints; });
       const CaptureInfo info = camera.info();
-      DepthView of_capture = depth_view(statistics_of(camera, frames), info.depth, info.depth_unit_m,
-                                        disparity_m_px(info));
+      DepthView of_capture =
+          depth_view(statistics_of(camera, frames), info.depth, info.depth_unit_m, disparity_m_px(info));
       if (views.empty()) first_from_world = camera.world_from_camera().inverse();
       views.push_back({std::move(of_capture), first_from_world * camera.world_from_camera()});
     }
@@ -159,9 +159,9 @@ class UnchangedBay {
 
 void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
   const auto of_frames = [&](int count) {
-    return peaks_of(disparity_change(bay.statistics_before(count), bay.statistics_after(count),
-                                     bay.disparity_by_depth()),
-                    bay.disparity_by_depth());
+    return peaks_of(
+        disparity_change(bay.statistics_before(count), bay.statistics_after(count), bay.disparity_by_depth()),
+        bay.disparity_by_depth());
   };
   const CalibratedPeaks means = of_frames(frames);
   append(peaks[still_change_sure], means.change.sure);
@@ -178,8 +178,8 @@ void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
 void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known, PeaksOfTails& peaks) {
   const DepthView before = bay.view_before(captures);
   const DepthView after = bay.view_after(captures);
-  const Registration registration = known == KnownMotion::bumped ? register_near_views(before, after)
-                                                                 : register_views(before, after);
+  const Registration registration =
+      known == KnownMotion::bumped ? register_near_views(before, after) : register_views(before, after);
   if (!registration.trusted()) return;
   const SpatialChange change = change_from_elsewhere(before, after, registration, known);
   const CalibratedPeaks found = peaks_of(change.change, bay.disparity_by_depth());
@@ -188,18 +188,28 @@ void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known,
   append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unsure);
 }
 
+// Empty where too little holds the views together.
+std::optional<SpatialDetection> compared_by_depth(const Captures& before, const Captures& after) {
+  try {
+    return detect_spatial(before, after, {}, {});
+  } catch (const RegistrationRefused&) {
+    return std::nullopt;
+  }
+}
+
 void add_infrared(const UnchangedBay& bay, double rest_error_deg, std::optional<Kind> projector,
                   std::optional<Kind> lamp, PeaksOfTails& peaks) {
   const CaptureRoom room;
   const RobotSideOptions options{static_cast<int>(dithers), frames, rest_error_deg, lamp.has_value()};
   const Captures before = bay.side_before(options, room.path()).open(options.captures);
   const Captures after = bay.side_after(options, room.path()).open(options.captures);
-  const SpatialDetection depth = detect_spatial(before, after, {}, {});
+  const std::optional<SpatialDetection> depth = compared_by_depth(before, after);
+  if (!depth) return;
   std::vector<std::string> warnings;
   for (const auto& [light, tail] : {std::pair(Light::projector, projector), std::pair(Light::lamp, lamp)}) {
     if (!tail) continue;
-    if (const auto change = change_between(before, after, depth.placed,
-                                           depth.registration.initial_from_final, light, warnings))
+    if (const auto change = change_between(before, after, depth->placed,
+                                           depth->registration.initial_from_final, light, warnings))
       append(peaks[*tail], peaks_of(change->change));
   }
 }
@@ -230,7 +240,8 @@ PeaksOfTails peaks_of_inspection(std::uint64_t seed, const StereoSensorOptions& 
   const UnchangedBay near(seed, CameraReturn::near, sensor);
   add_moved(near, 1, KnownMotion::bumped, peaks);
   add_infrared(near, 0.0, between_dots, {}, peaks);
-  add_infrared(UnchangedBay(seed, CameraReturn::rest, sensor), half_a_step_deg, with_pairs, under_lamp, peaks);
+  add_infrared(UnchangedBay(seed, CameraReturn::rest, sensor), half_a_step_deg, with_pairs, under_lamp,
+               peaks);
   return peaks;
 }
 
@@ -270,14 +281,14 @@ bool check(const fs::path& file) {
   const nlohmann::json document = parse_json(read_text_file(file), file.string());
   const JsonObject fitted = JsonObject(document, file.string()).object("tails");
   bool all_fit = true;
-  fmt::print("{:26} {:>16} {:>24} {:>16} {:>24}\n", "tail", "slope, program", "fitted (95 %)", "peaks, program",
-             "fitted (95 %)");
+  fmt::print("{:26} {:>16} {:>24} {:>16} {:>24}\n", "tail", "slope, program", "fitted (95 %)",
+             "peaks, program", "fitted (95 %)");
   for (const auto& [name, held] : tails()) {
     const JsonObject tail = fitted.object(std::string(name).c_str());
     const auto slope = tail.numbers("slope_95", 2);
     const auto peaks = tail.numbers("peaks_95", 2);
-    const bool fits = slope[0] <= held.slope && held.slope <= slope[1] && peaks[0] <= held.peaks &&
-                      held.peaks <= peaks[1];
+    const bool fits =
+        slope[0] <= held.slope && held.slope <= slope[1] && peaks[0] <= held.peaks && held.peaks <= peaks[1];
     fmt::print("{:26} {:16.2f} {:>24} {:16.2f} {:>24}{}\n", name, held.slope,
                fmt::format("{:.2f} ({:.2f} to {:.2f})", tail.number("slope"), slope[0], slope[1]), held.peaks,
                fmt::format("{:.1f} ({:.1f} to {:.1f})", tail.number("peaks"), peaks[0], peaks[1]),
@@ -297,7 +308,7 @@ int main(int argc, char** argv) {
       const auto argument = [&](std::size_t k, const char* otherwise) {
         return arguments.size() > k ? arguments[k] : std::string(otherwise);
       };
-      fit(arguments[1], std::stoi(argument(2, "60")), std::stoull(argument(3, "1100001")),
+      fit(arguments[1], std::stoi(argument(2, "30")), std::stoull(argument(3, "1100001")),
           argument(4, "random:24"));
       return 0;
     }
@@ -305,7 +316,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "rva_fit_tails: {}\n", error.what());
     return 2;
   }
-  fmt::print(stderr, "usage: rva_fit_tails fit FILE [INSPECTIONS [FIRST_SEED [CAMERAS]]]\n"
-                     "       rva_fit_tails check FILE\n");
+  fmt::print(stderr,
+             "usage: rva_fit_tails fit FILE [INSPECTIONS [FIRST_SEED [CAMERAS]]]\n"
+             "       rva_fit_tails check FILE\n");
   return 2;
 }

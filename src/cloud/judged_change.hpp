@@ -22,7 +22,8 @@ struct JudgedChange {
 /// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras
 /// drawn by chance (docs/infrared.md), and up to where an inspection's own peaks are taken for unchanged:
 /// things that hardly show have peaks beyond. Images under the lamp, which have no dots, count as those
-/// between dots, and those of a camera that stood still as pairs: their own tails have not been fitted.
+/// between dots, and those of a camera that stood still as pairs; what their own tails measure
+/// (docs/statistics.md) is not used yet.
 struct UsualTail {
   UsualSlope slope;
   double end;
