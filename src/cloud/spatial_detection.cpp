@@ -70,6 +70,7 @@ class Run {
 
   SpatialDetection run(const Captures& initial, const Captures& final) {
     const Stopwatch start;
+    fewest_captures_ = std::min(initial.size(), final.size());
     const std::vector<Seen> before = read(initial, "initial", findings().initial_frames);
     const std::vector<Seen> after = read(final, "final", findings().final_frames);
     const std::vector<std::size_t> returns = exact_returns(initial, final);
@@ -215,7 +216,7 @@ class Run {
   [[nodiscard]] CalibratedOptions allowed(const Transform& initial_from_final) const {
     CalibratedOptions options = options_.calibrated;
     if (leans_on_pairs(initial_from_final))
-      options.false_findings *= rarity_of_support;
+      options.false_findings *= rarity_of_support(fewest_captures_, initial_from_final);
     else if (came_back_nearly(initial_from_final))
       options.false_findings *= options_.share;
     return options;
@@ -284,6 +285,7 @@ class Run {
   const Mask& left_out_;
   Detection detection_;
   PlacedCaptures placed_;
+  std::size_t fewest_captures_ = 0;  // of the side that has fewer
 };
 
 }  // namespace

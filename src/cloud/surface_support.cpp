@@ -134,6 +134,10 @@ bool have_pairs(const Captures& initial, const Captures& final) {
   return have(initial) && have(final);
 }
 
+double rarity_of_support(std::size_t captures, const Transform& initial_from_final) {
+  return captures < least_views_of_an_edge && came_back_nearly(initial_from_final) ? 1.0 : 20.0;
+}
+
 void keep_supported(const Captures& initial, const Captures& final, const PlacedCaptures& placed,
                     const Transform& initial_from_final, double false_findings, Comparison& comparison) {
   if (cv::countNonZero(as_mat(comparison.changed)) == 0) return;
@@ -144,9 +148,11 @@ void keep_supported(const Captures& initial, const Captures& final, const Placed
       surface_of(comparison.initial_m, comparison.final_m, view),
       surface_of(comparison.final_m, comparison.initial_m, view), view.disparity_m_px, before, after);
   const auto shown_by_depth = static_cast<float>(-std::log10(false_findings));
-  const auto rarer = static_cast<float>(std::log10(rarity_of_support));
-  // The mean of several views has its edges where they are.
-  const bool edges_may_be_off = std::min(initial.size(), final.size()) < least_views_of_an_edge;
+  const std::size_t captures = std::min(initial.size(), final.size());
+  const auto rarer = static_cast<float>(std::log10(rarity_of_support(captures, initial_from_final)));
+  // The mean of several views has its edges where they are. Of a camera that came back nearly, depth proposes
+  // no more than is allowed, and a key may be no thicker than a line.
+  const bool edges_may_be_off = captures < least_views_of_an_edge && !came_back_nearly(initial_from_final);
   for (const Region& blob : find_regions(comparison.changed, {.min_blob_px = 0, .join_px = 0.0})) {
     const Support support = support_of(blob, objection, comparison, edges_may_be_off);
     if (support == Support::some) {

@@ -91,6 +91,7 @@ double kept(const Scene& before, const Scene& after, Comparison comparison, int 
 
 constexpr double thick_m = 0.02;
 constexpr double thin_m = 0.0055;  // four pixels
+const Transform elsewhere(Eigen::Translation3d(0.05, 0.0, 0.0));
 
 TEST(SurfaceSupport, WhatBothSidesSawStays) {
   const Comparison comparison = claim(empty_room(), room_with_bar(thick_m));
@@ -104,21 +105,40 @@ TEST(SurfaceSupport, WhatOneSidesMatcherMadeUpIsTakenBack) {
   EXPECT_EQ(kept(room_with_bar(thick_m), room_with_bar(thick_m), comparison, 1), 0.0);
 }
 
-// An edge that both matchers put elsewhere looks like this.
-TEST(SurfaceSupport, ALineOfFourPixelsNeedsSeveralViews) {
+TEST(SurfaceSupport, ALineOfFourPixelsStaysWhereTheCameraCameBack) {
   const Comparison comparison = claim(empty_room(), room_with_bar(thin_m));
-  EXPECT_EQ(kept(empty_room(), room_with_bar(thin_m), comparison, 1), 0.0);
+  EXPECT_EQ(kept(empty_room(), room_with_bar(thin_m), comparison, 1), 1.0);
   EXPECT_EQ(kept(empty_room(), room_with_bar(thin_m), comparison, 4), 1.0);
 }
 
-TEST(SurfaceSupport, MakesWhatStaysRarer) {
+// An edge that both matchers put elsewhere looks like this. The camera stood still all the same, and is only
+// stated to have moved along the wall.
+TEST(SurfaceSupport, ALineOfFourPixelsFromElsewhereNeedsSeveralViews) {
   const Captures initial = side_of(empty_room(), 1, 1);
-  const Captures final = side_of(room_with_bar(thick_m), 1, 2);
+  const Captures final = side_of(room_with_bar(thin_m), 1, 100);
+  Comparison comparison = claim(empty_room(), room_with_bar(thin_m));
+  PlacedCaptures where = placed(initial, final, comparison.final_m);
+  where.first_from_initial.front() = elsewhere;
+  keep_supported(initial, final, where, elsewhere, false_findings, comparison);
+  EXPECT_EQ(std::ranges::count(comparison.changed.pixels(), mask_set), 0);
+
+  comparison = claim(empty_room(), room_with_bar(thick_m));
+  const Captures thick = side_of(room_with_bar(thick_m), 1, 100);
+  where = placed(initial, thick, comparison.final_m);
+  where.first_from_initial.front() = elsewhere;
+  keep_supported(initial, thick, where, elsewhere, false_findings, comparison);
+  EXPECT_GT(std::ranges::count(comparison.changed.pixels(), mask_set), 100);
+}
+
+TEST(SurfaceSupport, MakesWhatStaysRarer) {
+  EXPECT_EQ(rarity_of_support(1, Transform::Identity()), 1.0);
+  EXPECT_EQ(rarity_of_support(1, elsewhere), 20.0);
+  const Captures initial = side_of(empty_room(), 4, 1);
+  const Captures final = side_of(room_with_bar(thick_m), 4, 100);
   Comparison comparison = claim(empty_room(), room_with_bar(thick_m));
   keep_supported(initial, final, placed(initial, final, comparison.final_m), Transform::Identity(),
                  false_findings, comparison);
-  EXPECT_NEAR(*std::ranges::max_element(comparison.evidence.pixels()), 1.0 + std::log10(rarity_of_support),
-              1e-5);
+  EXPECT_NEAR(*std::ranges::max_element(comparison.evidence.pixels()), 1.0 + std::log10(20.0), 1e-5);
 }
 
 }  // namespace
