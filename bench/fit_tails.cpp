@@ -219,17 +219,14 @@ void add_still_infrared(const UnchangedBay& bay, PeaksOfTails& peaks) {
   const RobotSideOptions options{1, frames};
   const Captures before = bay.side_before(options, room.path()).open(1);
   const Captures after = bay.side_after(options, room.path()).open(1);
-  const CaptureInfo& info = after.front()->info();
-  DepthStatistics statistics(info.depth.width, info.depth.height);
-  for (std::size_t i = 0; i < after.front()->depth_frames(); ++i) statistics.add(after.front()->depth(i));
-  const DepthView view = depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
+  const DepthView view = view_of(*after.front());
   std::vector<std::string> warnings;
   if (const auto change =
           still_change_between(*before.front(), *after.front(), view, Light::projector, warnings))
     append(peaks[still_pair], peaks_of(change->change));
 }
 
-// Of every tail the peaks of one bay's unchanged images.
+// Collects the peaks of one bay's unchanged images, for every tail.
 PeaksOfTails peaks_of_inspection(std::uint64_t seed, const StereoSensorOptions& sensor) {
   PeaksOfTails peaks(tails().size());
   const UnchangedBay still(seed, CameraReturn::exact, sensor);

@@ -17,8 +17,8 @@ struct SpatialChange {
   double disparity_m_px = 0.0;  ///< focal length times baseline of the final camera
 };
 
-/// Of views that were laid over each other, in docs/spatial.md. Depth that went missing is no evidence from
-/// another place.
+/// The usual slopes where two views were registered (docs/spatial.md). Depth that went missing is no evidence
+/// there, so those of losses are never used.
 inline constexpr UsualSlopes slopes_of_moved_cameras{{{0.9}, {0.45}}, slopes_of_means.loss};
 /// One capture a side that is a degree off shows two to five times the false findings that are allowed with
 /// the slopes above, about as many as allowed with these (`rva evaluate --moved --return near --captures 1`;

@@ -45,13 +45,6 @@ Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, const 
           take_by_robot(wing.after, sensor, side, mix(seed, 3), room / "changed")};
 }
 
-DepthView view_of(const Capture& capture) {
-  const CaptureInfo& info = capture.info();
-  DepthStatistics statistics(info.depth.width, info.depth.height);
-  for (std::size_t i = 0; i < capture.depth_frames(); ++i) statistics.add(capture.depth(i));
-  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
-}
-
 /// What a comparison came to; a refused one finds nothing, neither debris nor anything false.
 struct Compared {
   std::vector<Finding> findings;
@@ -78,8 +71,8 @@ MovedRegistration error_of(std::string method, int captures, const Transform& of
   return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), {}, {}};
 }
 
-// Of the error as a small motion in the initial camera's frame, as the covariance has it. Where the images
-// show that the camera came back exactly, none is stated.
+// Holds the error, a small motion in the initial camera's frame, against the covariance. The result is empty
+// where the images show that the camera came back exactly, because no covariance is stated then.
 std::optional<double> normalised(const Registration& found, const Transform& off) {
   if (found.covariance.isZero()) return std::nullopt;
   const Eigen::AngleAxisd turn(off.linear());

@@ -37,6 +37,13 @@ RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
   return side;
 }
 
+DepthView view_of(const Capture& capture) {
+  const CaptureInfo& info = capture.info();
+  DepthStatistics statistics(info.depth.width, info.depth.height);
+  for (std::size_t i = 0; i < capture.depth_frames(); ++i) statistics.add(capture.depth(i));
+  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
+}
+
 SimulatedCamera camera_at(const Scene& scene, const StereoSensorOptions& sensor, const PanTilt& joints) {
   return {scene, sensor, 0, ColorFrames::none, [joints] { return joints; }};
 }

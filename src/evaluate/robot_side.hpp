@@ -40,6 +40,9 @@ struct RobotSideOptions {
                                       const RobotSideOptions& options, std::uint64_t seed,
                                       const std::filesystem::path& folder);
 
+/// The mean of all depth images of a capture. @throws Error when one cannot be read
+[[nodiscard]] DepthView view_of(const Capture& capture);
+
 /// A simulated camera at rest at these angles.
 [[nodiscard]] SimulatedCamera camera_at(const Scene& scene, const StereoSensorOptions& sensor,
                                         const PanTilt& joints);

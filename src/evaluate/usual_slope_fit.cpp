@@ -37,7 +37,7 @@ std::vector<Excesses> excesses_of(const std::vector<std::vector<float>>& peaks_o
   return images;
 }
 
-/// Of both parameters' logarithms.
+/// The logarithm of the likelihood, as a function of the logarithms of the slope and of the weight.
 class Likelihood {
  public:
   explicit Likelihood(std::vector<Excesses> images) : images_(std::move(images)) {}

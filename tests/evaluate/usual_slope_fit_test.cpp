@@ -11,7 +11,7 @@
 namespace rva {
 namespace {
 
-// Of a whole shape: the sum of as many exponential numbers.
+// A gamma distributed number: with a whole shape, it is a sum of that many exponential ones.
 double gamma(Random& random, int shape, double mean) {
   double sum = 0.0;
   for (int k = 0; k < shape; ++k) sum -= std::log(1.0 - random.uniform());

@@ -37,8 +37,8 @@ struct UsualSlopes {
   ByPlace<UsualSlope> loss;
 };
 
-/// Of means over frames, and of single frames, without which wrong matches cannot be told from noise and no
-/// place is surer than another (docs/calibrated.md).
+/// The usual slopes of means over several frames, and of single frames (docs/calibrated.md). A single frame
+/// cannot tell wrong matches from noise, so that all of its places have the same slope.
 inline constexpr UsualSlopes slopes_of_means{{{2.0}, {1.1}}, {{1.5}, {0.8}}};
 inline constexpr UsualSlopes slopes_of_single_frames{{{1.1}, {1.1}}, {{0.5}, {0.5}}};
 
