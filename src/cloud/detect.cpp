@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cloud/appearance_detection.hpp"
+#include "cloud/lit_capture.hpp"
 #include "cloud/surface_support.hpp"
 #include "cloud/view_check.hpp"
 #include "core/error.hpp"
@@ -31,6 +32,11 @@ StaticMethod static_method(DetectionMethod method) {
   if (method == DetectionMethod::constant) return StaticMethod::constant;
   if (method == DetectionMethod::gaussian) return StaticMethod::gaussian;
   return StaticMethod::calibrated;
+}
+
+bool is_of_the_thesis(DetectionMethod method) {
+  return method == DetectionMethod::constant || method == DetectionMethod::gaussian ||
+         method == DetectionMethod::octree;
 }
 
 // A pixel by pixel comparison of several captures a side takes an exact return: the initial capture whose
@@ -268,7 +274,9 @@ std::optional<DetectionMethod> detection_method_from_name(std::string_view name)
 
 SidesDetection detect(const Captures& initial, const Captures& final, const DetectOptions& options,
                       const Progress& progress, const Mask& left_out) {
-  return Run(initial, final, options, progress, left_out).run();
+  if (is_of_the_thesis(options.method)) return Run(initial, final, options, progress, left_out).run();
+  const LitSides lit = within_projector_field(initial, final);
+  return Run(lit.initial, lit.final, options, progress, left_out).run();
 }
 
 }  // namespace rva

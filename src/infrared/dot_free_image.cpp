@@ -7,6 +7,7 @@
 #include "depth/mat_view.hpp"
 #include "infrared/dot_mask.hpp"
 #include "infrared/gaps.hpp"
+#include "infrared/projector_field.hpp"
 
 namespace rva {
 namespace {
@@ -80,41 +81,6 @@ Mask without_light(const Image<float>& grey) {
 Mask either_set(Mask a, const Mask& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] |= b[i];
   return a;
-}
-
-cv::Mat widened(const cv::Mat& mask, int by_px) {
-  cv::Mat wide;
-  cv::dilate(mask, wide, cv::Mat::ones(2 * by_px + 1, 2 * by_px + 1, CV_8U));
-  return wide;
-}
-
-// The parts of a mask that reach the image's border.
-cv::Mat touching_border(const cv::Mat& mask) {
-  constexpr int frame_px = 1;
-  cv::Mat framed;
-  cv::copyMakeBorder(mask, framed, frame_px, frame_px, frame_px, frame_px, cv::BORDER_CONSTANT, mask_set);
-  cv::Mat parts;
-  cv::connectedComponents(framed, parts);
-  const int frame = parts.at<int>(0, 0);
-  return (parts == frame)(cv::Rect(frame_px, frame_px, mask.cols, mask.rows));
-}
-
-// Where a view has no dots, and what lies beside it. A window of dots is called dark only when its middle
-// lies some nine pixels beyond where they end. What is dark up to the image's border is where the projector's
-// field ends, which moves over the scene with the camera: there, more is left out. Elsewhere a dark part is a
-// hole, beside which things lie.
-Mask without_dots(const Mask& dots) {
-  constexpr int dots_window_px = 25;
-  constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
-  constexpr int beside_hole_px = 6;
-  constexpr int within_field_px = 15;
-  cv::Mat share;
-  cv::blur(as_mat(dots), share, {dots_window_px, dots_window_px});
-  const cv::Mat dark = share < least_dots;
-  Mask without(dots.width(), dots.height());
-  cv::Mat target = as_mat(without);
-  cv::bitwise_or(widened(dark, beside_hole_px), widened(touching_border(dark), within_field_px), target);
-  return without;
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+// How far the projector's light reaches in an infrared image.
+#pragma once
+
+#include "depth/image.hpp"
+
+namespace rva {
+
+/// Set where an image has no dots, and beside it: by six pixels, and by fifteen where it is dark up to the
+/// image's border. There the projector's field ends, which moves over the scene with the camera. A dark part
+/// within the field is a hole, beside which things lie.
+/// @param dots as of dot_mask()
+[[nodiscard]] Mask without_dots(const Mask& dots);
+
+/// Set where neither dots nor other light fall, up to the image's border, and beside it. Depth that a matcher
+/// gives there is made of noise.
+/// @param log_image as of log_grey()
+/// @param dots      as of dot_mask()
+/// @param beside_px what lies so near to where there are none, from some six to nine pixels beyond the last
+/// one
+[[nodiscard]] Mask beyond_projector(const Image<float>& log_image, const Mask& dots, int beside_px);
+
+}  // namespace rva
