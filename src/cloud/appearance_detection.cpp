@@ -154,12 +154,14 @@ void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared comp
   for (const JudgedChange& change : changes) add_significant(change, of_each_light, detection.left_out, mask);
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
-  drop_unsupported(judged, compared, false_findings, detection);
+  drop_unsupported({judged, compared, final_view.disparity_m_px}, false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
-    for (const std::uint32_t i : region.pixels) detection.changed[i] = mask_set;
-    findings.push_back(finding_of(std::move(region), changes, detection.final_m, final_view));
-    findings.back().id = static_cast<int>(findings.size());
+    Finding finding = finding_of(std::move(region), changes, detection.final_m, final_view);
+    if (is_spike_of_surfaces(finding, final_view.camera.fx)) continue;
+    for (const std::uint32_t i : finding.pixels) detection.changed[i] = mask_set;
+    finding.id = static_cast<int>(findings.size()) + 1;
+    findings.push_back(std::move(finding));
   }
   order(findings);
   const auto pixels = std::ranges::count(judged.pixels(), mask_set);

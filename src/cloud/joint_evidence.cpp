@@ -36,11 +36,22 @@ double unsupported_factor(InfraredCompared compared) {
   return compared == InfraredCompared::appearance ? 50.0 : 1e4;
 }
 
-bool is_unsupported(const Finding& finding, const Mask& judged_pixels, double least_score) {
+// Depth that came or went counts, too.
+bool moved_by_a_pixel(const Finding& finding, double disparity_m_px) {
+  if (!finding.height_mm || !finding.position_m) return true;
+  constexpr double m_per_mm = 0.001;
+  const double after_m = finding.position_m->z();
+  const double before_m = after_m + m_per_mm * *finding.height_mm;
+  return before_m <= 0.0 || std::abs(disparity_m_px / after_m - disparity_m_px / before_m) >= 1.0;
+}
+
+bool is_unsupported(const Finding& finding, const InfraredComparison& infrared, double least_score) {
   if (finding.evidence.appearance || !finding.score) return false;
   const auto judged =
-      std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return judged_pixels[i] != 0; });
-  return 2 * static_cast<std::size_t>(judged) > finding.pixels.size() && *finding.score < least_score;
+      std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return infrared.judged[i] != 0; });
+  if (2 * static_cast<std::size_t>(judged) <= finding.pixels.size()) return false;
+  return *finding.score < least_score ||
+         (infrared.compared == InfraredCompared::still && moved_by_a_pixel(finding, infrared.disparity_m_px));
 }
 
 // In their order, from 1; what they say of each other goes along.
@@ -78,12 +89,20 @@ void order(std::vector<Finding>& findings) {
   number(findings);
 }
 
-void drop_unsupported(const Mask& judged, InfraredCompared compared, double false_findings,
-                      Detection& detection) {
-  const double least_score = std::log10(unsupported_factor(compared) / false_findings);
+bool is_spike_of_surfaces(const Finding& finding, double focal_px) {
+  constexpr double most_height_per_width = 3.0;
+  constexpr double mm_per_m = 1000.0;
+  if (finding.evidence.appearance || !finding.height_mm || !finding.position_m) return false;
+  const double width_px = std::sqrt(static_cast<double>(finding.pixels.size()));
+  const double width_mm = mm_per_m * width_px * finding.position_m->z() / focal_px;
+  return std::abs(*finding.height_mm) > most_height_per_width * width_mm;
+}
+
+void drop_unsupported(const InfraredComparison& infrared, double false_findings, Detection& detection) {
+  const double least_score = std::log10(unsupported_factor(infrared.compared) / false_findings);
   std::vector<Finding>& findings = detection.findings.findings;
   std::erase_if(findings, [&](const Finding& finding) {
-    if (!is_unsupported(finding, judged, least_score)) return false;
+    if (!is_unsupported(finding, infrared, least_score)) return false;
     for (const std::uint32_t i : finding.pixels) detection.changed[i] = 0;
     return true;
   });

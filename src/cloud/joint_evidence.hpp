@@ -22,12 +22,25 @@ void order(std::vector<Finding>& findings);
 /// of both imagers show, or, of a camera that stood still, every pixel.
 enum class InfraredCompared { appearance, surfaces, still };
 
+/// True of a finding of surfaces alone, without a difference in brightness, that is more than three times as
+/// high as it is wide: where a pattern repeats, the pairs of one side may match a few pixels of disparity
+/// off, which looks like a spike. A spike that is there changes brightness, too.
+[[nodiscard]] bool is_spike_of_surfaces(const Finding& finding, double focal_px);
+
+/// How infrared images were compared with the same captures.
+struct InfraredComparison {
+  const Mask& judged;  ///< where they were compared
+  InfraredCompared compared;
+  double disparity_m_px;  ///< focal length times baseline
+};
+
 /// Drops findings without evidence in the infrared images where these were compared over most of the finding,
 /// unless depth alone expects fewer such findings than a fiftieth of those allowed, and where surfaces or
-/// every pixel were compared, a ten thousandth. Numbers the others anew.
-/// @param judged         where infrared images were compared
+/// every pixel were compared, a ten thousandth. Of a camera that stood still, surfaces that moved by a pixel
+/// of disparity and more, and depth that came or went, are dropped in any case: the dots on them would be
+/// elsewhere, and a matcher that decides otherwise about the same image is what is left. Numbers the others
+/// anew.
 /// @param false_findings allowed for depth
-void drop_unsupported(const Mask& judged, InfraredCompared compared, double false_findings,
-                      Detection& detection);
+void drop_unsupported(const InfraredComparison& infrared, double false_findings, Detection& detection);
 
 }  // namespace rva

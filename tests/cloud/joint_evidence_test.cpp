@@ -12,6 +12,7 @@ namespace {
 constexpr int width = 40;
 constexpr int height = 30;
 constexpr double allowed = 0.025;
+constexpr double disparity_m_px = 32.0;
 // What depth alone expects less often than a fiftieth of what is allowed.
 const double sure = std::log10(50.0 / allowed) + 0.1;
 const double usual = -std::log10(allowed) + 0.1;
@@ -41,7 +42,7 @@ Detection detection_of(std::vector<Finding> findings) {
 TEST(JointEvidence, WhatInfraredImagesContradictIsDroppedUnlessDepthIsSure) {
   Detection detection =
       detection_of({finding(1, {at(5, 5), at(6, 5)}, sure), finding(2, {at(20, 5)}, usual)});
-  drop_unsupported(judged_everywhere(), InfraredCompared::appearance, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.findings.front().pixels.front(), at(5, 5));
   EXPECT_EQ(detection.changed[at(20, 5)], 0);
@@ -51,16 +52,60 @@ TEST(JointEvidence, WhatInfraredImagesContradictIsDroppedUnlessDepthIsSure) {
 TEST(JointEvidence, WhereSurfacesWereComparedDepthAloneMustBeSurer) {
   const double surest = std::log10(1e4 / allowed) + 0.1;
   Detection detection = detection_of({finding(1, {at(5, 5)}, surest), finding(2, {at(20, 5)}, sure)});
-  drop_unsupported(judged_everywhere(), InfraredCompared::surfaces, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, disparity_m_px}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.findings.front().pixels.front(), at(5, 5));
+}
+
+// A pixel of disparity, 32 m px at half a metre, is 8 mm.
+Finding raised(int id, std::initializer_list<std::uint32_t> pixels, double height_mm) {
+  constexpr double rarer_than_any_threshold = 30.0;
+  Finding one = finding(id, pixels, rarer_than_any_threshold);
+  one.height_mm = height_mm;
+  one.position_m = Eigen::Vector3d(0.0, 0.0, 0.5);
+  return one;
+}
+
+TEST(JointEvidence, ImagesOfAStillCameraThatDoNotDifferContradictWhatMovedByAPixel) {
+  Finding seen = raised(5, {at(30, 5)}, 20.0);
+  seen.evidence.appearance = true;
+  Finding lost = raised(6, {at(5, 20)}, 0.0);
+  lost.height_mm.reset();
+  Detection detection = detection_of({raised(1, {at(5, 5)}, 9.0), raised(2, {at(10, 5)}, -9.0),
+                                      raised(3, {at(20, 5)}, 7.0), raised(4, {at(25, 5)}, -7.0), seen, lost});
+  drop_unsupported({judged_everywhere(), InfraredCompared::still, disparity_m_px}, allowed, detection);
+  ASSERT_EQ(detection.findings.findings.size(), 3U);
+  EXPECT_EQ(detection.findings.findings[0].pixels.front(), at(20, 5));
+  EXPECT_EQ(detection.findings.findings[1].pixels.front(), at(25, 5));
+  EXPECT_EQ(detection.findings.findings[2].pixels.front(), at(30, 5));
+}
+
+TEST(JointEvidence, ACameraThatMovedMayHaveDotsElsewhere) {
+  Detection detection = detection_of({raised(1, {at(5, 5)}, 20.0)});
+  drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, disparity_m_px}, allowed, detection);
+  EXPECT_EQ(detection.findings.findings.size(), 1U);
+}
+
+// Four pixels are two wide: 2 mm at half a metre.
+TEST(JointEvidence, ASpikeOfSurfacesAloneIsAWrongMatch) {
+  constexpr double focal_px = 500.0;
+  const std::initializer_list<std::uint32_t> square{at(5, 5), at(6, 5), at(5, 6), at(6, 6)};
+  EXPECT_TRUE(is_spike_of_surfaces(raised(1, square, 6.1), focal_px));
+  EXPECT_TRUE(is_spike_of_surfaces(raised(1, square, -6.1), focal_px));
+  EXPECT_FALSE(is_spike_of_surfaces(raised(1, square, 5.9), focal_px));
+  Finding seen = raised(1, square, 60.0);
+  seen.evidence.appearance = true;
+  EXPECT_FALSE(is_spike_of_surfaces(seen, focal_px));
+  Finding nowhere = raised(1, square, 60.0);
+  nowhere.position_m.reset();
+  EXPECT_FALSE(is_spike_of_surfaces(nowhere, focal_px));
 }
 
 TEST(JointEvidence, WhatHasEvidenceStays) {
   Finding supported = finding(1, {at(5, 5)}, usual);
   supported.evidence.appearance = true;
   Detection detection = detection_of({supported});
-  drop_unsupported(judged_everywhere(), InfraredCompared::appearance, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
   EXPECT_EQ(detection.findings.findings.size(), 1U);
 }
 
@@ -68,7 +113,7 @@ TEST(JointEvidence, WhereInfraredImagesWereNotComparedDepthDecides) {
   Mask judged = judged_everywhere();
   judged[at(5, 5)] = 0;
   Detection detection = detection_of({finding(1, {at(5, 5), at(6, 5)}, usual)});
-  drop_unsupported(judged, InfraredCompared::appearance, allowed, detection);
+  drop_unsupported({judged, InfraredCompared::appearance, disparity_m_px}, allowed, detection);
   EXPECT_EQ(detection.findings.findings.size(), 1U) << "half of it is not most of it";
 }
 
@@ -95,7 +140,7 @@ TEST(JointEvidence, NumbersStayWithoutGapsAndReferToWhatIsLeft) {
   Finding source = finding(2, {at(15, 5)}, sure);
   source.kind = ChangeKind::removed;
   Detection detection = detection_of({finding(1, {at(20, 5)}, usual), source, stays, loses});
-  drop_unsupported(judged_everywhere(), InfraredCompared::appearance, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
   const std::vector<Finding>& left = detection.findings.findings;
   ASSERT_EQ(left.size(), 3U);
   for (std::size_t k = 0; k < left.size(); ++k) EXPECT_EQ(left[k].id, static_cast<int>(k) + 1);
