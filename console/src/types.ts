@@ -54,9 +54,15 @@ export interface Levels {
   by_distance: { from_m: number; to_m: number; median_mm: number; p90_mm: number }[];
 }
 
+/** One half of each view's baseline compared with the other half. */
+export interface BaselineCheck {
+  captures: number;
+  views: { view: number; false_findings?: number; level_of_detection?: Levels; problem?: string }[];
+}
+
 export interface TaskStatus {
   number: number;
-  kind: 'readiness' | 'capture' | 'comparison';
+  kind: 'readiness' | 'capture' | 'check' | 'comparison';
   end: 'running' | 'done' | 'cancelled' | 'failed';
   inspection?: number;
   side: SideName;

@@ -1,5 +1,5 @@
 // A whole inspection, as a person does it who has never seen the console.
-import { angle, begin, expect, expectAtRest, test } from './served';
+import { angle, begin, expect, expectAtRest, Served, test } from './served';
 
 test('from the empty list to the last decision, with a reload and a power cut between', async ({ console: page, served }) => {
   await begin(page);
@@ -92,6 +92,23 @@ test('from the empty list to the last decision, with a reload and a power cut be
 
   await page.getByTestId('home').click();
   await expect(page.getByTestId('open-1')).toContainText('Done');
+});
+
+test('a baseline of four captures is compared with itself, and nobody has to wait for it', async ({ page }) => {
+  const served = new Served();
+  await served.start(0, [], 4);
+  await page.goto(served.address);
+  await begin(page);
+  await page.getByTestId('capture-initial').click();
+  await expect(page.getByTestId('checking')).toContainText('You need not wait', { timeout: 60_000 });
+  await expect(page.getByTestId('capture-final')).toBeEnabled();
+  const check = page.getByTestId('baseline-check');
+  await expect(check.getByRole('row')).not.toHaveCount(0, { timeout: 60_000 });
+  await expect(check.getByRole('row').nth(1)).toContainText(/\d mm/);
+  await check.getByRole('button').click();
+  const picture = check.getByRole('img');
+  await expect.poll(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(800);
+  await served.end();
 });
 
 test('a capture is cancelled, and goes on where it was', async ({ console: page }) => {

@@ -13,8 +13,8 @@ namespace rva {
 /// DATA/inspections/000001/{initial,final}/000/ (captures, those of one view after each other), of later
 /// rounds
 /// .../final-2/000/, ...; .../comparison-1/results/000/ (of each view, what `rva detect` writes, and pictures
-/// for the review), .../comparison-1/{map,changes}.ply. Nothing here is replaced by a later capture or
-/// comparison.
+/// for the review), .../comparison-1/{map,changes}.ply; .../baseline-check/. Nothing here is replaced by a
+/// later capture or comparison.
 class InspectionFolder {
  public:
   InspectionFolder(const std::filesystem::path& data, std::int64_t id);
@@ -25,6 +25,10 @@ class InspectionFolder {
   /// @param dither of the view's captures, below inspection.dither
   [[nodiscard]] std::filesystem::path capture(Side side, const Inspection& inspection, int view,
                                               int dither) const;
+
+  /// Of the baseline's check (check_baseline()).
+  [[nodiscard]] std::filesystem::path baseline_check() const { return path_ / baseline_check_name; }
+  static constexpr const char* baseline_check_name = "baseline-check";
 
   /// The name of a comparison's folder in this one.
   [[nodiscard]] static std::string comparison_name(int number);

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "depth/capture.hpp"
+#include "inspect/baseline_check.hpp"
 #include "inspect/person_name.hpp"
 #include "inspect/view_comparison.hpp"
 #include "map/waypoints.hpp"
@@ -128,9 +129,7 @@ void Inspector::change_ignored(std::int64_t id, int view, const std::vector<Poly
   if (!before.initial) throw Error(title(id), "has no baseline to draw on", "take the baseline first");
   if (view < 0 || view >= static_cast<int>(before.views.size()))
     throw Error(title(id), fmt::format("has no view {}", view), "give one of its views, from 0");
-  const TaskState now = task();
-  if (now.end == TaskEnd::running && now.kind != TaskKind::readiness && now.inspection == id)
-    throw Error(title(id), "is captured or compared just now", "wait until that is done");
+  if (is_changing(id)) throw Error(title(id), "is captured or compared just now", "wait until that is done");
   records_.set_ignored(id, view, ignored);
 }
 
@@ -176,7 +175,10 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
   return [this, id, side, round, wanted] {
     const std::string taken_at = take_side(rig_, wanted, tasks_.capture_events());
     records_.set_side(id, side, {taken_at, round.person, round.base, round.round});
-    if (side == Side::final) compare_now(id);
+    if (side == Side::final)
+      compare_now(id);
+    else
+      check_now(id);
   };
 }
 
@@ -234,6 +236,18 @@ void Inspector::compare_now(std::int64_t id) {
   records_.set_comparison(id, {number, iso_8601_now(), name}, compared.views, compared.findings);
 }
 
+void Inspector::check_now(std::int64_t id) {
+  tasks_.update([](TaskState& task) { task.kind = TaskKind::check; });
+  check_baseline(folder(id), inspection(id), tasks_.counted_progress());
+}
+
+// A capture or a comparison of it is under way.
+bool Inspector::is_changing(std::int64_t id) const {
+  const TaskState now = task();
+  const bool changes = now.kind == TaskKind::capture || now.kind == TaskKind::comparison;
+  return now.end == TaskEnd::running && changes && now.inspection == id;
+}
+
 std::optional<Readiness> Inspector::readiness() const {
   const std::lock_guard lock(mutex_);
   return readiness_;
@@ -241,8 +255,7 @@ std::optional<Readiness> Inspector::readiness() const {
 
 void Inspector::decide(std::int64_t id, int comparison, int finding, const Decision& decision) {
   require_person(decision.person);
-  const TaskState now = task();
-  if (now.end == TaskEnd::running && now.kind != TaskKind::readiness && now.inspection == id)
+  if (is_changing(id))
     throw Error(title(id), "is captured or compared just now", "wait, and decide on what is found then");
   records_.decide(id, comparison, finding, decision);
 }

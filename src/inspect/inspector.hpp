@@ -67,13 +67,14 @@ class Inspector {
   /// @throws Error when there is no baseline or no such view, or a capture or comparison is under way
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
 
-  // Each starts a task. @throws Error when another is under way that is no check of readiness, which is
-  // ended, or when the inspection is not so far.
+  // Each starts a task. @throws Error when another is under way that is no check of readiness or of a
+  // baseline, which are ended, or when the inspection is not so far.
 
   void check_readiness();
   /// Of every view. A baseline that was interrupted goes on with the views that a robot has taken; a complete
-  /// one is not taken again: the work has been done on it. The final side is taken as a whole, in a round of
-  /// its own each time, and compared at once; earlier rounds stay where they are.
+  /// one is not taken again: the work has been done on it. It is compared with itself (check_baseline()), and
+  /// is complete whatever becomes of that. The final side is taken as a whole, in a round of its own each
+  /// time, and compared at once; earlier rounds stay where they are.
   /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
   void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
 
@@ -100,6 +101,8 @@ class Inspector {
   [[nodiscard]] TaskRunner::Work capture_work(std::int64_t id, Side side, const std::string& person,
                                               bool replaced);
   void compare_now(std::int64_t id);
+  void check_now(std::int64_t id);
+  [[nodiscard]] bool is_changing(std::int64_t id) const;
   void change_views(std::int64_t id, const std::vector<PanTilt>& views);
   void change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
   [[nodiscard]] BegunSide round_for(const Inspection& inspection, Side side, const std::string& person,

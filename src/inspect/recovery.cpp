@@ -11,6 +11,7 @@
 #include "core/path_text.hpp"
 #include "core/remains.hpp"
 #include "depth/capture_writer.hpp"
+#include "inspect/baseline_check.hpp"
 #include "inspect/inspection_folder.hpp"
 #include "inspect/view_comparison.hpp"
 
@@ -85,9 +86,12 @@ class Repair {
       if (holds_only(folder_ / name, comparison_files())) remove(folder_ / name);
     }
     for (const fs::path& path : folders_in(folder_)) {
-      if (is_name_of_remains(path) && target_of(path).starts_with("comparison-") &&
-          holds_only(path, comparison_files()))
-        remove(path);
+      if (!is_name_of_remains(path)) continue;
+      const std::string target = target_of(path);
+      const bool is_comparison = target.starts_with("comparison-") && holds_only(path, comparison_files());
+      const bool is_check =
+          target == InspectionFolder::baseline_check_name && holds_only(path, baseline_check_files());
+      if (is_comparison || is_check) remove(path);
     }
   }
 

@@ -8,6 +8,8 @@ std::string_view name_of(TaskKind kind) {
       return "readiness";
     case TaskKind::capture:
       return "capture";
+    case TaskKind::check:
+      return "check";
     case TaskKind::comparison:
       return "comparison";
   }

@@ -12,7 +12,12 @@
 
 namespace rva {
 
-enum class TaskKind { readiness, capture, comparison };
+enum class TaskKind {
+  readiness,
+  capture,
+  check,  ///< of a baseline that is complete
+  comparison,
+};
 [[nodiscard]] std::string_view name_of(TaskKind kind);
 
 enum class TaskEnd {

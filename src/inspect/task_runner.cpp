@@ -52,7 +52,8 @@ void TaskRunner::require_free(std::uint64_t ends_asked_for) const {
 // Whoever asks for more does not wait for a check to end.
 void TaskRunner::end_check() {
   const TaskState now = task();
-  if (now.end != TaskEnd::running || now.kind != TaskKind::readiness) return;
+  const bool is_check = now.kind == TaskKind::readiness || now.kind == TaskKind::check;
+  if (now.end != TaskEnd::running || !is_check) return;
   cancelled_ = true;
   thread_.join();
 }

@@ -13,7 +13,8 @@
 
 namespace rva {
 
-/// Every member may be called from any thread. A check of readiness ends when another task is to start.
+/// Every member may be called from any thread. A check of readiness or of a baseline ends when another
+/// task is to start.
 class TaskRunner {
  public:
   using Work = std::function<void()>;

@@ -59,6 +59,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"POST", "/api/inspections/{}/findings/{}/decision", PersonRole::inspector, &Api::decide},
       {"GET", "/api/inspections/{}/views/{}/{}", PersonRole::viewer, &Api::get_picture},
       {"GET", "/api/inspections/{}/baseline/{}/{}", PersonRole::viewer, &Api::get_baseline_picture},
+      {"GET", "/api/inspections/{}/baseline-check", PersonRole::viewer, &Api::get_baseline_check},
       {"GET", "/api/inspections/{}/map", PersonRole::viewer, &Api::get_map},
       {"GET", "/api/inspections/{}/changes", PersonRole::viewer, &Api::get_changes},
       {"POST", "/api/readiness", PersonRole::operator_, &Api::check_readiness},

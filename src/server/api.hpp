@@ -99,6 +99,7 @@ class Api {
   // server/picture_routes.cpp
   ApiResponse get_picture(const Call& call) const;
   ApiResponse get_baseline_picture(const Call& call) const;
+  ApiResponse get_baseline_check(const Call& call) const;
   ApiResponse get_findable(const Call& call) const;
   ApiResponse get_map(const Call& call) const;
   ApiResponse get_changes(const Call& call) const;

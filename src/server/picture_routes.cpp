@@ -9,6 +9,7 @@
 #include "depth/image_file.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
 #include "inspect/review_pictures.hpp"
+#include "map/view_capture.hpp"
 #include "server/api.hpp"
 #include "server/measurement.hpp"
 #include "server/request_body.hpp"
@@ -67,12 +68,22 @@ ApiResponse Api::get_baseline_picture(const Call& call) const {
   const int view = view_number(call.places.at(1));
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
   if (!inspection.initial || view >= static_cast<int>(inspection.views.size())) throw not_there();
+  if (name == "level_of_detection.png" || name == "depth_overlay.png") {
+    const InspectionFolder folder = parts_.inspector.folder(inspection.id);
+    return file_answer(folder, folder.baseline_check() / view_name(static_cast<std::size_t>(view)) / name,
+                       "image/png");
+  }
   const auto capture =
       open_capture(parts_.inspector.folder(inspection.id).capture(Side::initial, inspection, view, 0));
   if (name != "depth.png" && name != "color.png") throw not_there();
   const ColorImage picture = name == "depth.png" ? draw_depth(*capture) : draw_color(*capture);
   if (picture.empty()) throw not_there();
   return {200, "image/png", text_of(encode_png(picture)), {{"Cache-Control", "no-store"}}};
+}
+
+ApiResponse Api::get_baseline_check(const Call& call) const {
+  const InspectionFolder folder = parts_.inspector.folder(inspection_id(call));
+  return file_answer(folder, folder.baseline_check() / "check.json", "application/json");
 }
 
 ApiResponse Api::get_findable(const Call& /*call*/) const {

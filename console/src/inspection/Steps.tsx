@@ -6,6 +6,7 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session, SideName, Stage, TaskStatus } from '../types';
 import { attempt, isBusy, lastFailure, openInspection } from './inspections';
+import { BaselineCheckCard } from './BaselineCheckCard';
 import { CaptureProgress, NoiseReport } from './CaptureProgress';
 import { RegionsCard } from '../regions/RegionsCard';
 import { ReadinessCard } from './ReadinessCard';
@@ -116,7 +117,7 @@ function WorkStep({ inspection, session, task }: StepProps) {
           )}
         </div>
         <RegionsCard inspection={inspection} session={session} />
-        <NoiseReport task={task} />
+        <BaselineCheckCard inspection={inspection} task={task} />
         <ReadinessCard mayCapture={session.role !== 'viewer'} />
       </div>
       <div class="panel-action">

@@ -23,9 +23,14 @@ export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
   }
 }
 
+/** Checks end by themselves when something else is to be done. */
+function isCheck(task: TaskStatus): boolean {
+  return task.kind === 'readiness' || task.kind === 'check';
+}
+
 /** While a capture or a comparison runs, nothing of the inspection is changed. */
 export function isBusy(task: TaskStatus | undefined): boolean {
-  return task?.end === 'running' && task.kind !== 'readiness';
+  return task?.end === 'running' && !isCheck(task);
 }
 
 export async function loadList(): Promise<void> {
@@ -49,12 +54,11 @@ export async function reopen(): Promise<void> {
   else await loadList();
 }
 
-/** How the last capture or comparison ended, where it did not end well: a check of readiness after it does not
- * wipe it away. */
+/** How the last capture or comparison ended, where it did not end well: a check after it does not wipe it away. */
 export const lastFailure = new Store<{ inspection: number; says: string } | null>(null);
 
 function noteEnd(task: TaskStatus): void {
-  if (task.kind === 'readiness' || task.inspection === undefined) return;
+  if (isCheck(task) || task.inspection === undefined) return;
   const says =
     task.end === 'cancelled'
       ? 'Cancelled. What was complete is kept: start again to go on.'

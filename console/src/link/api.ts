@@ -1,5 +1,6 @@
 // The server's HTTP API.
 import type {
+  BaselineCheck,
   Inspection,
   InspectionSummary,
   Joints,
@@ -53,6 +54,8 @@ export const api = {
   signOut: () => call<object>('POST', '/api/sign-out', {}),
   inspections: () => call<{ inspections: InspectionSummary[] }>('GET', '/api/inspections'),
   inspection: (id: number) => call<Inspection>('GET', `/api/inspections/${id}`),
+  /** Refused with 404 until there is one. */
+  baselineCheck: (id: number) => call<BaselineCheck>('GET', `/api/inspections/${id}/baseline-check`),
   begin: (order: Order) => call<Inspection>('POST', '/api/inspections', order),
   setViews: (id: number, views: Joints[]) => call<Inspection>('PUT', `/api/inspections/${id}/views`, { views }),
   /** Replaces what is left out of one view; a comparison that was made before does not hold any more. */
@@ -76,8 +79,8 @@ export function pictureAddress(inspection: Inspection, view: number, name: strin
   return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${inspection.comparison ?? 0}`;
 }
 
-/** The first picture that the baseline has of a view; colour may be missing. */
-export function baselineAddress(inspection: Inspection, view: number, name: 'color' | 'depth'): string {
+/** A picture of the baseline of a view; colour may be missing, and those of its check. */
+export function baselineAddress(inspection: Inspection, view: number, name: 'color' | 'depth' | 'level_of_detection' | 'depth_overlay'): string {
   const taken = encodeURIComponent(inspection.initial?.taken_at ?? '');
   return `/api/inspections/${inspection.id}/baseline/${view}/${name}.png?v=${taken}`;
 }

@@ -1,0 +1,104 @@
+// What could be found after the work, from the baseline compared with itself.
+import { useEffect, useState } from 'preact/hooks';
+import { api, baselineAddress } from '../link/api';
+import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
+import { FindableTable, NoiseReport } from './CaptureProgress';
+
+/** Of each distance, the levels of the view where they are largest. */
+function worstOf(levels: Levels[]): Levels | null {
+  const [first, ...others] = levels;
+  if (!first) return null;
+  const rows = new Map(first.by_distance.map((row) => [row.from_m, row]));
+  for (const row of others.flatMap((other) => other.by_distance)) {
+    const known = rows.get(row.from_m);
+    rows.set(row.from_m, {
+      ...row,
+      median_mm: Math.max(row.median_mm, known?.median_mm ?? 0),
+      p90_mm: Math.max(row.p90_mm, known?.p90_mm ?? 0),
+    });
+  }
+  return { ...first, by_distance: [...rows.values()].sort((a, b) => a.from_m - b.from_m) };
+}
+
+function noteOf(view: BaselineCheck['views'][number]): string | null {
+  const name = `View ${view.view + 1}`;
+  if (view.problem) return `${name} cannot be compared, neither with itself nor after the work: ${view.problem}`;
+  const count = view.false_findings ?? 0;
+  if (count === 0) return null;
+  const things = count === 1 ? 'one finding that is not there' : `${count} findings that are not there`;
+  return `${name}: the baseline compared with itself shows ${things}. Something moves in the bay, or shines: look at the picture, and expect such findings after the work.`;
+}
+
+function CheckPicture({ inspection, check }: { inspection: Inspection; check: BaselineCheck }) {
+  const [shown, setShown] = useState<number | null>(null);
+  const views = check.views.filter((view) => view.level_of_detection);
+  const current = views.find((view) => view.view === shown);
+  return (
+    <>
+      <div class="panel-pair">
+        {views.map((view) => (
+          <button key={view.view} type="button" aria-pressed={shown === view.view} onClick={() => setShown(shown === view.view ? null : view.view)}>
+            {views.length > 1 ? `Picture of view ${view.view + 1}` : 'Show it as a picture'}
+          </button>
+        ))}
+      </div>
+      {current && (
+        <img
+          class="wide"
+          src={baselineAddress(inspection, current.view, current.false_findings ? 'depth_overlay' : 'level_of_detection')}
+          alt={
+            current.false_findings
+              ? 'The depth image, with boxes around what was found although nothing changed'
+              : 'Smallest findable height at each place; blue is small, red large, black cannot be judged'
+          }
+        />
+      )}
+    </>
+  );
+}
+
+/** Of a camera that stands still, which takes one capture, its noise is all that is known. */
+export function BaselineCheckCard({ inspection, task }: { inspection: Inspection; task: TaskStatus }) {
+  const [check, setCheck] = useState<BaselineCheck | null>(null);
+  const checking = task.kind === 'check' && task.end === 'running';
+  useEffect(() => {
+    let current = true;
+    setCheck(null);
+    api.baselineCheck(inspection.id).then(
+      (found) => current && setCheck(found),
+      () => undefined,
+    );
+    return () => {
+      current = false;
+    };
+  }, [inspection.id, checking]);
+  if (checking) {
+    return (
+      <div class="card" data-testid="checking" role="status">
+        <h2>How small a thing would be found here</h2>
+        <p>The baseline is compared with itself. You need not wait for it.</p>
+      </div>
+    );
+  }
+  if (!check) return <NoiseReport task={task} />;
+  const levels = worstOf(check.views.flatMap((view) => view.level_of_detection ?? []));
+  const notes = check.views.map(noteOf).filter((note) => note !== null);
+  return (
+    <div class="card" data-testid="baseline-check">
+      <h2>How small a thing would be found here</h2>
+      {levels && <FindableTable levels={levels} />}
+      {levels && (
+        <p class="hint">
+          For a thing {levels.window_px} pixels wide{check.views.length > 1 ? ', in the view where this is hardest' : ''}, as
+          the baseline compared with itself shows it. Things that show by their brightness are found when they are smaller.
+        </p>
+      )}
+      {notes.map((note) => (
+        <p key={note} class="warn">
+          {note}
+        </p>
+      ))}
+      <CheckPicture inspection={inspection} check={check} />
+    </div>
+  );
+}

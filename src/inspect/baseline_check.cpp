@@ -1,0 +1,114 @@
+#include "inspect/baseline_check.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "cloud/detect.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/interrupt.hpp"
+#include "core/output_folder.hpp"
+#include "depth/image_file.hpp"
+#include "detect/drawing.hpp"
+#include "map/view_capture.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int least_captures = 4;
+constexpr float level_of_all_per_half = 1.0F / std::numbers::sqrt2_v<float>;
+
+Captures captures_of(const InspectionFolder& folder, const Inspection& inspection, int view, int first,
+                     int end) {
+  Captures captures;
+  for (int k = first; k < end; ++k)
+    captures.push_back(open_capture(folder.capture(Side::initial, inspection, view, k)));
+  return captures;
+}
+
+Detection compare_halves(const InspectionFolder& folder, const Inspection& inspection, int view,
+                         const Progress& progress) {
+  const int half = inspection.dither / 2;
+  Detection detection = detect(captures_of(folder, inspection, view, 0, half),
+                               captures_of(folder, inspection, view, half, 2 * half), {}, progress)
+                            .detection;
+  if (auto& level = detection.level_of_detection) {
+    for (float& least_mm : level->least_mm.pixels()) least_mm *= level_of_all_per_half;
+    level->summary.by_distance = levels_by_distance(level->least_mm, detection.final_m);
+  }
+  return detection;
+}
+
+void write_pictures(const Detection& detection, const fs::path& folder) {
+  std::error_code ignored;  // write_file() says what is wrong
+  fs::create_directories(folder, ignored);
+  if (const auto& level = detection.level_of_detection)
+    write_file(folder / "level_of_detection.png", encode_png(draw_level_of_detection(level->least_mm)));
+  write_file(folder / "depth_overlay.png",
+             encode_png(draw_on_depth(detection.final_m, detection.findings.findings)));
+}
+
+Json json_of(const Detection& detection) {
+  Json json{{"false_findings", detection.findings.findings.size()}};
+  if (const auto& level = detection.level_of_detection)
+    json["level_of_detection"] = Json::parse(to_json(level->summary));
+  return json;
+}
+
+// A view that cannot be compared with itself cannot be compared after the work either, which is worth
+// knowing.
+Json check_view(const InspectionFolder& folder, const Inspection& inspection, int view,
+                const fs::path& pictures, const Progress& progress) {
+  Json json{{"view", view}};
+  std::optional<Detection> detection;
+  try {
+    detection = compare_halves(folder, inspection, view, progress);
+  } catch (const Error& error) {
+    json["problem"] = error.what();
+    return json;
+  }
+  write_pictures(*detection, pictures);
+  json.update(json_of(*detection));
+  return json;
+}
+
+}  // namespace
+
+std::vector<std::string> baseline_check_files() {
+  return {"check.json", "[0-9][0-9][0-9]/level_of_detection.png", "[0-9][0-9][0-9]/depth_overlay.png"};
+}
+
+void check_baseline(const InspectionFolder& folder, const Inspection& inspection, const Progress& progress) {
+  std::error_code unknown;
+  if (inspection.dither < least_captures || fs::exists(folder.baseline_check(), unknown)) return;
+  folder.require_no_links(folder.path());
+  OutputFolder out(folder.baseline_check(), baseline_check_files(), Existing::refuse);
+  Json views = Json::array();
+  for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
+    throw_if_interrupted();
+    const Progress in_view = [&](std::string_view /*step*/, std::size_t /*done*/, std::size_t /*total*/) {
+      if (progress) progress("checking", static_cast<std::size_t>(view), inspection.views.size());
+    };
+    in_view("", 0, 0);
+    views.push_back(
+        check_view(folder, inspection, view, out.path(view_name(static_cast<std::size_t>(view))), in_view));
+  }
+  const Json check{{"format", "rva-baseline-check"},
+                   {"version", 1},
+                   {"captures", inspection.dither / 2},
+                   {"views", std::move(views)}};
+  write_file(out.path("check.json"), check.dump(1) + "\n");
+  out.commit();
+}
+
+}  // namespace rva
