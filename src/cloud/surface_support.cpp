@@ -9,6 +9,7 @@
 
 #include "core/interrupt.hpp"
 #include "core/parallel.hpp"
+#include "core/quantile.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/regions.hpp"
 #include "infrared/dot_mask.hpp"
@@ -89,16 +90,33 @@ bool is_thicker_than_an_edge(const std::vector<std::uint32_t>& pixels, int width
   return std::ranges::count(eroded(pixels, width, height, disc).pixels(), mask_set) > 0;
 }
 
+// Near the camera, a wrong match of a few pixels is smaller than any debris, and stands far before or behind
+// what is around it.
+bool is_spike(const std::vector<std::uint32_t>& pixels, const Comparison& comparison, double focal_px) {
+  constexpr float least_width_m = 0.002F;
+  constexpr float most_height_per_width = 20.0F;
+  std::vector<float> heights_m;
+  std::vector<float> nearest_m;
+  for (const std::uint32_t i : pixels) {
+    heights_m.push_back(std::abs(comparison.initial_m[i] - comparison.final_m[i]));
+    nearest_m.push_back(std::min(comparison.initial_m[i], comparison.final_m[i]));
+  }
+  const float width_px = std::sqrt(static_cast<float>(pixels.size()));
+  const float width_m = width_px * quantile(nearest_m, 0.5) / static_cast<float>(focal_px);
+  return width_m < least_width_m && quantile(heights_m, 0.5) > most_height_per_width * width_m;
+}
+
 enum class Support { none, some, unknown };
 
 // Views do not lie over each other to the last pixel, and an edge that is a pixel off is objected to by both
 // sides: what has an interior is judged by that, what has none by the least objection within a pixel.
 Support support_of(const Region& blob, const SurfaceObjection& objection, const Comparison& comparison,
-                   bool edges_may_be_off) {
+                   double focal_px, bool edges_may_be_off) {
   std::vector<std::uint32_t> measured;
   std::ranges::copy_if(blob.pixels, std::back_inserter(measured),
                        [&](std::uint32_t i) { return is_measured(comparison, i); });
   if (5 * measured.size() < blob.pixels.size()) return Support::unknown;
+  if (is_spike(measured, comparison, focal_px)) return Support::none;
   const int width = comparison.changed.width();
   const int height = comparison.changed.height();
   if (edges_may_be_off && !is_thicker_than_an_edge(measured, width, height)) return Support::none;
@@ -154,7 +172,7 @@ void keep_supported(const Captures& initial, const Captures& final, const Placed
   // no more than is allowed, and a key may be no thicker than a line.
   const bool edges_may_be_off = captures < least_views_of_an_edge && !came_back_nearly(initial_from_final);
   for (const Region& blob : find_regions(comparison.changed, {.min_blob_px = 0, .join_px = 0.0})) {
-    const Support support = support_of(blob, objection, comparison, edges_may_be_off);
+    const Support support = support_of(blob, objection, comparison, view.camera.fx, edges_may_be_off);
     if (support == Support::some) {
       for (const std::uint32_t i : blob.pixels) comparison.evidence[i] += rarer;
     } else if (support == Support::none || rarest(blob, comparison) < shown_by_depth) {

@@ -130,6 +130,27 @@ TEST(SurfaceSupport, ALineOfFourPixelsFromElsewhereNeedsSeveralViews) {
   EXPECT_GT(std::ranges::count(comparison.changed.pixels(), mask_set), 100);
 }
 
+// A post that stands far before the wall, seen from its end: 5 mm are 8 pixels at a quarter of a metre.
+std::ptrdiff_t kept_of_post(double side_m) {
+  Scene after = empty_room();
+  const Transform world_from_camera =
+      SimulatedCamera(after, test::quick(), 0, ColorFrames::none).world_from_camera();
+  after.objects.push_back(test::box_at("post", world_from_camera * Eigen::Vector3d(0, 0, 0.25 + 0.05),
+                                       {side_m, 0.1, side_m}, test::grainy));
+  const Captures initial = side_of(empty_room(), 1, 1);
+  const Captures final = side_of(after, 1, 100);
+  Comparison comparison = claim(empty_room(), after);
+  EXPECT_GT(std::ranges::count(comparison.changed.pixels(), mask_set), 0);
+  keep_supported(initial, final, placed(initial, final, comparison.final_m), Transform::Identity(),
+                 false_findings, comparison);
+  return std::ranges::count(comparison.changed.pixels(), mask_set);
+}
+
+TEST(SurfaceSupport, ASpikeThatIsNarrowerThanAnyDebrisIsAWrongMatch) {
+  EXPECT_EQ(kept_of_post(0.0015), 0);
+  EXPECT_GT(kept_of_post(0.005), 40);
+}
+
 TEST(SurfaceSupport, MakesWhatStaysRarer) {
   EXPECT_EQ(rarity_of_support(1, Transform::Identity()), 1.0);
   EXPECT_EQ(rarity_of_support(1, elsewhere), 20.0);
