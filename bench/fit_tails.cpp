@@ -20,6 +20,7 @@
 
 #include "cloud/appearance_evidence.hpp"
 #include "cloud/fused_view.hpp"
+#include "cloud/lit_capture.hpp"
 #include "cloud/spatial_comparison.hpp"
 #include "cloud/spatial_detection.hpp"
 #include "cloud/still_evidence.hpp"
@@ -32,7 +33,6 @@
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
 #include "evaluate/usual_slope_fit.hpp"
-#include "robot/dither.hpp"
 #include "sim/sensor/camera_models.hpp"
 
 namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ namespace {
 using namespace rva;
 
 constexpr int frames = 10;
-constexpr std::size_t dithers = 4;
+constexpr int dithers = 4;
 
 /// The tails of the program, in the order of tails().
 enum Kind : std::size_t {
@@ -93,75 +93,67 @@ void append(std::vector<float>& to, const std::vector<float>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// One unchanged bay, captured twice by one camera.
-class UnchangedBay {
- public:
-  UnchangedBay(std::uint64_t seed, CameraReturn how, const StereoSensorOptions& sensor)
-      : seed_(mix(seed, static_cast<std::uint64_t>(how))), sensor_(sensor) {
-    const MovedWing wing = random_moved_wing(seed_, how);
-    before_ = wing.before;
-    after_ = wing.before;
-    after_.stand = wing.after.stand;
-  }
+/// Captures of one side, as the program compares them, and where they really were taken.
+struct TakenSide {
+  Captures whole;
+  Captures lit;  ///< of `whole`, without depth beyond the projector's light
+  std::vector<Transform> world_from_camera;
 
-  [[nodiscard]] DepthStatistics statistics_before(int count) const { return statistics(before_, 1, count); }
-  [[nodiscard]] DepthStatistics statistics_after(int count) const { return statistics(after_, 2, count); }
-
-  // The views of a dithered side, fused in the first one.
-  [[nodiscard]] DepthView view_before(std::size_t captures) const { return view(before_, 3, captures); }
-  [[nodiscard]] DepthView view_after(std::size_t captures) const { return view(after_, 4, captures); }
-
-  [[nodiscard]] RobotSide side_before(const RobotSideOptions& options, const fs::path& folder) const {
-    return take_by_robot(before_, sensor_, options, mix(seed_, 5), folder / "before");
-  }
-  [[nodiscard]] RobotSide side_after(const RobotSideOptions& options, const fs::path& folder) const {
-    return take_by_robot(after_, sensor_, options, mix(seed_, 6), folder / "after");
-  }
-
-  [[nodiscard]] double disparity_by_depth() const {
-    const CaptureInfo info = SimulatedCamera(before_, sensor_, 0, ColorFrames::none).info();
-    return disparity_m_px(info) / info.depth_unit_m;
-  }
-
- private:
-  [[nodiscard]] static DepthStatistics statistics_of(SimulatedCamera& camera, int count) {
-    DepthStatistics statistics(camera.info().depth.width, camera.info().depth.height);
-    for (int i = 0; i < count; ++i) statistics.add(camera.wait_for_frame()->depth);
-    return statistics;
-  }
-
-  [[nodiscard]] DepthStatistics statistics(const Scene& scene, std::uint64_t stream, int count) const {
-    SimulatedCamera camera(scene, sensor_, mix(seed_, stream), ColorFrames::none);
-    return statistics_of(camera, count);
-  }
-
-  [[nodiscard]] DepthView view(const Scene& scene, std::uint64_t stream, std::size_t captures) const {
-    const PanTilt middle{scene.stand.pan_deg, scene.stand.tilt_deg};
+  // The first captures, fused in the first one.
+  [[nodiscard]] DepthView view(std::size_t captures) const {
     std::vector<PlacedView> views;
-    Transform first_from_world = Transform::Identity();
-    for (const PanTilt& joints : dithered(middle, static_cast<int>(captures), {})) {
-      SimulatedCamera camera(scene, sensor_, mix(mix(seed_, stream), views.size()), ColorFrames::none,
-                             [joints] { return joints; });
-      const CaptureInfo info = camera.info();
-      DepthView of_capture =
-          depth_view(statistics_of(camera, frames), info.depth, info.depth_unit_m, disparity_m_px(info));
-      if (views.empty()) first_from_world = camera.world_from_camera().inverse();
-      views.push_back({std::move(of_capture), first_from_world * camera.world_from_camera()});
-    }
+    const Transform first_from_world = world_from_camera.front().inverse();
+    for (std::size_t k = 0; k < captures; ++k)
+      views.push_back({view_of(*lit[k]), first_from_world * world_from_camera[k]});
     return fuse(views);
   }
 
-  std::uint64_t seed_;
-  const StereoSensorOptions& sensor_;
-  Scene before_;
-  Scene after_;
+  [[nodiscard]] DepthStatistics statistics(std::size_t count) const {
+    Runtime ignored;
+    return statistics_of(*lit.front(), count, {}, ignored);
+  }
+
+  [[nodiscard]] double disparity_by_depth() const {
+    const CaptureInfo& info = lit.front()->info();
+    return disparity_m_px(info) / info.depth_unit_m;
+  }
+};
+
+TakenSide take(const Scene& scene, const StereoSensorOptions& sensor, const RobotSideOptions& options,
+               std::uint64_t seed, const fs::path& folder) {
+  const RobotSide side = take_by_robot(scene, sensor, options, seed, folder);
+  TakenSide taken{side.open(options.captures), {}, {}};
+  for (const PanTilt& joints : side.rested)
+    taken.world_from_camera.push_back(camera_at(scene, sensor, joints).world_from_camera());
+  return taken;
+}
+
+/// One unchanged bay, captured twice by one camera.
+struct UnchangedBay {
+  UnchangedBay(std::uint64_t seed, CameraReturn how, const StereoSensorOptions& sensor,
+               const RobotSideOptions& options) {
+    const std::uint64_t stream = mix(seed, static_cast<std::uint64_t>(how));
+    const MovedWing wing = random_moved_wing(stream, how);
+    Scene unchanged = wing.before;
+    unchanged.stand = wing.after.stand;
+    before = take(wing.before, sensor, options, mix(stream, 1), room.path() / "before");
+    after = take(unchanged, sensor, options, mix(stream, 2), room.path() / "after");
+    LitSides lit = within_projector_field(before.whole, after.whole);
+    before.lit = std::move(lit.initial);
+    after.lit = std::move(lit.final);
+  }
+
+  CaptureRoom room;
+  TakenSide before;
+  TakenSide after;
 };
 
 void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
-  const auto of_frames = [&](int count) {
+  const double disparity_by_depth = bay.after.disparity_by_depth();
+  const auto of_frames = [&](std::size_t count) {
     return peaks_of(
-        disparity_change(bay.statistics_before(count), bay.statistics_after(count), bay.disparity_by_depth()),
-        bay.disparity_by_depth());
+        disparity_change(bay.before.statistics(count), bay.after.statistics(count), disparity_by_depth),
+        disparity_by_depth);
   };
   const CalibratedPeaks means = of_frames(frames);
   append(peaks[still_change_sure], means.change.sure);
@@ -176,69 +168,63 @@ void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
 }
 
 void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known, PeaksOfTails& peaks) {
-  const DepthView before = bay.view_before(captures);
-  const DepthView after = bay.view_after(captures);
+  const DepthView before = bay.before.view(captures);
+  const DepthView after = bay.after.view(captures);
   const Registration registration =
       known == KnownMotion::bumped ? register_near_views(before, after) : register_views(before, after);
   if (!registration.trusted()) return;
   const SpatialChange change = change_from_elsewhere(before, after, registration, known);
-  const CalibratedPeaks found = peaks_of(change.change, bay.disparity_by_depth());
+  const CalibratedPeaks found = peaks_of(change.change, bay.after.disparity_by_depth());
   const bool bumped = known == KnownMotion::bumped;
   append(peaks[bumped ? bumped_change_sure : moved_change_sure], found.change.sure);
   append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unsure);
 }
 
 // Empty where too little holds the views together.
-std::optional<SpatialDetection> compared_by_depth(const Captures& before, const Captures& after) {
+std::optional<SpatialDetection> compared_by_depth(const UnchangedBay& bay) {
   try {
-    return detect_spatial(before, after, {}, {});
+    return detect_spatial(bay.before.lit, bay.after.lit, {}, {});
   } catch (const RegistrationRefused&) {
     return std::nullopt;
   }
 }
 
-void add_infrared(const UnchangedBay& bay, double rest_error_deg, std::optional<Kind> projector,
-                  std::optional<Kind> lamp, PeaksOfTails& peaks) {
-  const CaptureRoom room;
-  const RobotSideOptions options{static_cast<int>(dithers), frames, rest_error_deg, lamp.has_value()};
-  const Captures before = bay.side_before(options, room.path()).open(options.captures);
-  const Captures after = bay.side_after(options, room.path()).open(options.captures);
-  const std::optional<SpatialDetection> depth = compared_by_depth(before, after);
+void add_infrared(const UnchangedBay& bay, std::optional<Kind> projector, std::optional<Kind> lamp,
+                  PeaksOfTails& peaks) {
+  const std::optional<SpatialDetection> depth = compared_by_depth(bay);
   if (!depth) return;
   std::vector<std::string> warnings;
   for (const auto& [light, tail] : {std::pair(Light::projector, projector), std::pair(Light::lamp, lamp)}) {
     if (!tail) continue;
-    if (const auto change = change_between(before, after, depth->placed,
+    if (const auto change = change_between(bay.before.whole, bay.after.whole, depth->placed,
                                            depth->registration.initial_from_final, light, warnings))
       append(peaks[*tail], peaks_of(change->change));
   }
 }
 
 void add_still_infrared(const UnchangedBay& bay, PeaksOfTails& peaks) {
-  const CaptureRoom room;
-  const RobotSideOptions options{1, frames};
-  const Captures before = bay.side_before(options, room.path()).open(1);
-  const Captures after = bay.side_after(options, room.path()).open(1);
-  const DepthView view = view_of(*after.front());
   std::vector<std::string> warnings;
-  if (const auto change =
-          still_change_between(*before.front(), *after.front(), view, Light::projector, warnings))
+  if (const auto change = still_change_between(*bay.before.whole.front(), *bay.after.whole.front(),
+                                               bay.after.view(1), Light::projector, warnings))
     append(peaks[still_pair], peaks_of(change->change));
 }
 
 // Collects the peaks of one bay's unchanged images, for every tail.
 PeaksOfTails peaks_of_inspection(std::uint64_t seed, const StereoSensorOptions& sensor) {
   PeaksOfTails peaks(tails().size());
-  const UnchangedBay still(seed, CameraReturn::exact, sensor);
+  const UnchangedBay still(seed, CameraReturn::exact, sensor, {.captures = 1, .frames = frames});
   add_still(still, peaks);
   add_still_infrared(still, peaks);
-  add_moved(UnchangedBay(seed, CameraReturn::elsewhere, sensor), seed % 2 == 0 ? 1 : dithers,
-            KnownMotion::moved, peaks);
-  const UnchangedBay near(seed, CameraReturn::near, sensor);
+  const int elsewhere = seed % 2 == 0 ? 1 : dithers;
+  add_moved(UnchangedBay(seed, CameraReturn::elsewhere, sensor, {.captures = elsewhere, .frames = frames}),
+            static_cast<std::size_t>(elsewhere), KnownMotion::moved, peaks);
+  const UnchangedBay near(seed, CameraReturn::near, sensor, {.captures = dithers, .frames = frames});
   add_moved(near, 1, KnownMotion::bumped, peaks);
-  add_infrared(near, 0.0, between_dots, {}, peaks);
-  add_infrared(UnchangedBay(seed, CameraReturn::rest, sensor), half_a_step_deg, with_pairs, under_lamp,
-               peaks);
+  add_infrared(near, between_dots, {}, peaks);
+  const UnchangedBay rest(
+      seed, CameraReturn::rest, sensor,
+      {.captures = dithers, .frames = frames, .rest_error_deg = half_a_step_deg, .lamp = true});
+  add_infrared(rest, with_pairs, under_lamp, peaks);
   return peaks;
 }
 

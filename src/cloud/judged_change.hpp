@@ -19,19 +19,17 @@ struct JudgedChange {
   SurfaceChange surface{};
 };
 
-/// How fast peaks beyond three deviations get rarer in simulated inspections without change, with cameras
-/// drawn by chance (docs/infrared.md), and up to where an inspection's own peaks are taken for unchanged:
-/// things that hardly show have peaks beyond. Images under the lamp, which have no dots, count as those
-/// between dots, and those of a camera that stood still as pairs; what their own tails measure
-/// (docs/statistics.md) is not used yet.
+/// How fast peaks beyond three deviations usually get rarer where nothing changed, as `script/fit` measures
+/// it (docs/statistics.md), and up to where an inspection's own peaks are taken for unchanged: things that
+/// hardly show have peaks beyond.
 struct UsualTail {
   UsualSlope slope;
   double end;
 };
-inline constexpr UsualTail tail_between_dots{.slope = {.slope = 2.0, .peaks = 40.0}, .end = 4.0};
-inline constexpr UsualTail tail_with_pairs{.slope = {.slope = 1.6, .peaks = 20.0}, .end = 5.0};
-inline constexpr UsualTail tail_of_still_pair = tail_with_pairs;
-inline constexpr UsualTail tail_under_lamp = tail_between_dots;
+inline constexpr UsualTail tail_between_dots{.slope = {.slope = 1.53, .peaks = 19.72}, .end = 4.0};
+inline constexpr UsualTail tail_with_pairs{.slope = {.slope = 1.63, .peaks = 22.62}, .end = 5.0};
+inline constexpr UsualTail tail_of_still_pair{.slope = {.slope = 2.84, .peaks = 14.52}, .end = 5.0};
+inline constexpr UsualTail tail_under_lamp{.slope = {.slope = 1.23, .peaks = 28.28}, .end = 4.0};
 
 /// Nothing where the contrast is no more than stains and reflections change by; a collar changes more.
 void drop_faint(AppearanceChange& change);

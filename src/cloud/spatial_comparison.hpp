@@ -17,13 +17,11 @@ struct SpatialChange {
   double disparity_m_px = 0.0;  ///< focal length times baseline of the final camera
 };
 
-/// The usual slopes where two views were registered (docs/spatial.md). Depth that went missing is no evidence
-/// there, so those of losses are never used.
-inline constexpr UsualSlopes slopes_of_moved_cameras{{{0.9}, {0.45}}, slopes_of_means.loss};
-/// One capture a side that is a degree off shows two to five times the false findings that are allowed with
-/// the slopes above, about as many as allowed with these (`rva evaluate --moved --return near --captures 1`;
-/// docs/spatial.md has both).
-inline constexpr UsualSlopes slopes_of_bumped_cameras{{{0.6}, {0.3}}, slopes_of_means.loss};
+/// The usual slopes where two views were registered, and where one capture a side is a degree or two off, as
+/// `script/fit` measures them (docs/statistics.md). Depth that went missing is no evidence there, so those of
+/// losses are never used.
+inline constexpr UsualSlopes slopes_of_moved_cameras{{{1.07, 35.36}, {0.61, 8.41}}, slopes_of_means.loss};
+inline constexpr UsualSlopes slopes_of_bumped_cameras{{{1.23, 17.93}, {0.64, 7.87}}, slopes_of_means.loss};
 
 /// What is known of the camera's motion before the images are registered.
 enum class KnownMotion {

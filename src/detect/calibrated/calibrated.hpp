@@ -37,10 +37,12 @@ struct UsualSlopes {
   ByPlace<UsualSlope> loss;
 };
 
-/// The usual slopes of means over several frames, and of single frames (docs/calibrated.md). A single frame
-/// cannot tell wrong matches from noise, so that all of its places have the same slope.
-inline constexpr UsualSlopes slopes_of_means{{{2.0}, {1.1}}, {{1.5}, {0.8}}};
-inline constexpr UsualSlopes slopes_of_single_frames{{{1.1}, {1.1}}, {{0.5}, {0.5}}};
+/// The usual slopes of means over several frames, and of single frames, as `script/fit` measures them
+/// (docs/statistics.md). A single frame cannot tell wrong matches from noise, so that all of its places have
+/// the same slope.
+inline constexpr UsualSlopes slopes_of_means{{{1.30, 9.70}, {1.25, 6.70}}, {{0.88, 4.84}, {0.76, 6.30}}};
+inline constexpr UsualSlopes slopes_of_single_frames{{{1.05, 7.00}, {1.05, 7.00}},
+                                                     {{0.38, 10.36}, {0.38, 10.36}}};
 
 /// Of a camera that did not move.
 /// @param frames of the side that has fewer
