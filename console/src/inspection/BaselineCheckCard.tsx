@@ -3,6 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { api, baselineAddress } from '../link/api';
 import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
 import { FindableTable, NoiseReport } from './CaptureProgress';
+import { hiddenByDepth_px } from './words';
 
 /** Of each distance, the levels of the view where they are largest. */
 function worstOf(levels: Levels[]): Levels | null {
@@ -89,7 +90,7 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
       {levels && <FindableTable levels={levels} />}
       {levels && (
         <p class="hint">
-          For a thing {levels.window_px} pixels wide{check.views.length > 1 ? ', in the view where this is hardest' : ''}, as
+          For a thing {levels.window_px + hiddenByDepth_px} pixels wide{check.views.length > 1 ? ', in the view where this is hardest' : ''}, as
           the baseline compared with itself shows it. Things that show by their brightness are found when they are smaller.
         </p>
       )}

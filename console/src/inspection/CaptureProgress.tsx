@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { api } from '../link/api';
 import type { Levels, TaskStatus } from '../types';
 import { attempt } from './inspections';
-import { millimetres } from './words';
+import { hiddenByDepth_px, millimetres } from './words';
 
 function doneShare(task: TaskStatus): number {
   if (task.kind === 'capture') {
@@ -65,7 +65,7 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
         <strong>{noise.median_std_mm.toFixed(2)} mm</strong>.
       </p>
       <FindableTable levels={noise.findable} />
-      <p class="hint">For a thing {noise.findable.window_px} pixels wide. After the final capture you see what was really possible.</p>
+      <p class="hint">For a thing {noise.findable.window_px + hiddenByDepth_px} pixels wide. After the final capture you see what was really possible.</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
         {shown ? 'Hide the picture' : 'Show it as a picture'}
       </button>

@@ -15,6 +15,9 @@ export const verdictNames: Record<Verdict, string> = {
   'second-look': 'Needs a second look',
 };
 
+/** Depth shows a thing so much narrower than it is (docs/calibrated.md): levels are of things as they show. */
+export const hiddenByDepth_px = 8;
+
 export function titleOf(inspection: InspectionSummary): string {
   const parts = [inspection.aircraft, inspection.zone, inspection.work_order].filter((part) => part !== '');
   return parts.length > 0 ? parts.join(' · ') : `Inspection ${inspection.id}`;
