@@ -102,17 +102,21 @@ std::vector<StereoView> pairs_of(const Captures& side, float level, const std::v
   return pairs;
 }
 
+Mask both_set(Mask a, const Mask& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
+  return a;
+}
+
 SurfaceChange surface_between(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
                               double disparity_m_px, float level, const std::vector<InfraredView>& before,
                               const std::vector<InfraredView>& after) {
   std::vector<StereoView> pairs_before = pairs_of(initial, level, before);
   std::vector<StereoView> pairs_after = pairs_of(final, level, after);
-  return surface_change(surface, disparity_m_px, pairs_before, pairs_after);
-}
-
-Mask both_set(Mask a, const Mask& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
-  return a;
+  SurfaceChange change = surface_change(surface, disparity_m_px, pairs_before, pairs_after);
+  // Where the projector's light ends, pairs match what comes and goes with the camera's pose.
+  const Mask field = both_set(within_projectors(surface, before), within_projectors(surface, after));
+  for (std::size_t i = 0; i < field.size(); ++i) change.judged[i] &= field[i];
+  return change;
 }
 
 JudgedChange under_projector(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
