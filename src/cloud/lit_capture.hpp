@@ -14,7 +14,7 @@ struct LitSides {
   Captures final;
 };
 
-/// @param initial, final must outlive the result; captures of one pose are at one position
+/// @param initial, final must outlive the result; captures of one pose have one position in both
 /// @throws Error when an infrared image cannot be read
 [[nodiscard]] LitSides within_projector_field(const Captures& initial, const Captures& final);
 

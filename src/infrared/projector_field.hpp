@@ -15,8 +15,7 @@ namespace rva {
 /// gives there is made of noise.
 /// @param log_image as of log_grey()
 /// @param dots      as of dot_mask()
-/// @param beside_px what lies so near to where there are none, from some six to nine pixels beyond the last
-/// one
+/// @param beside_px is added around; without it, the area begins six to nine pixels beyond the last dots
 [[nodiscard]] Mask beyond_projector(const Image<float>& log_image, const Mask& dots, int beside_px);
 
 }  // namespace rva

@@ -5,7 +5,7 @@ import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
 import { FindableTable, NoiseReport } from './CaptureProgress';
 import { hiddenByDepth_px } from './words';
 
-/** Of each distance, the levels of the view where they are largest. */
+/** The largest levels that any view has at each distance. */
 function worstOf(levels: Levels[]): Levels | null {
   const [first, ...others] = levels;
   if (!first) return null;
@@ -58,7 +58,7 @@ function CheckPicture({ inspection, check }: { inspection: Inspection; check: Ba
   );
 }
 
-/** Of a camera that stands still, which takes one capture, its noise is all that is known. */
+/** A camera that stands still takes one capture of its view, so that only its noise is shown. */
 export function BaselineCheckCard({ inspection, task }: { inspection: Inspection; task: TaskStatus }) {
   const [check, setCheck] = useState<BaselineCheck | null>(null);
   const checking = task.kind === 'check' && task.end === 'running';

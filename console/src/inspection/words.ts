@@ -15,7 +15,7 @@ export const verdictNames: Record<Verdict, string> = {
   'second-look': 'Needs a second look',
 };
 
-/** Depth shows a thing so much narrower than it is (docs/calibrated.md): levels are of things as they show. */
+/** Depth shows a thing narrower than it is by this much (docs/calibrated.md); levels are about things as depth shows them. */
 export const hiddenByDepth_px = 8;
 
 export function titleOf(inspection: InspectionSummary): string {

@@ -37,9 +37,9 @@ struct UsualSlopes {
   ByPlace<UsualSlope> loss;
 };
 
-/// The usual slopes of means over several frames, and of single frames, as `script/fit` measures them
-/// (docs/statistics.md). A single frame cannot tell wrong matches from noise, so that all of its places have
-/// the same slope.
+/// The usual slopes of means over several frames, as `script/fit` measures them, and of single frames, within
+/// the intervals of those (docs/statistics.md). A single frame cannot tell wrong matches from noise, so that
+/// all of its places have the same slope.
 inline constexpr UsualSlopes slopes_of_means{{{1.30, 9.70}, {1.25, 6.70}}, {{0.88, 4.84}, {0.76, 6.30}}};
 inline constexpr UsualSlopes slopes_of_single_frames{{{1.05, 7.00}, {1.05, 7.00}},
                                                      {{0.38, 10.36}, {0.38, 10.36}}};
