@@ -2,9 +2,9 @@
 //
 // usage: rva_level_study exact|rest CAPTURES [INSPECTIONS [FIRST_SEED [CAMERAS [METHOD [WIDER_PX [TIMES]]]]]]
 //
-// Of each bay, an unchanged final side gives the level of detection. Boxes of just that height, or TIMES as
-// high, are put on what the camera sees, as wide as the levels are about or wider, of the material that they
-// stand on, and a final side is taken anew.
+// In each bay, a final side in which nothing changed gives the level of detection. Boxes of that height, or
+// TIMES as high, are put on what the camera sees, as wide as the levels are about or wider, of the material
+// that they stand on, and a final side is taken anew.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -118,7 +118,7 @@ void record_dithered(const RecordArguments& arguments) {
   for (const PanTilt& offset : dither_offsets(arguments.dither)) {
     approach(robot, {scene.stand.pan_deg + offset.pan_deg, scene.stand.tilt_deg + offset.tilt_deg}, clock);
     const std::filesystem::path folder = out.path(dither_name(number++));
-    std::error_code ignored;  // the writer says what is wrong
+    std::error_code ignored;  // the writer reports the error
     std::filesystem::create_directory(folder, ignored);
     CaptureWriter writer(folder, camera.info());
     record(camera, arguments.frames, writer, terminal_progress());

@@ -83,7 +83,7 @@ std::vector<std::string> files_of_a_simulated_capture() {
 }
 
 void write_infrared(const SimulatedCamera& camera, const OutputFolder& out) {
-  std::error_code ignored;  // write_file() says what is wrong
+  std::error_code ignored;  // write_file() reports the error
   std::filesystem::create_directory(out.path("infrared"), ignored);
   write_file(out.path("infrared/left.png"), encode_png(camera.left_infrared()));
   write_file(out.path("infrared/right.png"), encode_png(camera.right_infrared()));

@@ -23,7 +23,7 @@ RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
   SimulatedRobot robot({.rest_error_deg = options.rest_error_deg}, clock.now_s, mix(seed, 1));
   SimulatedCamera camera(scene, sensor, mix(seed, 2), ColorFrames::none,
                          [&robot] { return robot.true_joints(); });
-  std::error_code ignored;  // take_views() says what is wrong
+  std::error_code ignored;  // take_views() reports the error
   std::filesystem::create_directories(folder, ignored);
   RobotSide side;
   const Progress note_joints = [&](std::string_view /*step*/, std::size_t done, std::size_t /*total*/) {

@@ -143,11 +143,10 @@ Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> v
 }
 
 Mask within_projectors(const ReferenceSurface& surface, std::span<const InfraredView> views) {
-  constexpr int within_field_px = 15;
   Mask within(surface.inverse_depth_per_m.width(), surface.inverse_depth_per_m.height(), mask_set);
   for (const InfraredView& view : views) {
     const Warp warp(surface, view.view_from_reference);
-    const Mask clear = warp.clear_of(beyond_projector(view.log_image, view.dots, within_field_px));
+    const Mask clear = warp.clear_of(beyond_projector(view.log_image, view.dots, beside_field_px));
     for (int v = 0; v < within.height(); ++v) {
       for (int u = 0; u < within.width(); ++u) {
         if (clear(u, v) == 0 && warp.inside(u, v, 1.0F)) within(u, v) = 0;

@@ -54,8 +54,8 @@ struct DotFreeImage {
 /// off with the camera's pose.
 [[nodiscard]] Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views);
 
-/// Set where no view that sees the pixel has it beyond its projector's light, or within fifteen pixels of
-/// that (beyond_projector()).
+/// Set where no view that sees the pixel has it beyond its projector's light, or within
+/// `beside_field_px` of that (beyond_projector()).
 [[nodiscard]] Mask within_projectors(const ReferenceSurface& surface, std::span<const InfraredView> views);
 
 }  // namespace rva

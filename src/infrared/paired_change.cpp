@@ -162,11 +162,10 @@ PairedChange still_change(const ReferenceSurface& surface, const InfraredView& i
                           const InfraredView& final) {
   const int width = surface.camera.width;
   const int height = surface.camera.height;
-  constexpr int margin_px = 6;         // Within it, windows lie in the image whole.
-  constexpr int within_field_px = 15;  // The end of the projector's light wanders by a pixel.
+  constexpr int margin_px = 6;  // Within it, windows lie in the image whole.
   const PairDifference difference = pair_difference(initial, final, surface, Image<float>(width, height));
-  const Mask dark_before = beyond_projector(initial.log_image, initial.dots, within_field_px);
-  const Mask dark_after = beyond_projector(final.log_image, final.dots, within_field_px);
+  const Mask dark_before = beyond_projector(initial.log_image, initial.dots, beside_field_px);
+  const Mask dark_after = beyond_projector(final.log_image, final.dots, beside_field_px);
   Mask inside(width, height);
   for (int v = margin_px; v < height - margin_px; ++v) {
     for (int u = margin_px; u < width - margin_px; ++u) {

@@ -58,11 +58,10 @@ cv::Mat is_bright(const Image<float>& log_image) {
 
 Mask without_dots(const Mask& dots) {
   constexpr int beside_hole_px = 6;
-  constexpr int within_field_px = 15;
   Mask without(dots.width(), dots.height());
   cv::Mat target = as_mat(without);
   cv::bitwise_or(widened(few_dots(dots, square_px), beside_hole_px),
-                 widened(beyond_field(dots), within_field_px), target);
+                 widened(beyond_field(dots), beside_field_px), target);
   return without;
 }
 

@@ -5,9 +5,13 @@
 
 namespace rva {
 
-/// Set where an image has no dots, and beside it: by six pixels, and by fifteen where it is dark up to the
-/// image's border. There the projector's field ends, which moves over the scene with the camera. A dark part
-/// within the field is a hole, beside which things lie.
+/// Infrared images are not compared so near to where the projector's light ends, which moves over the scene
+/// with the camera.
+inline constexpr int beside_field_px = 15;
+
+/// Set where an image has no dots, and beside it: by six pixels, and by `beside_field_px` where it is dark up
+/// to the image's border. There the projector's field ends. A dark part within the field is a hole, beside
+/// which things lie.
 /// @param dots as of dot_mask()
 [[nodiscard]] Mask without_dots(const Mask& dots);
 

@@ -1,8 +1,7 @@
 #include "inspect/baseline_check.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
 #include "detect/drawing.hpp"
+#include "inspect/view_comparison.hpp"
 #include "map/view_capture.hpp"
 
 namespace fs = std::filesystem;
@@ -28,20 +28,14 @@ using Json = nlohmann::ordered_json;
 constexpr int least_captures = 4;
 constexpr float level_of_all_per_half = 1.0F / std::numbers::sqrt2_v<float>;
 
-Captures captures_of(const InspectionFolder& folder, const Inspection& inspection, int view, int first,
-                     int end) {
-  Captures captures;
-  for (int k = first; k < end; ++k)
-    captures.push_back(open_capture(folder.capture(Side::initial, inspection, view, k)));
-  return captures;
-}
-
 Detection compare_halves(const InspectionFolder& folder, const Inspection& inspection, int view,
                          const Progress& progress) {
-  const int half = inspection.dither / 2;
-  Detection detection = detect(captures_of(folder, inspection, view, 0, half),
-                               captures_of(folder, inspection, view, half, 2 * half), {}, progress)
-                            .detection;
+  Captures first = open_captures(folder, inspection, Side::initial, view);
+  const auto middle = first.begin() + inspection.dither / 2;
+  const Captures second(std::make_move_iterator(middle),
+                        std::make_move_iterator(middle + inspection.dither / 2));
+  first.resize(second.size());
+  Detection detection = detect(first, second, {}, progress).detection;
   if (auto& level = detection.level_of_detection) {
     for (float& least_mm : level->least_mm.pixels()) least_mm *= level_of_all_per_half;
     level->summary.by_distance = levels_by_distance(level->least_mm, detection.final_m);
@@ -50,7 +44,7 @@ Detection compare_halves(const InspectionFolder& folder, const Inspection& inspe
 }
 
 void write_pictures(const Detection& detection, const fs::path& folder) {
-  std::error_code ignored;  // write_file() says what is wrong
+  std::error_code ignored;  // write_file() reports the error
   fs::create_directories(folder, ignored);
   if (const auto& level = detection.level_of_detection)
     write_file(folder / "level_of_detection.png", encode_png(draw_level_of_detection(level->least_mm)));

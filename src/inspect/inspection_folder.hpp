@@ -26,7 +26,7 @@ class InspectionFolder {
   [[nodiscard]] std::filesystem::path capture(Side side, const Inspection& inspection, int view,
                                               int dither) const;
 
-  /// Of the baseline's check (check_baseline()).
+  /// The folder that check_baseline() writes.
   [[nodiscard]] std::filesystem::path baseline_check() const { return path_ / baseline_check_name; }
   static constexpr const char* baseline_check_name = "baseline-check";
 

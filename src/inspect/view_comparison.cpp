@@ -22,13 +22,6 @@
 namespace rva {
 namespace {
 
-Captures open_captures(const InspectionFolder& folder, const Inspection& inspection, Side side, int view) {
-  Captures captures;
-  for (int k = 0; k < inspection.dither; ++k)
-    captures.push_back(open_capture(folder.capture(side, inspection, view, k)));
-  return captures;
-}
-
 /// A view's captures, and what changed between them, in the view of the first final one.
 struct ViewResult {
   Captures initial;
@@ -57,7 +50,7 @@ void write_picture(const std::filesystem::path& file, const ColorImage& picture)
 // @return the picture of changes
 ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
   const Detection& detection = result.detection;
-  std::error_code ignored;  // write_file() says what is wrong
+  std::error_code ignored;  // write_file() reports the error
   std::filesystem::create_directories(folder, ignored);
   write_file(folder / "detections.json", to_json(detection.findings));
   write_file(folder / "changes.png", encode_png(detection.changed));
@@ -148,6 +141,13 @@ std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double 
   }
   name_moved_things(findings);
   return findings;
+}
+
+Captures open_captures(const InspectionFolder& folder, const Inspection& inspection, Side side, int view) {
+  Captures captures;
+  for (int k = 0; k < inspection.dither; ++k)
+    captures.push_back(open_capture(folder.capture(side, inspection, view, k)));
+  return captures;
 }
 
 Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number, bool moved,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cloud/spatial_detection.hpp"
 #include "core/progress.hpp"
 #include "inspect/inspection.hpp"
 #include "inspect/inspection_folder.hpp"
@@ -15,6 +16,10 @@ struct Compared {
   std::vector<ComparedView> views;
   std::vector<ReviewedFinding> findings;  ///< of all views, most suspicious first
 };
+
+/// The captures of a view, in the order in which they were taken. @throws Error when one cannot be opened
+[[nodiscard]] Captures open_captures(const InspectionFolder& folder, const Inspection& inspection, Side side,
+                                     int view);
 
 /// Compares each view's captures, and writes the results of all views with the map of the bay into a folder
 /// of their own (InspectionFolder), whole or not at all.

@@ -27,7 +27,7 @@ function noteOf(view: BaselineCheck['views'][number]): string | null {
   const count = view.false_findings ?? 0;
   if (count === 0) return null;
   const things = count === 1 ? 'one finding that is not there' : `${count} findings that are not there`;
-  return `${name}: the baseline compared with itself shows ${things}. Something moves in the bay, or shines: look at the picture, and expect such findings after the work.`;
+  return `${name}: the baseline compared with itself shows ${things}. Something may move or shine in the bay. Look at the picture, and expect such findings after the work.`;
 }
 
 function CheckPicture({ inspection, check }: { inspection: Inspection; check: BaselineCheck }) {
@@ -87,11 +87,11 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
   return (
     <div class="card" data-testid="baseline-check">
       <h2>How small a thing would be found here</h2>
-      {levels && <FindableTable levels={levels} />}
+      {levels && <FindableTable levels={levels} caption="Height from which a thing stands out" />}
       {levels && (
         <p class="hint">
           For a thing {levels.window_px + hiddenByDepth_px} pixels wide{check.views.length > 1 ? ', in the view where this is hardest' : ''}, as
-          the baseline compared with itself shows it. Things that show by their brightness are found when they are smaller.
+          the baseline compared with itself shows it.
         </p>
       )}
       {notes.map((note) => (

@@ -25,12 +25,12 @@ function says(task: TaskStatus): string {
 }
 
 /** By distance, near to far: the least height of a thing that would be found. */
-export function FindableTable({ levels }: { levels: Levels }) {
+export function FindableTable({ levels, caption }: { levels: Levels; caption: string }) {
   const sure_mm = 100;
   const rows = levels.by_distance.filter((level) => level.median_mm < sure_mm);
   return (
     <table class="findable">
-      <caption>Height from which a thing stands out, at best</caption>
+      <caption>{caption}</caption>
       <thead>
         <tr>
           <th scope="col">Distance</th>
@@ -64,7 +64,7 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
         The camera measures <strong>{Math.round(100 * noise.measured)} %</strong> of this view; its readings tremble by{' '}
         <strong>{noise.median_std_mm.toFixed(2)} mm</strong>.
       </p>
-      <FindableTable levels={noise.findable} />
+      <FindableTable levels={noise.findable} caption="Height from which a thing stands out, at best" />
       <p class="hint">For a thing {noise.findable.window_px + hiddenByDepth_px} pixels wide. After the final capture you see what was really possible.</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
         {shown ? 'Hide the picture' : 'Show it as a picture'}
