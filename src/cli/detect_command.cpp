@@ -52,15 +52,28 @@ struct DetectArguments {
   bool fail_on_detection = false;
 };
 
-// Boxes on colour need a colour picture; without one the result simply has no such file.
-void write_color_overlay(const Capture& final, const Detection& detection, const OutputFolder& out,
-                         std::vector<std::string>& warnings) {
+// Pictures on colour need a colour image; without one the result simply has no such file.
+std::optional<ColorImage> color_to_draw_on(const Capture& final, std::vector<std::string>& warnings) {
   if (final.color_frames() == 0) {
     warnings.emplace_back("the final capture has no colour image, so there is no overlay.png");
-    return;
+    return std::nullopt;
   }
-  const Overlay overlay =
-      draw_on_color(final.color(0), detection.findings.findings, detection.final_m, final.info());
+  try {
+    return final.color(0);
+  } catch (const Error& error) {
+    warnings.push_back(fmt::format("there is no overlay.png: {}", error.what()));
+    return std::nullopt;
+  }
+}
+
+void write_color_overlay(const Capture& final, const ColorImage& color, const Detection& detection,
+                         const OutputFolder& out, std::vector<std::string>& warnings) {
+  const CaptureInfo& info = final.info();
+  if (!detection.findings.findings.empty() && !(info.color && info.color_from_depth))
+    warnings.emplace_back(
+        "the final capture does not state how its colour and depth imagers stand to each other: boxes in "
+        "overlay.png lie only about where the findings are; depth_overlay.png shows them exactly");
+  const Overlay overlay = draw_on_color(color, detection.findings.findings, detection.final_m, info);
   if (overlay.outside > 0) {
     warnings.push_back(fmt::format(
         "{} finding(s) lie outside the colour camera's view; depth_overlay.png shows them", overlay.outside));
@@ -225,11 +238,13 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   write_file(out.path("changes.png"), encode_png(detection.changed));
   write_file(out.path("depth_overlay.png"),
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out)));
-  write_color_overlay(*sides.final.front(), detection, out, warnings);
-  if (used == DetectionMethod::octree && sides.final.front()->color_frames() > 0)
-    write_file(out.path("changed_points.png"),
-               encode_png(draw_changed_points(sides.final.front()->color(0), detection.changed,
-                                              detection.final_m, sides.final.front()->info())));
+  if (const auto color = color_to_draw_on(*sides.final.front(), warnings)) {
+    write_color_overlay(*sides.final.front(), *color, detection, out, warnings);
+    if (used == DetectionMethod::octree)
+      write_file(out.path("changed_points.png"),
+                 encode_png(draw_changed_points(*color, detection.changed, detection.final_m,
+                                                sides.final.front()->info())));
+  }
   if (registration) write_file(out.path("registration.json"), to_json(*registration));
   if (const auto& level = detection.level_of_detection) {
     write_file(out.path("level_of_detection.png"), encode_png(draw_level_of_detection(level->least_mm)));

@@ -142,12 +142,14 @@ void add_noise_command(CLI::App& program, Outcome& outcome) {
       ->check(any_seed())
       ->capture_default_str();
   add_flags(command, arguments->noise);
-  arguments->captures.add_to(command);
+  arguments->captures.add_without_unit_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print noise.json instead of a table");
   add_flags(command, arguments->check.options);
   add_flags(command, arguments->realsense);
-  command.callback([arguments, &outcome] {
+  command.callback([arguments, &outcome, &command] {
+    if (command.count("--depth-unit") > 0)
+      arguments->captures.depth_unit_mm = arguments->realsense.depth_unit_mm;
     if (!arguments->camera.empty()) {
       check(*arguments, outcome);
       return;

@@ -58,8 +58,20 @@ void add_flags(CLI::App& command, Options& options) {
 struct CaptureFlags {
   std::vector<double> intrinsics;
   std::vector<std::uint16_t> no_depth;
+  std::optional<double> depth_unit_mm;
+  std::string topic;
 
   void add_to(CLI::App& command) {
+    add_without_unit_to(command);
+    command
+        .add_option("--depth-unit", depth_unit_mm,
+                    "one step of the depth images, whatever the capture states")
+        ->type_name("mm")
+        ->check(number_within(0.0001, 1000.0));
+  }
+
+  /// For commands whose camera has a unit of the same name.
+  void add_without_unit_to(CLI::App& command) {
     command
         .add_option("--no-depth", no_depth,
                     "a value of depth that means no measurement, besides 0 and 65535; may be repeated")
@@ -68,7 +80,14 @@ struct CaptureFlags {
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->check(number_within<int>(0, 65535));
-    command.add_option("--intrinsics", intrinsics, "the depth camera of a capture that carries none (TUM)")
+    command
+        .add_option("--topic", topic,
+                    "the topic of the depth images in a recording of ROS, where there are several")
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--intrinsics", intrinsics,
+            "the depth camera of a capture that carries none (TUM, images alone, ROS without camera_info)")
         ->type_name("FX,FY,CX,CY")
         ->delimiter(',')
         ->expected(4);
@@ -77,6 +96,9 @@ struct CaptureFlags {
   [[nodiscard]] CaptureOptions options() const {
     CaptureOptions options;
     options.no_depth = no_depth;
+    constexpr double m_per_mm = 0.001;
+    if (!topic.empty()) options.topic = topic;
+    if (depth_unit_mm) options.depth_unit_m = m_per_mm * *depth_unit_mm;
     if (intrinsics.empty()) return options;
     Intrinsics camera;
     camera.width = camera.height = 1;  // replaced by the size of the first image

@@ -150,10 +150,12 @@ void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str();
   command.add_flag("--lamp", arguments->lamp,
                    "also infrared images of as many frames with the projector off and the lamp on");
-  arguments->recording.add_to(command);
+  arguments->recording.add_without_unit_to(command);
   add_flags(command, arguments->realsense);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier capture in DIR");
   command.callback([arguments, &command] {
+    if (command.count("--depth-unit") > 0)
+      arguments->recording.depth_unit_mm = arguments->realsense.depth_unit_mm;
     if (command.count("--dither") > 0)
       record_dithered(*arguments);
     else

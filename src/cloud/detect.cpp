@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "cloud/surface_support.hpp"
 #include "cloud/view_check.hpp"
 #include "core/error.hpp"
+#include "depth/capture_view.hpp"
 
 namespace rva {
 namespace {
@@ -106,6 +109,8 @@ class Run {
  private:
   static void add_depth_notes(std::string_view side, const Capture& capture,
                               std::vector<std::string>& warnings) {
+    for (const std::string& note : capture.info().notes)
+      warnings.push_back(fmt::format("{} capture: {}", side, note));
     for (const std::string& note : capture.depth_notes())
       warnings.push_back(fmt::format("{} capture: {}", side, note));
   }
@@ -261,6 +266,51 @@ class Run {
   std::vector<std::string> warnings_;
 };
 
+// The coarsest unit of all captures: in a finer one, what is far away would not fit into 16 bits.
+struct SidesInOneUnit {
+  SidesInOneUnit(const Captures& initial_captures, const Captures& final_captures) {
+    std::set<double> units_m;
+    for (const Captures* side : {&initial_captures, &final_captures}) {
+      for (const auto& capture : *side) units_m.insert(capture->info().depth_unit_m);
+    }
+    const double finest_m = *units_m.begin();
+    const double coarsest_m = *units_m.rbegin();
+    if (!is_same_unit(finest_m, coarsest_m))
+      note = fmt::format(
+          "the captures state depth in steps of {:.6g} mm and of {:.6g} mm: they were compared in steps of "
+          "{:.6g} mm",
+          mm_per_m * finest_m, mm_per_m * coarsest_m, mm_per_m * coarsest_m);
+    initial = converted(initial_captures, coarsest_m);
+    final = converted(final_captures, coarsest_m);
+  }
+
+  Captures initial;
+  Captures final;
+  std::string note;  ///< empty where all have one unit
+
+ private:
+  static constexpr double mm_per_m = 1000.0;
+
+  static Captures converted(const Captures& side, double unit_m) {
+    Captures result;
+    for (const auto& capture : side) {
+      if (is_same_unit(capture->info().depth_unit_m, unit_m))
+        result.push_back(std::make_unique<CaptureView>(*capture, capture->info()));
+      else
+        result.push_back(in_unit(*capture, unit_m));
+    }
+    return result;
+  }
+};
+
+SidesDetection detect_in_one_unit(const Captures& initial, const Captures& final,
+                                  const DetectOptions& options, const Progress& progress,
+                                  const Mask& left_out) {
+  if (is_of_the_thesis(options.method)) return Run(initial, final, options, progress, left_out).run();
+  const LitSides lit = within_projector_field(initial, final);
+  return Run(lit.initial, lit.final, options, progress, left_out).run();
+}
+
 }  // namespace
 
 std::string_view name_of(DetectionMethod method) {
@@ -274,9 +324,10 @@ std::optional<DetectionMethod> detection_method_from_name(std::string_view name)
 
 SidesDetection detect(const Captures& initial, const Captures& final, const DetectOptions& options,
                       const Progress& progress, const Mask& left_out) {
-  if (is_of_the_thesis(options.method)) return Run(initial, final, options, progress, left_out).run();
-  const LitSides lit = within_projector_field(initial, final);
-  return Run(lit.initial, lit.final, options, progress, left_out).run();
+  const SidesInOneUnit sides(initial, final);
+  SidesDetection result = detect_in_one_unit(sides.initial, sides.final, options, progress, left_out);
+  if (!sides.note.empty()) result.detection.warnings.push_back(sides.note);
+  return result;
 }
 
 }  // namespace rva

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "depth/capture_view.hpp"
 #include "detect/detection.hpp"
 #include "infrared/dot_mask.hpp"
 #include "infrared/projector_field.hpp"
@@ -17,43 +17,21 @@ namespace rva {
 namespace {
 
 /// A capture whose depth images lack what lies in a mask.
-class LitCapture : public Capture {
+class LitCapture : public CaptureView {
  public:
   /// @param beyond of the size of the depth images, or empty
   LitCapture(const Capture& whole, Mask beyond)
-      : Capture(whole.info()), whole_(whole), beyond_(std::move(beyond)) {}
+      : CaptureView(whole, whole.info()), beyond_(std::move(beyond)) {}
 
-  [[nodiscard]] std::size_t depth_frames() const override { return whole_.depth_frames(); }
-  [[nodiscard]] std::size_t color_frames() const override { return whole_.color_frames(); }
   [[nodiscard]] DepthImage depth(std::size_t i) const override {
-    DepthImage image = whole_.depth(i);
+    DepthImage image = CaptureView::depth(i);
     for (std::size_t pixel = 0; pixel < beyond_.size(); ++pixel) {
       if (beyond_[pixel] != 0) image[pixel] = 0;
     }
     return image;
   }
-  [[nodiscard]] std::vector<std::string> depth_notes() const override { return whole_.depth_notes(); }
-  [[nodiscard]] bool marks_no_depth_by_zero() const override { return whole_.marks_no_depth_by_zero(); }
-  [[nodiscard]] ColorImage color(std::size_t i) const override { return whole_.color(i); }
-  [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override {
-    return whole_.color_of(depth_frame);
-  }
-  [[nodiscard]] std::optional<FineGrayImage> infrared_of(std::size_t depth_frame,
-                                                         Imager imager) const override {
-    return whole_.infrared_of(depth_frame, imager);
-  }
-  [[nodiscard]] bool has_infrared(Imager imager, Light light) const override {
-    return whole_.has_infrared(imager, light);
-  }
-  [[nodiscard]] std::optional<Image<float>> infrared_mean(Imager imager, Light light) const override {
-    return whole_.infrared_mean(imager, light);
-  }
-  [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override {
-    return whole_.metadata_of(depth_frame);
-  }
 
  private:
-  const Capture& whole_;
   Mask beyond_;
 };
 

@@ -18,6 +18,7 @@
 #include "core/interrupt.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
+#include "depth/capture_view.hpp"
 
 namespace rva {
 namespace {
@@ -36,7 +37,7 @@ std::vector<std::size_t> exact_returns(const Captures& initial, const Captures& 
     const auto same = std::ranges::find_if(initial, [&](const auto& candidate) {
       return known_transform(candidate->info(), capture->info()) &&
              candidate->info().depth == capture->info().depth &&
-             candidate->info().depth_unit_m == capture->info().depth_unit_m &&
+             is_same_unit(candidate->info().depth_unit_m, capture->info().depth_unit_m) &&
              !poses_differ(candidate->info(), capture->info());
     });
     if (same == initial.end()) return {};

@@ -1,9 +1,14 @@
 #include "depth/capture.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <system_error>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/path_text.hpp"
+#include "depth/file_kind.hpp"
 #include "depth/formats.hpp"
 
 namespace fs = std::filesystem;
@@ -57,19 +62,49 @@ std::size_t lost_frames(const Capture& capture) {
   return lost;
 }
 
+namespace {
+
+// Open3D's recorders, its tutorials and StrayVisualizer each have a name of their own.
+constexpr std::array open3d_descriptions{"intrinsic.json", "camera_intrinsic.json", "camera_intrinsics.json"};
+
+// rosbag2 and people put a recording into a folder of its own.
+std::unique_ptr<Capture> open_recording_in(const fs::path& folder, const std::vector<fs::path>& recordings,
+                                           const CaptureOptions& options) {
+  if (recordings.size() > 1)
+    throw Error(printable(folder),
+                fmt::format("holds {} recordings, {} among them", recordings.size(),
+                            printable(recordings.front().filename())),
+                "give one of them");
+  require_recording(recordings.front());
+  return open_recording(recordings.front(), options);
+}
+
+std::unique_ptr<Capture> open_folder(const fs::path& folder, const CaptureOptions& options) {
+  std::error_code ignored;
+  const auto holds = [&](const char* name) { return fs::exists(folder / name, ignored); };
+  if (holds("capture.json")) return open_capture_folder(folder, options);
+  for (const char* name : open3d_descriptions) {
+    if (holds(name)) return open_open3d_folder(folder, folder / name, options);
+  }
+  if (holds("depth.txt")) return open_tum_folder(folder, options);
+  const std::vector<fs::path> recordings = image_files(folder, {".db3", ".bag"});
+  if (!recordings.empty()) return open_recording_in(folder, recordings, options);
+  if (!bare_depth_files(folder).empty()) return open_bare_folder(folder, options);
+  throw Error(printable(folder),
+              "no capture.json, no intrinsic.json of Open3D, no depth.txt of TUM, no recording and no depth "
+              "image in it",
+              "give the folder of a capture");
+}
+
+}  // namespace
+
 std::unique_ptr<Capture> open_capture(const fs::path& path, const CaptureOptions& options) {
   require_utf8(path);
   std::error_code ignored;
-  const auto holds = [&](const char* name) { return fs::exists(path / name, ignored); };
   if (!fs::exists(path, ignored)) throw Error(printable(path), "no such capture", "check the path");
-  if (!fs::is_directory(path, ignored)) return open_recording(path, options);
-  if (holds("capture.json")) return open_capture_folder(path, options);
-  if (holds("intrinsic.json")) return open_open3d_folder(path, path / "intrinsic.json", options);
-  if (holds("camera_intrinsic.json"))
-    return open_open3d_folder(path, path / "camera_intrinsic.json", options);
-  if (holds("depth.txt")) return open_tum_folder(path, options);
-  throw Error(printable(path), "no capture.json, no intrinsic.json of Open3D and no depth.txt of TUM in it",
-              "give the folder of a capture");
+  if (fs::is_directory(path, ignored)) return open_folder(path, options);
+  require_recording(path);
+  return open_recording(path, options);
 }
 
 }  // namespace rva

@@ -61,7 +61,8 @@ struct InfraredBurst {
 struct CaptureInfo {
   std::string format;  ///< "rva-capture", "open3d", "tum", "bag", "db3"
   Intrinsics depth;
-  double depth_unit_m = 0.001;  ///< metres of one step of a depth image
+  double depth_unit_m = 0.001;   ///< metres of one step of a depth image
+  bool unit_is_assumed = false;  ///< the files do not state it
   std::optional<Intrinsics> color;
   std::optional<Transform> color_from_depth;
   std::optional<Pose> pose;
@@ -144,6 +145,10 @@ struct CaptureOptions {
   std::optional<Intrinsics> intrinsics;
   /// Values of depth that mean no measurement, besides those that the capture states.
   std::vector<std::uint16_t> no_depth{};
+  /// Metres of one step of the depth images, whatever the capture states.
+  std::optional<double> depth_unit_m{};
+  /// The topic of the depth images of a recording of ROS, instead of the one that would be chosen.
+  std::optional<std::string> topic{};
 };
 
 /// The infrared images that a depth frame has. @throws Error as Capture::depth()
@@ -153,8 +158,9 @@ struct CaptureOptions {
 /// @throws Error
 [[nodiscard]] std::size_t lost_frames(const Capture& capture);
 
-/// Opens a capture folder, an Open3D recorder folder or a TUM RGB-D folder, told apart by the files in it, or
-/// a .bag or .db3 of realsense-viewer. Images are not read yet.
+/// Opens a capture folder, an Open3D recorder folder, a TUM RGB-D folder or a folder of bare depth images,
+/// told apart by the files in it, or a .bag or .db3 of realsense-viewer, or a folder that holds one. Images
+/// are not read yet, but the first one where nothing else states their size.
 /// @throws Error when it is none of these, its description is missing or malformed, or it has no depth frame
 [[nodiscard]] std::unique_ptr<Capture> open_capture(const std::filesystem::path& path,
                                                     const CaptureOptions& options = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -11,6 +12,8 @@
 #include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
+#include "depth/capture_view.hpp"
+#include "depth/depth_file.hpp"
 #include "depth/formats.hpp"
 #include "depth/image_file.hpp"
 
@@ -113,6 +116,23 @@ void require_possible_size(const std::string& place, const Intrinsics& camera, l
               "correct the description");
 }
 
+// A transposed matrix, or that of another image size. Lenses are made with square pixels, and imagers sit
+// near the middle behind them; images that were cut out of larger ones may be off by half of their size.
+void require_plausible(const std::string& place, const Intrinsics& camera) {
+  constexpr double most_ratio = 2.0;
+  const double ratio = camera.fx / camera.fy;
+  const auto refuse = [&](const std::string& problem) {
+    throw Error(place, problem, "correct the intrinsics: fx, fy, cx and cy in pixels of the depth images");
+  };
+  if (ratio > most_ratio || ratio < 1.0 / most_ratio)
+    refuse(fmt::format("no camera has focal lengths fx {:.6g} and fy {:.6g}", camera.fx, camera.fy));
+  if (std::abs(camera.cx / camera.width - 0.5) >= 1.0 || std::abs(camera.cy / camera.height - 0.5) >= 1.0 ||
+      (camera.cx == 0.0 && camera.cy == 0.0))
+    refuse(
+        fmt::format("the principal point cx {:.6g}, cy {:.6g} lies far from the middle of an image of {}x{}",
+                    camera.cx, camera.cy, camera.width, camera.height));
+}
+
 void require_format(const JsonObject& document, const std::string& place) {
   if (document.string("format") != "rva-capture") {
     throw Error(place, "the format is not 'rva-capture'", "give the description of a capture");
@@ -186,7 +206,7 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const Captu
   const fs::path description = folder / "capture.json";
   const fs::path lines = folder / "frames.jsonl";
   std::error_code ignored;
-  FrameFiles files{image_files(folder / "depth", {".png"}),
+  FrameFiles files{image_files(folder / "depth", depth_endings()),
                    image_files(folder / "color", {".png", ".jpg", ".jpeg"})};
   for (const Imager imager : both_imagers) {
     for (const Light light : {Light::projector, Light::lamp})
@@ -196,12 +216,31 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const Captu
   if (fs::exists(lines, ignored)) files.metadata = parse_frame_lines(read_text_file(lines), printable(lines));
   CaptureInfo info = parse_capture_json(read_text_file(description), printable(description));
   info.no_depth.insert(info.no_depth.end(), options.no_depth.begin(), options.no_depth.end());
+  settle_unit(options, info);
   return std::make_unique<FolderCapture>(folder, std::move(info), std::move(files));
+}
+
+void settle_unit(const CaptureOptions& options, CaptureInfo& info) {
+  constexpr double mm_per_m = 1000.0;
+  if (!options.depth_unit_m) {
+    if (info.unit_is_assumed)
+      info.notes.push_back(
+          fmt::format("the files do not state their depth unit: steps of {:.6g} mm are assumed",
+                      mm_per_m * info.depth_unit_m));
+    return;
+  }
+  if (!info.unit_is_assumed && !is_same_unit(info.depth_unit_m, *options.depth_unit_m))
+    info.notes.push_back(
+        fmt::format("the files state depth in steps of {:.6g} mm; {:.6g} mm were given instead",
+                    mm_per_m * info.depth_unit_m, mm_per_m * *options.depth_unit_m));
+  info.depth_unit_m = *options.depth_unit_m;
+  info.unit_is_assumed = false;
 }
 
 void require_possible(const CaptureInfo& info, const std::string& place) {
   require_possible_size(place, info.depth, max_depth_pixels);
   if (info.color) require_possible_size(place, *info.color, max_color_pixels);
+  require_plausible(place, info.depth);
   if (!(info.depth_unit_m >= 1e-7 && info.depth_unit_m <= 1.0)) {
     throw Error(place, fmt::format("a depth unit of {} m makes no sense", info.depth_unit_m),
                 "correct the description");

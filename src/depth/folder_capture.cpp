@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <functional>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/path_text.hpp"
+#include "depth/depth_file.hpp"
 #include "depth/formats.hpp"
 #include "depth/image_file.hpp"
 
@@ -17,21 +20,82 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-// Of each depth file, the other that goes with it.
-std::vector<std::optional<std::size_t>> companions(const std::vector<fs::path>& depth,
-                                                   const std::vector<fs::path>& others) {
-  std::map<fs::path, std::size_t> by_name;
-  for (std::size_t i = 0; i < others.size(); ++i) by_name.emplace(others[i].stem(), i);
-  std::vector<std::optional<std::size_t>> found(depth.size());
-  bool any = false;
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const auto same = by_name.find(depth[i].stem());
-    if (same == by_name.end()) continue;
-    found[i] = same->second;
-    any = true;
+using Companions = std::vector<std::optional<std::size_t>>;  ///< of each depth file, the other's position
+
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+
+// "color_007" has the number "7", "rs-42-left" has "42"; empty where there is none.
+std::string number_in(const fs::path& file) {
+  const std::string name = file.stem();
+  const auto last = std::ranges::find_if(name.rbegin(), name.rend(), is_digit);
+  const auto before = std::find_if_not(last, name.rend(), is_digit);
+  std::string digits(before.base(), last.base());
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - (digits.empty() ? 0 : 1)));
+  return digits;
+}
+
+// Files with equal keys; nothing where a key is that of two other files.
+Companions with_equal(const std::vector<fs::path>& depth, const std::vector<fs::path>& others,
+                      const std::function<std::string(const fs::path&)>& key_of) {
+  std::map<std::string, std::size_t> by_key;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (const bool is_new = by_key.emplace(key_of(others[i]), i).second; !is_new) return {};
   }
-  for (std::size_t i = 0; !any && i < std::min(depth.size(), others.size()); ++i) found[i] = i;
+  Companions found(depth.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const std::string key = key_of(depth[i]);
+    const auto same = by_key.find(key);
+    if (!key.empty() && same != by_key.end()) found[i] = same->second;
+  }
   return found;
+}
+
+bool pairs_any(const Companions& companions) {
+  return std::ranges::any_of(companions, [](const auto& other) { return other.has_value(); });
+}
+
+// Files of one name go together, or else those of one number: never those of one position in their lists,
+// since a camera's two streams seldom begin with the same frame.
+Companions companions(const std::vector<fs::path>& depth, const std::vector<fs::path>& others) {
+  for (const auto& key_of : {std::function<std::string(const fs::path&)>(
+                                 [](const fs::path& file) { return file.stem().string(); }),
+                             std::function<std::string(const fs::path&)>(number_in)}) {
+    Companions found = with_equal(depth, others, key_of);
+    if (pairs_any(found)) return found;
+  }
+  return Companions(depth.size());
+}
+
+// A digit run counts by its value: "frame2" comes before "frame10". Equal values fall back to the letters.
+bool comes_before(const fs::path& a, const fs::path& b) {
+  const std::string& one = a.native();
+  const std::string& other = b.native();
+  std::size_t i = 0;
+  std::size_t j = 0;
+  const auto run_at = [](const std::string& text, std::size_t from) {
+    std::size_t end = from;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    return std::string_view(text).substr(from, end - from);
+  };
+  const auto value = [](std::string_view digits) {
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    return std::pair(digits.size(), digits);
+  };
+  while (i < one.size() && j < other.size()) {
+    const std::string_view run = run_at(one, i);
+    const std::string_view other_run = run_at(other, j);
+    if (run.empty() || other_run.empty()) {
+      if (one[i] != other[j]) return one[i] < other[j];
+      ++i;
+      ++j;
+      continue;
+    }
+    if (value(run) != value(other_run)) return value(run) < value(other_run);
+    i += run.size();
+    j += other_run.size();
+  }
+  if (i < one.size() || j < other.size()) return j < other.size();
+  return one < other;
 }
 
 template <typename Pixel>
@@ -41,6 +105,20 @@ Image<Pixel> of_size(Image<Pixel> image, const fs::path& file, const Intrinsics&
               fmt::format("{}x{} pixels where the capture states {}x{}", image.width(), image.height(),
                           stated.width, stated.height),
               "record the capture again");
+}
+
+Error without_depth(const fs::path& place) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(place / "depth", failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (entry->is_regular_file())
+      return {printable(place),
+              fmt::format("holds no depth frame that is read: depth/ has {}, and PNG, TIFF, PGM and NumPy's "
+                          "files are read",
+                          printable(entry->path().filename())),
+              "convert its images"};
+  }
+  return {printable(place), "holds no depth frame", "record the capture again"};
 }
 
 }  // namespace
@@ -61,7 +139,7 @@ std::vector<fs::path> image_files(const fs::path& folder, const std::vector<std:
     throw Error(printable(folder), fmt::format("cannot be read ({})", failure.message()),
                 "check its permissions");
   }
-  std::ranges::sort(files);
+  std::ranges::sort(files, comes_before);
   return files;
 }
 
@@ -69,16 +147,16 @@ FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, FrameFiles
     : Capture(std::move(info)),
       files_(std::move(files)),
       no_depth_(this->info().no_depth, this->info().depth_unit_m),
-      color_of_(companions(files_.depth, files_.color)) {
+      color_of_(files_.color_of.empty() ? companions(files_.depth, files_.color) : files_.color_of) {
   for (const Imager imager : both_imagers)
     infrared_of_[imager] = companions(files_.depth, files_.infrared[{imager, Light::projector}]);
   require_possible(this->info(), printable(place));
-  if (files_.depth.empty()) throw Error(printable(place), "holds no depth frame", "record the capture again");
+  if (files_.depth.empty()) throw without_depth(place);
 }
 
 DepthImage FolderCapture::stored_depth(std::size_t i) const {
   const fs::path& file = files_.depth.at(i);
-  return of_size(read_depth(file), file, info().depth);
+  return of_size(read_depth_file(file, info().depth_unit_m), file, info().depth);
 }
 
 DepthImage FolderCapture::depth(std::size_t i) const {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,10 +21,12 @@ struct FrameFiles {
   std::vector<std::filesystem::path> color;
   std::map<std::pair<Imager, Light>, std::vector<std::filesystem::path>> infrared{};
   std::map<std::size_t, FrameMetadata> metadata{};  ///< by the number that a depth file is called by
+  /// Of each depth file, the position of the colour image that was taken with it; empty where names say so.
+  std::vector<std::optional<std::size_t>> color_of{};
 };
 
-/// A capture whose frames are image files. Files of one name go together; where no two have the same, those
-/// of one place in their lists do.
+/// A capture whose frames are image files. Files of one name go together; where no two have the same name,
+/// those whose names end in the same number do: depth_007 and color_7.
 class FolderCapture : public Capture {
  public:
   /// @param place where the capture is, for errors
@@ -63,9 +66,21 @@ class FolderCapture : public Capture {
                                                           const std::filesystem::path& intrinsic_file,
                                                           const CaptureOptions& options);
 
-/// depth.txt, rgb.txt and the images they list: the TUM RGB-D benchmark's format, 5000 units a metre.
+/// depth.txt, rgb.txt and the images they list: the TUM RGB-D benchmark's format, 5000 units a metre where
+/// the options state no other unit.
 [[nodiscard]] std::unique_ptr<Capture> open_tum_folder(const std::filesystem::path& folder,
                                                        const CaptureOptions& options);
+
+/// The depth images of a folder that nothing describes: depth/*, or else *, of the kinds that
+/// read_depth_file() reads. Empty where there are none.
+/// @throws Error when a folder cannot be read
+[[nodiscard]] std::vector<std::filesystem::path> bare_depth_files(const std::filesystem::path& folder);
+
+/// A folder with bare_depth_files(), of the intrinsics and the unit that the options state (1 mm where they
+/// state none).
+/// @throws Error when the options state no intrinsics
+[[nodiscard]] std::unique_ptr<Capture> open_bare_folder(const std::filesystem::path& folder,
+                                                        const CaptureOptions& options);
 
 /// A file as realsense-viewer and librealsense's recorder write it: a ROS bag of version 2.0, with chunks
 /// packed by LZ4 or not at all, or, from librealsense 2.58 on, a database of rosbag2 (.db3), with messages
@@ -86,6 +101,11 @@ class FolderCapture : public Capture {
 /// @param place what to call it in an error
 /// @throws Error
 void require_possible(const CaptureInfo& info, const std::string& place);
+
+/// Takes the depth unit that the options state, if they do. Notes where that is another than the files state,
+/// and where the files state none.
+/// @param info with the files' own unit, or the usual one of their format
+void settle_unit(const CaptureOptions& options, CaptureInfo& info);
 
 /// As parse_capture_json(), of an Open3D intrinsic file.
 [[nodiscard]] CaptureInfo parse_open3d_json(const std::string& text, const std::string& place);
@@ -109,7 +129,8 @@ struct TumEntry {
 [[nodiscard]] std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& place);
 
 /// The files of `folder` whose names end in one of `endings` (in any case; hidden files are left out), by
-/// name; empty when there is no such folder. @throws Error when it cannot be read
+/// name, numbers in it by value: 2.png before 10.png; empty when there is no such folder. @throws Error when
+/// it cannot be read
 [[nodiscard]] std::vector<std::filesystem::path> image_files(const std::filesystem::path& folder,
                                                              const std::vector<std::string_view>& endings);
 

@@ -57,7 +57,6 @@ void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, cons
 ColorImage decode_color_png(std::span<const std::byte> png, const std::string& place) {
   spng_ihdr header{};
   const Spng decoder = open_png(png, max_color_pixels, place, header);
-  if (header.bit_depth > 8) throw Error(place, "a colour image of 16 bits a channel", "give one of 8 bits");
   ColorImage image(static_cast<int>(header.width), static_cast<int>(header.height));
   decode_png(decoder.get(), SPNG_FMT_RGB8, image.data(), image.size() * sizeof(Rgb), place);
   return image;

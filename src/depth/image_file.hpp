@@ -21,7 +21,7 @@ inline constexpr long max_color_pixels = 32L << 20;
 /// @throws Error when it is damaged, ends early, has other channels or bits, or is too large
 [[nodiscard]] DepthImage decode_depth(std::span<const std::byte> png, const std::string& place);
 
-/// @param file   a whole PNG or JPEG file, 8 bits, grey or colour
+/// @param file   a whole PNG or JPEG file, grey or colour; of 16 bits the upper 8 are taken
 /// @throws Error as decode_depth()
 [[nodiscard]] ColorImage decode_color(std::span<const std::byte> file, const std::string& place);
 

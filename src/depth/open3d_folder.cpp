@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
+#include "depth/depth_file.hpp"
 #include "depth/formats.hpp"
 
 namespace fs = std::filesystem;
@@ -18,8 +20,14 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
   CaptureInfo info;
   info.format = "open3d";
   info.source_json = text;
-  // The matrix is stored column by column: fx 0 0, 0 fy 0, cx cy 1.
-  const std::vector<double> matrix = document.numbers("intrinsic_matrix", 9);
+  // Open3D stores the matrix column by column: fx 0 0, 0 fy 0, cx cy 1. ROS and people write it row by row.
+  std::vector<double> matrix = document.numbers("intrinsic_matrix", 9);
+  const bool by_rows = matrix[6] == 0.0 && matrix[7] == 0.0 && matrix[2] != 0.0 && matrix[5] != 0.0;
+  if (by_rows) {
+    std::swap(matrix[2], matrix[6]);
+    std::swap(matrix[5], matrix[7]);
+    info.notes.emplace_back("the intrinsic matrix stands row by row, where Open3D has it column by column");
+  }
   info.depth.width = document.integer("width");
   info.depth.height = document.integer("height");
   info.depth.fx = matrix[0];
@@ -35,6 +43,7 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
   if (!(units_per_m >= 1.0))
     throw Error(document.name_of("depth_scale"), "not 1 or more", "correct the file");
   info.depth_unit_m = 1.0 / units_per_m;
+  info.unit_is_assumed = !document.has("depth_scale");
   info.color = info.depth;
   info.color_from_depth = Transform::Identity();
   CameraInfo camera;
@@ -48,9 +57,10 @@ std::unique_ptr<Capture> open_open3d_folder(const fs::path& folder, const fs::pa
                                             const CaptureOptions& options) {
   CaptureInfo info = parse_open3d_json(read_text_file(intrinsic_file), printable(intrinsic_file));
   info.no_depth = options.no_depth;
+  settle_unit(options, info);
   return std::make_unique<FolderCapture>(
       folder, std::move(info),
-      FrameFiles{image_files(folder / "depth", {".png"}),
+      FrameFiles{image_files(folder / "depth", depth_endings()),
                  image_files(folder / "color", {".png", ".jpg", ".jpeg"})});
 }
 

@@ -30,8 +30,11 @@ std::string intrinsic_json(const CaptureInfo& info) {
 }
 
 void require_straight_color(const CaptureInfo& info) {
-  if (!info.color || !info.color_from_depth)
+  if (!info.color)
     throw Error("capture", "has no colour camera to align depth to", "export it as --to ply or pcd");
+  if (!info.color_from_depth)
+    throw Error("capture", "does not state where its colour camera stands (color_from_depth)",
+                "export it as --to ply or pcd");
   if (info.color->distortion != Distortion::none)
     throw Error("capture", "its colour lens bends rays, which an Open3D folder cannot say",
                 "export it as --to ply or pcd");

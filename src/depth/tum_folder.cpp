@@ -3,13 +3,14 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/path_text.hpp"
+#include "depth/depth_file.hpp"
 #include "depth/formats.hpp"
-#include "depth/image_file.hpp"
 
 namespace fs = std::filesystem;
 
@@ -17,6 +18,7 @@ namespace rva {
 namespace {
 
 constexpr double tum_unit_m = 1.0 / 5000.0;
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 // A list names files inside its folder; one that leads out of it was not written by the benchmark's tools.
 fs::path inside(const fs::path& folder, const TumEntry& entry, const std::string& list) {
@@ -53,10 +55,14 @@ std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string&
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.empty() || line[0] == '#' || line == "\r") continue;
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (line.empty() || line[0] == '#') continue;
     std::istringstream words(line);
     TumEntry entry;
-    if (!(words >> entry.time_s >> entry.file) || !std::isfinite(entry.time_s)) {
+    // The rest of the line is the file: names may have spaces.
+    if (!(words >> entry.time_s >> std::ws) || !std::getline(words, entry.file) ||
+        !std::isfinite(entry.time_s)) {
       throw Error(fmt::format("{}:{}", place, number), "not 'seconds file'", "correct the list");
     }
     entries.push_back(std::move(entry));
@@ -80,17 +86,20 @@ std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOp
   info.format = "tum";
   info.depth = *options.intrinsics;
   info.depth_unit_m = tum_unit_m;
+  info.unit_is_assumed = true;
+  settle_unit(options, info);
   info.no_depth = options.no_depth;
-  const DepthImage first = read_depth(depth_files.front());
+  const DepthImage first = read_depth_file(depth_files.front(), info.depth_unit_m);
   info.depth.width = first.width();
   info.depth.height = first.height();
   info.depth.check();
   // The benchmark publishes depth already registered to colour.
   info.color = info.depth;
   info.color_from_depth = Transform::Identity();
-  return std::make_unique<FolderCapture>(
-      folder, std::move(info),
-      FrameFiles{std::move(depth_files), nearest_color(folder, entries.front().time_s)});
+  FrameFiles files{std::move(depth_files), nearest_color(folder, entries.front().time_s)};
+  files.color_of.resize(files.depth.size());
+  if (!files.color.empty()) files.color_of.front() = 0;
+  return std::make_unique<FolderCapture>(folder, std::move(info), std::move(files));
 }
 
 }  // namespace rva

@@ -93,8 +93,9 @@ std::optional<Box> box_on_color(const Finding& finding, const Image<float>& fina
     low = low.cwiseMin(*pixel);
     high = high.cwiseMax(*pixel);
   }
-  const bool on_image =
-      high.x() >= 0.0 && high.y() >= 0.0 && low.x() < color.width() && low.y() < color.height();
+  constexpr double edge_px = 0.5;  // the image reaches half a pixel beyond the centres of its outer pixels
+  const bool on_image = high.x() >= -edge_px && high.y() >= -edge_px && low.x() < color.width() - edge_px &&
+                        low.y() < color.height() - edge_px;
   if (!on_image) return std::nullopt;  // also where no pixel had a depth: low and high are infinite then
   const auto [x, box_width] = clipped(low.x(), high.x(), color.width());
   const auto [y, box_height] = clipped(low.y(), high.y(), color.height());

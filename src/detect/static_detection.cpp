@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/stopwatch.hpp"
+#include "depth/capture_view.hpp"
 
 namespace rva {
 namespace {
@@ -33,7 +34,7 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
     throw Error("initial and final", "the depth intrinsics differ, so pixels do not see the same places",
                 "record both with the same camera and settings");
   }
-  if (!close(initial.depth_unit_m, final.depth_unit_m, 1e-9 * final.depth_unit_m)) {
+  if (!is_same_unit(initial.depth_unit_m, final.depth_unit_m)) {
     throw Error("initial and final",
                 fmt::format("depth units of {} m and of {} m", initial.depth_unit_m, final.depth_unit_m),
                 "record both with the same settings");

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/quantile.hpp"
 #include "depth/colorize.hpp"
@@ -64,12 +65,21 @@ void shade_beyond(ColorImage& seen, const Image<float>& depth_m) {
   }
 }
 
-// The last one, when the light had settled.
+// The last one, when the light had settled. Empty where it cannot be read: depth is compared all the same.
+ColorImage last_color(const Capture& capture) {
+  if (capture.color_frames() == 0) return {};
+  try {
+    return capture.color(capture.color_frames() - 1);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 ColorImage color_in_view(const Capture& capture, const Transform& depth_from_view, const Intrinsics& view,
                          const Image<float>& view_depth_m) {
   const CaptureInfo& info = capture.info();
-  if (capture.color_frames() == 0) return {};
-  const ColorImage color = capture.color(capture.color_frames() - 1);
+  const ColorImage color = last_color(capture);
+  if (color.empty()) return {};
   const Intrinsics camera = info.color.value_or(info.depth);
   if (camera.width != color.width() || camera.height != color.height()) return {};
   const Transform color_from_depth = info.color_from_depth.value_or(Transform::Identity());

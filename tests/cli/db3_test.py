@@ -2,8 +2,10 @@
 
 usage: db3_test.py RVA
 """
+import glob
 import json
 import os
+import shutil
 import sqlite3
 
 import numpy as np
@@ -108,7 +110,30 @@ class Stopped(Db3Test):
 
     def test_what_a_recorder_had_not_yet_moved_into_the_file(self):
         self.write()
-        self.db3.with_name(self.db3.name + '-wal').write_bytes(b'not yet')
+        database = sqlite3.connect(self.db3)
+        database.execute('pragma journal_mode = wal')
+        messages = database.execute('select id, topic_id, timestamp, data from messages').fetchall()
+        database.execute('delete from messages')
+        database.commit()
+        database.execute('pragma wal_checkpoint(truncate)')
+        database.executemany('insert into messages (id, topic_id, timestamp, data) values (?, ?, ?, ?)', messages)
+        database.commit()
+        killed = self.folder / 'killed'
+        killed.mkdir()
+        for file in self.folder.glob(f'{glob.escape(self.db3.name)}*'):
+            shutil.copy(file, killed)
+        database.close()
+        self.db3 = killed / self.db3.name
+        log = self.db3.with_name(self.db3.name + '-wal')
+        before = self.db3.read_bytes(), log.read_bytes()
+        np.testing.assert_array_equal(depth_frames(self.record(FRAMES)), self.frames)
+        self.assertEqual((self.db3.read_bytes(), log.read_bytes()), before)
+        log.unlink()
+        self.check_fails('info', self.db3, names=[self.db3])
+
+    def test_a_change_that_was_begun_and_not_ended(self):
+        self.write()
+        self.db3.with_name(self.db3.name + '-journal').write_bytes(b'not yet')
         self.assertIn('stopped', self.info(self.db3)['notes'][0])
 
 
@@ -136,7 +161,7 @@ class Refused(Db3Test):
         db3 = Db3(self.db3)
         db3.add('/camera/depth/image_rect_raw', 0, image_message(self.frames[0], '16UC1'), 'sensor_msgs/msg/Image')
         db3.finish()
-        self.check('/camera/depth/image_rect_raw', 'depth stream')
+        self.check('/camera/depth/camera_info', '--intrinsics')
 
     def test_colour_only(self):
         db3 = Db3(self.db3)

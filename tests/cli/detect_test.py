@@ -68,6 +68,9 @@ def expected_finding(before_mm, after_mm, mask):
             'height_mm': np.median((before_mm - after_mm)[mask])}
 
 
+WITH_COLOR = {'color': CAMERA.fields(), 'color_from_depth': IDENTITY}
+
+
 class DetectTest(program.ProgramTest):
     def setUp(self):
         super().setUp()
@@ -297,13 +300,13 @@ class DetectTest(program.ProgramTest):
                           'level_of_detection.png'])
 
     def test_moved_camera_is_warned_about(self):
-        initial = self.write('a', self.initial_frames, pose={'base': 'b1', 'pan_deg': 0})
-        final = self.write('b', self.final_frames, pose={'base': 'b1', 'pan_deg': 5})
+        initial = self.write('a', self.initial_frames, pose={'base': 'b1', 'pan_deg': 0}, **WITH_COLOR)
+        final = self.write('b', self.final_frames, pose={'base': 'b1', 'pan_deg': 5}, **WITH_COLOR)
         done = self.succeed('detect', initial, final, '--method', 'calibrated', '--out', self.out)
         self.assertRegex(done.stderr, r'\Arva: warning: [^\n]*moved[^\n]*\n\Z')
 
     def test_json_prints_the_file(self):
-        done = self.succeed('detect', *self.pair(), '--out', self.out, '--json')
+        done = self.succeed('detect', *self.pair(**WITH_COLOR), '--out', self.out, '--json')
         self.assertEqual(done.stdout.encode(), (self.out / 'detections.json').read_bytes())
         self.assertEqual(done.stderr, '')
 
@@ -331,7 +334,7 @@ class DetectTest(program.ProgramTest):
         self.assertEqual(every['detections'], [])
 
     def test_more_frames_than_there_are_is_a_warning(self):
-        done = self.succeed('detect', *self.pair(), '--out', self.out, '--frames', FRAMES + 1)
+        done = self.succeed('detect', *self.pair(**WITH_COLOR), '--out', self.out, '--frames', FRAMES + 1)
         for side, line in zip(('initial', 'final'), done.stderr.splitlines(), strict=True):
             self.assertIn('rva: warning: ', line)
             self.assertIn(side, line)

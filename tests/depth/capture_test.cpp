@@ -142,7 +142,7 @@ TEST_F(Folder, TumTakesItsListAndTheOptionsIntrinsics) {
   write_file(folder_ / "rgb.txt", "9.0 rgb/early.png\n10.1 rgb/near.png\n");
   EXPECT_THROW(static_cast<void>(open_capture(folder_.path())), Error);
   CaptureOptions options;
-  options.intrinsics = Intrinsics{1, 1, 525, 525, 319.5, 239.5};
+  options.intrinsics = Intrinsics{1, 1, 7, 7, 3.5, 2.5};
   const auto capture = open_capture(folder_.path(), options);
   EXPECT_EQ(capture->info().depth.width, 8);
   EXPECT_EQ(capture->info().depth_unit_m, 1.0 / 5000.0);

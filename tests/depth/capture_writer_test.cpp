@@ -30,7 +30,7 @@ Transform odd_transform() {
 
 CaptureInfo full_info() {
   CaptureInfo info;
-  info.depth = {8, 6, 4.1 / 3.0, 4.5, 3.5, 2.5, Distortion::brown_conrady, {0.1, -0.2, 1e-9, 0, 0.3}};
+  info.depth = {8, 6, 4.1 / 3.0, 4.5 / 3.0, 3.5, 2.5, Distortion::brown_conrady, {0.1, -0.2, 1e-9, 0, 0.3}};
   info.depth_unit_m = 0.0001;
   info.color = Intrinsics{4, 3, 2, 2, 1.5, 1};
   info.color_from_depth = odd_transform();

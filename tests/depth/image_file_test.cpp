@@ -66,8 +66,12 @@ TEST(ImageFile, DepthHasOneChannelOfSixteenBits) {
   EXPECT_THROW(static_cast<void>(decode_depth(encode_png(ColorImage(4, 4)), "image")), Error);
 }
 
-TEST(ImageFile, ColorHasEightBits) {
-  EXPECT_THROW(static_cast<void>(decode_color(encode_png(DepthImage(4, 4)), "image")), Error);
+TEST(ImageFile, OfColorWithSixteenBitsTheUpperEightAreTaken) {
+  DepthImage grey(4, 4, 0x12FF);
+  grey(1, 2) = 0xFE01;
+  const ColorImage color = decode_color(encode_png(grey), "image");
+  EXPECT_EQ(color(0, 0), (Rgb{0x12, 0x12, 0x12}));
+  EXPECT_EQ(color(1, 2), (Rgb{0xFE, 0xFE, 0xFE}));
 }
 
 TEST(ImageFile, ErrorsNameThePlace) {

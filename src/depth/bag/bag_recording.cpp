@@ -53,9 +53,9 @@ class BagRecording : public Recording {
   }
 
   [[nodiscard]] Intrinsics intrinsics(const RecordedStream& stream) const override {
-    const std::string topic = stream.name + "/info/camera_info";
+    const std::string topic = stream.is_of_ros() ? stream.ros_camera_info : stream.name + "/info/camera_info";
     const auto& stated = messages(topic);
-    if (stated.empty()) throw Error(place(), "lacks " + printable(topic), "record it again");
+    if (stated.empty()) throw lacks_intrinsics(place(), topic);
     return parse_camera_info(bag_.read(stated.front()), place());
   }
 

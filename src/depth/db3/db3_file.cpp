@@ -28,7 +28,20 @@ Error damaged(const std::string& place, const std::string& how) {
   return {place, "the recording is damaged: " + how, "copy it again, or record anew"};
 }
 
-// Immutable: SQLite then neither locks the file nor looks for a journal, nor writes one beside it.
+bool is_beside(const std::filesystem::path& path, std::string_view ending) {
+  std::error_code absent;
+  const auto bytes = std::filesystem::file_size(path.string() + std::string(ending), absent);
+  return !absent && bytes > 0;
+}
+
+// What a recorder that was killed had not yet moved into the file. SQLite reads both as one.
+bool has_a_log(const std::filesystem::path& path) { return is_beside(path, "-wal"); }
+
+// A change that was begun and not ended: only a writer could take it back.
+bool has_a_journal(const std::filesystem::path& path) { return is_beside(path, "-journal"); }
+
+// Without a log, immutable: SQLite then neither locks the file nor writes anything beside it. With one, it
+// writes the log's index, and nothing else.
 std::string address_of(const std::filesystem::path& path) {
   std::string address = "file:";
   for (const char letter : path.string()) {
@@ -38,7 +51,7 @@ std::string address_of(const std::filesystem::path& path) {
     else
       address += fmt::format("%{:02X}", byte);
   }
-  return address + "?immutable=1";
+  return address + (has_a_log(path) ? "?mode=ro" : "?immutable=1");
 }
 
 SQLite::Database open(const std::filesystem::path& path) {
@@ -52,15 +65,6 @@ SQLite::Database open(const std::filesystem::path& path) {
     throw Error(printable(path), fmt::format("cannot be read: {}", printable(failure.what())),
                 "look at its rights");
   }
-}
-
-// What a recorder that was stopped had not yet moved into the file.
-bool has_a_journal(const std::filesystem::path& path) {
-  return std::ranges::any_of(std::to_array({"-wal", "-journal"}), [&](const char* ending) {
-    std::error_code absent;
-    const auto bytes = std::filesystem::file_size(path.string() + ending, absent);
-    return !absent && bytes > 0;
-  });
 }
 
 // SQLite reads what is missing of the last page as zeros.

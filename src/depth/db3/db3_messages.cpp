@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -52,15 +53,19 @@ int side(const KeyValues& values, const char* key, std::string_view place) {
   return possible_side(static_cast<std::uint32_t>(std::clamp(pixels, 0.0, most)), place);
 }
 
+void skip_header(CdrBytes& bytes) {
+  static_cast<void>(bytes.number<std::int32_t>());   // seconds
+  static_cast<void>(bytes.number<std::uint32_t>());  // nanoseconds
+  static_cast<void>(bytes.text());                   // the frame's name
+}
+
 }  // namespace
 
 ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view place) {
   ImageMessage image;
   image.message = std::move(message);
   CdrBytes bytes(image.message, place);
-  static_cast<void>(bytes.number<std::int32_t>());   // seconds
-  static_cast<void>(bytes.number<std::uint32_t>());  // nanoseconds
-  static_cast<void>(bytes.text());                   // the frame's name
+  skip_header(bytes);
   const auto height = bytes.number<std::uint32_t>();
   set_size(image, bytes.number<std::uint32_t>(), height, place);
   image.encoding = bytes.text();
@@ -68,6 +73,25 @@ ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view pl
   image.row_bytes = std::max<std::uint32_t>(1, bytes.number<std::uint32_t>());
   image.pixels = bytes.list_of_bytes();
   return image;
+}
+
+Intrinsics parse_db3_camera_info(std::span<const std::byte> message, std::string_view place) {
+  CdrBytes bytes(message, place);
+  skip_header(bytes);
+  Intrinsics camera;
+  camera.height = possible_side(bytes.number<std::uint32_t>(), place);
+  camera.width = possible_side(bytes.number<std::uint32_t>(), place);
+  const std::string_view model = bytes.text();
+  std::vector<double> coefficients;
+  for (auto left = bytes.number<std::uint32_t>(); left > 0; --left)
+    coefficients.push_back(bytes.number<double>());
+  std::array<double, 9> k{};
+  for (double& number : k) number = bytes.number<double>();
+  camera.fx = k[0];
+  camera.cx = k[2];
+  camera.fy = k[4];
+  camera.cy = k[5];
+  return with_lens(camera, model, coefficients, place);
 }
 
 std::string parse_db3_text(std::span<const std::byte> message, std::string_view place) {

@@ -21,6 +21,9 @@ namespace rva {
 /// "key=value;key=value" in a std_msgs/msg/String: all that is no image. @throws Error as above
 [[nodiscard]] KeyValues parse_db3_values(std::span<const std::byte> message, std::string_view place);
 
+/// sensor_msgs/msg/CameraInfo, as ROS records it. @throws Error when it ends early; as with_lens()
+[[nodiscard]] Intrinsics parse_db3_camera_info(std::span<const std::byte> message, std::string_view place);
+
 /// From width, height, fx, fy, ppx, ppy, model, coeffs. @throws Error where one is missing; as with_lens()
 [[nodiscard]] Intrinsics intrinsics_from(const KeyValues& values, std::string_view place);
 

@@ -60,9 +60,11 @@ class Db3Recording : public Recording {
   }
 
   [[nodiscard]] Intrinsics intrinsics(const RecordedStream& stream) const override {
-    const std::string topic = stream.name + "/camera_info";
+    const std::string topic = stream.is_of_ros() ? stream.ros_camera_info : stream.name + "/camera_info";
     const auto& stated = messages(topic);
-    if (stated.empty()) throw Error(place(), "lacks " + printable(topic), "record it again");
+    if (stated.empty()) throw lacks_intrinsics(place(), topic);
+    if (stream.is_of_ros())
+      return parse_db3_camera_info(file_.read(stated.front()), place() + ", " + printable(topic));
     return intrinsics_from(values_of(stated.front()), place() + ", " + printable(topic));
   }
 

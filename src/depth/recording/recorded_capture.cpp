@@ -42,8 +42,11 @@ std::vector<std::optional<RecordedMessage>> companions(const std::vector<Recorde
 
 class RecordedCapture : public Capture {
  public:
-  RecordedCapture(std::unique_ptr<Recording> recording, CaptureInfo info, RecordedStreams streams)
+  /// @param stated_unit_m of the first frame
+  RecordedCapture(std::unique_ptr<Recording> recording, CaptureInfo info, RecordedStreams streams,
+                  double stated_unit_m)
       : Capture(std::move(info)),
+        stated_unit_m_(stated_unit_m),
         recording_(std::move(recording)),
         streams_(std::move(streams)),
         depth_(recording_->messages(streams_.depth.images())),
@@ -112,7 +115,7 @@ class RecordedCapture : public Capture {
                               info().depth.width, info().depth.height),
                   "record it again");
     }
-    if (image.unit_m && *image.unit_m != info().depth_unit_m)
+    if (image.unit_m && *image.unit_m != stated_unit_m_)
       throw Error(where, "its unit is not that of the first frame", "record it again");
     return rva::depth_of(image, info().depth_unit_m, where);
   }
@@ -125,6 +128,7 @@ class RecordedCapture : public Capture {
     return rva::color_of(recording_->image(*streams_.color, message, where), where);
   }
 
+  double stated_unit_m_;
   std::unique_ptr<Recording> recording_;
   RecordedStreams streams_;
   std::vector<RecordedMessage> depth_;
@@ -139,11 +143,14 @@ class RecordedCapture : public Capture {
 std::unique_ptr<Capture> open_recording(const std::filesystem::path& file, const CaptureOptions& options) {
   std::unique_ptr<Recording> recording =
       is_db3_file(file) ? open_db3_recording(file) : open_bag_recording(file);
-  RecordedStreams streams = find_streams(*recording);
-  CaptureInfo info = describe(*recording, streams);
+  RecordedStreams streams = find_streams(*recording, options.topic);
+  CaptureInfo info = describe(*recording, streams, options.intrinsics);
   require_possible(info, recording->place());
+  const double stated_unit_m = info.depth_unit_m;
   info.no_depth = options.no_depth;
-  return std::make_unique<RecordedCapture>(std::move(recording), std::move(info), std::move(streams));
+  settle_unit(options, info);
+  return std::make_unique<RecordedCapture>(std::move(recording), std::move(info), std::move(streams),
+                                           stated_unit_m);
 }
 
 }  // namespace rva

@@ -49,6 +49,10 @@ std::optional<std::string> setting_of(std::string_view below_options) {
   return name;
 }
 
+Error lacks_intrinsics(const std::string& place, const std::string& topic) {
+  return {place, "lacks " + printable(topic), "record it, too, or give --intrinsics FX,FY,CX,CY"};
+}
+
 Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vector<double>& coefficients,
                      std::string_view place) {
   std::string name(model);
@@ -57,6 +61,7 @@ Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vecto
            : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
                                             : letter;
   });
+  if (name == "plumb_bob") name = name_of(Distortion::brown_conrady);  // as ROS calls it
   const bool straight = std::ranges::all_of(coefficients, [](double number) { return number == 0.0; });
   const auto known = distortion_from_name(name);
   if (!known && !straight) {

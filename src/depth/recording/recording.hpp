@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "depth/recording/image_message.hpp"
 #include "geometry/intrinsics.hpp"
 #include "geometry/transform.hpp"
@@ -33,12 +34,15 @@ using RecordedTopics = std::map<std::string, RecordedTopic, std::less<>>;
 
 using KeyValues = std::map<std::string, std::string>;
 
-/// The topics of one imager begin with these.
+/// The topics of one imager begin with these, as librealsense records them; ROS states each by itself.
 struct RecordedStream {
-  std::string sensor;  ///< "/device_0/sensor_0/"
-  std::string name;    ///< "/device_0/sensor_0/Depth_0"
+  std::string sensor;             ///< "/device_0/sensor_0/"
+  std::string name;               ///< "/device_0/sensor_0/Depth_0"
+  std::string ros_images{};       ///< "/camera/depth/image_rect_raw"; empty in recordings of librealsense
+  std::string ros_camera_info{};  ///< "/camera/depth/camera_info"; likewise
 
-  [[nodiscard]] std::string images() const { return name + "/image/data"; }
+  [[nodiscard]] bool is_of_ros() const { return !ros_images.empty(); }
+  [[nodiscard]] std::string images() const { return is_of_ros() ? ros_images : name + "/image/data"; }
   [[nodiscard]] std::string metadata() const { return name + "/image/metadata"; }
 };
 
@@ -98,6 +102,9 @@ class Recording {
   void for_each_below(const std::string& beginning,
                       const std::function<void(std::string_view, const RecordedMessage&)>& use) const;
 };
+
+/// A recording without the topic that has an imager's intrinsics.
+[[nodiscard]] Error lacks_intrinsics(const std::string& place, const std::string& topic);
 
 /// A finite number, written as decimals; none for anything else.
 [[nodiscard]] std::optional<double> decimal_number(std::string_view text);

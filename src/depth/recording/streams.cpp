@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "core/date_time.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
+#include "depth/recording/ros_streams.hpp"
 
 namespace rva {
 namespace {
@@ -37,6 +39,13 @@ std::optional<Transform> color_from_depth(const Recording& recording, const Reco
     if (same != color_from_group.end()) return same->second * depth_from_group.inverse();
   }
   return std::nullopt;
+}
+
+// The node aligns depth to colour on demand, under a topic that says so.
+std::optional<Transform> color_from_aligned_depth(const RecordedStream& depth) {
+  return depth.ros_images.find("aligned_depth_to_color") == std::string::npos
+             ? std::nullopt
+             : std::optional<Transform>(Transform::Identity());
 }
 
 std::string text_of(const KeyValues& values, const char* key) {
@@ -71,14 +80,40 @@ CameraInfo camera_of(const Recording& recording, const RecordedStream& depth,
   return camera;
 }
 
+// Depth is in millimetres, or metres of floating point (REP 118). Those are kept in tenths of a millimetre
+// where what they show is near enough for 16 bits.
+double unit_of_ros(const ImageMessage& first, const std::string& place) {
+  constexpr double mm = 0.001;
+  constexpr double tenth_of_a_mm = 0.0001;
+  constexpr double most_lost = 0.001;
+  if (first.encoding != "32FC1") return mm;
+  const auto measured = [&](double unit_m) {
+    const DepthImage depth = depth_of(first, unit_m, place);
+    return static_cast<double>(
+        std::ranges::count_if(depth.pixels(), [](auto units) { return units != no_depth; }));
+  };
+  return measured(tenth_of_a_mm) >= (1.0 - most_lost) * measured(mm) ? tenth_of_a_mm : mm;
+}
+
 // The unit that goes with the first image, or, in older files, what the camera was set to.
 double depth_unit_m(const Recording& recording, const RecordedStream& depth, CaptureInfo& info) {
   const RecordedMessage& first = recording.messages(depth.images()).front();
-  if (const auto unit_m = recording.image(depth, first, recording.place()).unit_m) return *unit_m;
+  const ImageMessage image = recording.image(depth, first, recording.place());
+  if (image.unit_m) return *image.unit_m;
+  if (depth.is_of_ros()) return unit_of_ros(image, recording.place());
   const std::map<std::string, double> settings = recording.settings(depth.sensor);
   if (const auto unit_m = settings.find("Depth Units"); unit_m != settings.end()) return unit_m->second;
-  info.notes.emplace_back("the file does not state its depth unit; 1 mm, as cameras are made, is assumed");
+  info.unit_is_assumed = true;
   return 0.001;
+}
+
+Intrinsics of_first_image(const Recording& recording, const RecordedStream& depth, Intrinsics camera) {
+  const ImageMessage first =
+      recording.image(depth, recording.messages(depth.images()).front(), recording.place());
+  camera.width = first.width;
+  camera.height = first.height;
+  camera.check();
+  return camera;
 }
 
 // When the first image came, by the clock of the computer.
@@ -107,17 +142,22 @@ Error without_depth(const Recording& recording) {
     if (more++ < 3)
       seen += fmt::format("{}{} ({})", seen.empty() ? "" : ", ", printable(name), printable(topic.type));
   }
+  if (seen.empty() && !recording.notes().empty())
+    return {recording.place(), "the file is cut short or was never ended, and no image in it is whole",
+            "copy it again, or record anew"};
   const std::string instead =
       seen.empty() ? ", and no other image" : fmt::format(", but {}{}", seen, more > 3 ? ", ..." : "");
-  return {recording.place(), "no depth of realsense-viewer in it" + instead,
-          "record with the depth stream on"};
+  return {recording.place(), "no depth in it" + instead, "record with the depth stream on"};
 }
 
 }  // namespace
 
-RecordedStreams find_streams(const Recording& recording) {
-  const auto depth = find_stream(recording, "Depth_");
-  if (!depth) throw without_depth(recording);
+RecordedStreams find_streams(const Recording& recording, const std::optional<std::string>& depth_topic) {
+  const auto depth = depth_topic ? std::nullopt : find_stream(recording, "Depth_");
+  if (!depth) {
+    if (auto of_ros = find_ros_streams(recording, depth_topic)) return std::move(*of_ros);
+    throw without_depth(recording);
+  }
   RecordedStreams streams{*depth, find_stream(recording, "Color_"), {}};
   // Infrared 1 is the left imager, whose view is the depth's.
   for (const auto& [imager, name] : {std::pair(Imager::left, "Infrared_1"), {Imager::right, "Infrared_2"}}) {
@@ -126,16 +166,20 @@ RecordedStreams find_streams(const Recording& recording) {
   return streams;
 }
 
-CaptureInfo describe(const Recording& recording, const RecordedStreams& streams) {
+CaptureInfo describe(const Recording& recording, const RecordedStreams& streams,
+                     const std::optional<Intrinsics>& intrinsics) {
   CaptureInfo info;
   info.format = recording.format();
-  info.depth = recording.intrinsics(streams.depth);
+  info.depth = intrinsics ? of_first_image(recording, streams.depth, *intrinsics)
+                          : recording.intrinsics(streams.depth);
   info.depth_unit_m = depth_unit_m(recording, streams.depth, info);
   if (streams.color) {
     info.color = recording.intrinsics(*streams.color);
-    info.color_from_depth = color_from_depth(recording, *streams.color, streams.depth);
+    info.color_from_depth = streams.depth.is_of_ros()
+                                ? color_from_aligned_depth(streams.depth)
+                                : color_from_depth(recording, *streams.color, streams.depth);
   }
-  info.camera = camera_of(recording, streams.depth, streams.color);
+  if (!streams.depth.is_of_ros()) info.camera = camera_of(recording, streams.depth, streams.color);
   info.captured_at = captured_at(recording, streams.depth);
   note_what_is_missing(recording, info);
   return info;

@@ -1,0 +1,56 @@
+// A capture seen through another: what a derived class does not change is passed on.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "depth/capture.hpp"
+
+namespace rva {
+
+/// Passes on all of another capture, which must outlive it. Derived classes override what differs.
+class CaptureView : public Capture {
+ public:
+  /// @param info instead of the other's
+  CaptureView(const Capture& whole, CaptureInfo info) : Capture(std::move(info)), whole_(whole) {}
+
+  [[nodiscard]] std::size_t depth_frames() const override { return whole_.depth_frames(); }
+  [[nodiscard]] std::size_t color_frames() const override { return whole_.color_frames(); }
+  [[nodiscard]] DepthImage depth(std::size_t i) const override { return whole_.depth(i); }
+  [[nodiscard]] std::vector<std::string> depth_notes() const override { return whole_.depth_notes(); }
+  [[nodiscard]] bool marks_no_depth_by_zero() const override { return whole_.marks_no_depth_by_zero(); }
+  [[nodiscard]] ColorImage color(std::size_t i) const override { return whole_.color(i); }
+  [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override {
+    return whole_.color_of(depth_frame);
+  }
+  [[nodiscard]] std::optional<FineGrayImage> infrared_of(std::size_t depth_frame,
+                                                         Imager imager) const override {
+    return whole_.infrared_of(depth_frame, imager);
+  }
+  [[nodiscard]] bool has_infrared(Imager imager, Light light) const override {
+    return whole_.has_infrared(imager, light);
+  }
+  [[nodiscard]] std::optional<Image<float>> infrared_mean(Imager imager, Light light) const override {
+    return whole_.infrared_mean(imager, light);
+  }
+  [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override {
+    return whole_.metadata_of(depth_frame);
+  }
+
+ private:
+  const Capture& whole_;
+};
+
+/// True when two depth units are the same but for how programs print them: within a part in a million.
+[[nodiscard]] bool is_same_unit(double a_m, double b_m);
+
+/// The capture with its depth in another unit, rounded; what does not fit into 16 bits then is no_depth.
+/// @param capture must outlive the result
+/// @param unit_m  metres, above 0
+[[nodiscard]] std::unique_ptr<Capture> in_unit(const Capture& capture, double unit_m);
+
+}  // namespace rva

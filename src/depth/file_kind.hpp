@@ -1,0 +1,13 @@
+// What a file is that is no recording, so that a person learns why it cannot be opened.
+#pragma once
+
+#include <filesystem>
+
+namespace rva {
+
+/// Refuses what is certainly no recording of a camera, by its first bytes: an empty file, a Git LFS pointer,
+/// an archive, a point cloud, a video, a single image, an MCAP file. What is no regular file is not read.
+/// @throws Error that names what it is and what to do; also when the file cannot be read
+void require_recording(const std::filesystem::path& file);
+
+}  // namespace rva
