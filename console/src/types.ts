@@ -136,7 +136,7 @@ export interface Finding {
   view: number;
   same_as: number;
   kind: FindingKind;
-  /** What speaks for it: depth, infrared images that look different, or both. */
+  /** What speaks for it: depth, infrared or colour images that look different, or both. */
   evidence?: ('depth' | 'appearance')[];
   bbox: [number, number, number, number];
   centroid: [number, number];

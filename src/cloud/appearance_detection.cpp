@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cloud/appearance_evidence.hpp"
+#include "cloud/color_evidence.hpp"
 #include "cloud/joint_evidence.hpp"
 #include "cloud/still_evidence.hpp"
 #include "cloud/surface_level.hpp"
@@ -19,7 +20,7 @@ namespace rva {
 namespace {
 
 constexpr std::size_t least_captures = 4;
-constexpr std::size_t least_captures_under_lamp = 2;
+constexpr std::size_t least_captures_without_dots = 2;
 // What speaks for a finding does so by more than this.
 constexpr float speaks_deviations = 4.0F;
 constexpr int least_pixels = 3;
@@ -146,15 +147,21 @@ Mask judged_in_any(const std::vector<JudgedChange>& lights) {
   return judged;
 }
 
-void add_changes(const std::vector<JudgedChange>& changes, InfraredCompared compared, double false_findings,
+void add_changes(ImageChanges images, InfraredCompared compared, double false_findings,
                  const RegionOptions& regions, const DepthView& final_view, Detection& detection) {
+  std::vector<JudgedChange>& changes = images.infrared;
+  const std::optional<Mask> judged_in_infrared =
+      changes.empty() ? std::nullopt : std::optional(judged_in_any(changes));
+  if (images.color) changes.push_back(std::move(*images.color));
   const Mask judged = judged_in_any(changes);
   Mask mask(judged.width(), judged.height());
   const double of_each_light = false_findings / static_cast<double>(changes.size());
   for (const JudgedChange& change : changes) add_significant(change, of_each_light, detection.left_out, mask);
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
-  drop_unsupported({judged, compared, final_view.disparity_m_px}, false_findings, detection);
+  // Colour images alone take no finding back: a thing may have the colour of what it lies on.
+  if (judged_in_infrared)
+    drop_unsupported({*judged_in_infrared, compared, final_view.disparity_m_px}, false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
     Finding finding = finding_of(std::move(region), changes, detection.final_m, final_view);
@@ -175,21 +182,22 @@ void add_time(const Stopwatch& start, Detection& detection) {
 
 }  // namespace
 
-std::vector<Light> comparable_lights(const Captures& initial, const Captures& final,
-                                     std::vector<std::string>& warnings) {
-  std::vector<Light> lights;
+ComparedImages comparable_images(const Captures& initial, const Captures& final,
+                                 std::vector<std::string>& warnings) {
+  ComparedImages images;
   const std::size_t fewest = std::min(initial.size(), final.size());
   for (const Light light : {Light::projector, Light::lamp}) {
     if (std::string reason = why_not_comparable(initial, final, light); !reason.empty())
       warnings.push_back(std::move(reason));
     else if (with_infrared(initial, light) > 0 &&
-             fewest >= (light == Light::projector ? least_captures : least_captures_under_lamp))
-      lights.push_back(light);
+             fewest >= (light == Light::projector ? least_captures : least_captures_without_dots))
+      images.lights.push_back(light);
   }
-  return lights;
+  images.color = fewest >= least_captures_without_dots && have_lit_color(initial, final);
+  return images;
 }
 
-void add_appearance(const Captures& initial, const Captures& final, const std::vector<Light>& lights,
+void add_appearance(const Captures& initial, const Captures& final, const ComparedImages& images,
                     const PlacedCaptures& placed, double false_findings, const RegionOptions& regions,
                     Detection& detection) {
   const Stopwatch start;
@@ -199,43 +207,51 @@ void add_appearance(const Captures& initial, const Captures& final, const std::v
     return;
   }
   if (!came_back_nearly(initial_from_final)) return;
-  std::vector<JudgedChange> changes;
-  for (const Light light : lights) {
+  ImageChanges changes;
+  for (const Light light : images.lights) {
     if (auto change = change_between(initial, final, placed, initial_from_final, light, detection.warnings))
-      changes.push_back(std::move(*change));
+      changes.infrared.push_back(std::move(*change));
   }
-  if (changes.empty()) return;
-  const bool surfaces =
-      std::ranges::any_of(changes, [](const JudgedChange& change) { return !change.surface.judged.empty(); });
-  add_changes(changes, surfaces ? InfraredCompared::surfaces : InfraredCompared::appearance, false_findings,
-              regions, placed.final_view, detection);
-  for (const JudgedChange& change : changes)
-    lower_level_of_detection(change, false_findings / static_cast<double>(changes.size()),
-                             placed.final_view.disparity_m_px, detection);
+  if (images.color)
+    changes.color = color_change_between(initial, final, placed, initial_from_final, detection.warnings);
+  if (!changes.any()) return;
+  const bool surfaces = std::ranges::any_of(
+      changes.infrared, [](const JudgedChange& change) { return !change.surface.judged.empty(); });
+  const auto lights = static_cast<double>(changes.infrared.size() + (changes.color ? 1 : 0));
+  for (const JudgedChange& change : changes.infrared)
+    lower_level_of_detection(change, false_findings / lights, placed.final_view.disparity_m_px, detection);
+  add_changes(std::move(changes), surfaces ? InfraredCompared::surfaces : InfraredCompared::appearance,
+              false_findings, regions, placed.final_view, detection);
   add_time(start, detection);
 }
 
-std::vector<Light> still_lights(const Capture& initial, const Capture& final) {
-  std::vector<Light> lights;
-  if (final.info().depth.distortion != Distortion::none) return lights;
+ComparedImages still_images(const Captures& initial, const Captures& final) {
+  ComparedImages images;
+  if (final.front()->info().depth.distortion != Distortion::none) return images;
   for (const Light light : {Light::projector, Light::lamp}) {
-    if (initial.has_infrared(Imager::left, light) && final.has_infrared(Imager::left, light))
-      lights.push_back(light);
+    if (initial.front()->has_infrared(Imager::left, light) &&
+        final.front()->has_infrared(Imager::left, light))
+      images.lights.push_back(light);
   }
-  return lights;
+  images.color = have_lit_color(initial, final);
+  return images;
 }
 
-void add_still_appearance(const Capture& initial, const Capture& final, const std::vector<Light>& lights,
-                          const DepthView& final_view, double false_findings, const RegionOptions& regions,
-                          Detection& detection) {
-  const Stopwatch start;
-  std::vector<JudgedChange> changes;
-  for (const Light light : lights) {
-    if (auto change = still_change_between(initial, final, final_view, light, detection.warnings))
-      changes.push_back(std::move(*change));
+ImageChanges still_changes(const Capture& initial, const Capture& final, const ComparedImages& images,
+                           const DepthView& final_view, std::vector<std::string>& warnings) {
+  ImageChanges changes;
+  for (const Light light : images.lights) {
+    if (auto change = still_change_between(initial, final, final_view, light, warnings))
+      changes.infrared.push_back(std::move(*change));
   }
-  if (changes.empty()) return;
-  add_changes(changes, InfraredCompared::still, false_findings, regions, final_view, detection);
+  if (images.color) changes.color = still_color_change_between(initial, final, final_view, warnings);
+  return changes;
+}
+
+void add_still_appearance(ImageChanges changes, const DepthView& final_view, double false_findings,
+                          const RegionOptions& regions, Detection& detection) {
+  const Stopwatch start;
+  add_changes(std::move(changes), InfraredCompared::still, false_findings, regions, final_view, detection);
   add_time(start, detection);
 }
 

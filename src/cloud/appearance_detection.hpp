@@ -1,42 +1,67 @@
-// Findings from infrared images: what depth shows nothing of.
+// Findings from infrared and colour images: what depth shows nothing of.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cloud/judged_change.hpp"
 #include "cloud/spatial_detection.hpp"
 
 namespace rva {
 
-/// The share of the false findings allowed that is left to depth where infrared images are compared, too.
+/// The share of the false findings allowed that is left to depth where other images are compared, too.
 inline constexpr double share_of_depth = 0.5;
 
-/// The lights in which both sides have the infrared images that a comparison takes: under the projector, four
-/// captures each, since fewer leave too many places under dots.
-/// @param warnings gets why not, where some captures have them
-[[nodiscard]] std::vector<Light> comparable_lights(const Captures& initial, const Captures& final,
-                                                   std::vector<std::string>& warnings);
+/// Which images both sides have, besides depth.
+struct ComparedImages {
+  std::vector<Light> lights;  ///< of infrared images
+  bool color = false;         ///< there is light in the colour images (have_lit_color())
 
-/// Compares the sides' infrared images in each light (appearance_evidence.hpp), where the camera came back
-/// nearly to where it was. Findings of depth get the evidence of what looks different
-/// there; those without are dropped where the images were compared and depth alone is not certain enough.
-/// What looks different elsewhere becomes findings of kind `appearance`, after all others.
-/// @param lights          as of comparable_lights()
+  [[nodiscard]] bool any() const { return color || !lights.empty(); }
+};
+
+/// Under the projector, a comparison takes four captures a side, since fewer leave too many places under
+/// dots; under a lamp, and of colour images, two.
+/// @param warnings gets why infrared images are not compared, where some captures have them
+[[nodiscard]] ComparedImages comparable_images(const Captures& initial, const Captures& final,
+                                               std::vector<std::string>& warnings);
+
+/// Compares the sides' infrared images in each light (appearance_evidence.hpp) and their colour images
+/// (color_evidence.hpp), where the camera came back nearly to where it was. Findings of depth get the
+/// evidence of what looks different there; those without are dropped where infrared images were compared and
+/// depth alone is not certain enough. What looks different elsewhere becomes findings of kind `appearance`,
+/// after all others.
+/// @param images          as of comparable_images()
 /// @param false_findings  allowed for appearance alone, of all lights together
 /// @throws Error when an image cannot be read; Interrupted
-void add_appearance(const Captures& initial, const Captures& final, const std::vector<Light>& lights,
+void add_appearance(const Captures& initial, const Captures& final, const ComparedImages& images,
                     const PlacedCaptures& placed, double false_findings, const RegionOptions& regions,
                     Detection& detection);
 
-/// The lights in which both captures have the left imager's image: one of each will do where the camera stood
-/// still. None where the lens bends rays.
-[[nodiscard]] std::vector<Light> still_lights(const Capture& initial, const Capture& final);
+/// Of a camera that stood still, one capture a side will do, with the left imager's image. None where the
+/// lens bends rays.
+/// @param initial, final one capture each
+[[nodiscard]] ComparedImages still_images(const Captures& initial, const Captures& final);
 
-/// The same as add_appearance() for a camera that stood still between two captures: pixel by pixel, dots
-/// included (still_evidence.hpp).
-/// @param lights as of still_lights()
-void add_still_appearance(const Capture& initial, const Capture& final, const std::vector<Light>& lights,
-                          const DepthView& final_view, double false_findings, const RegionOptions& regions,
-                          Detection& detection);
+/// What images of both sides show of change.
+struct ImageChanges {
+  std::vector<JudgedChange> infrared;  ///< one of each light
+  std::optional<JudgedChange> color;
+
+  [[nodiscard]] bool any() const { return color || !infrared.empty(); }
+};
+
+/// Of a camera that stood still between two captures: pixel by pixel, dots included (still_evidence.hpp).
+/// @param images   as of still_images()
+/// @param warnings gets why images could not be compared
+/// @throws Error when an infrared image cannot be read; Interrupted
+[[nodiscard]] ImageChanges still_changes(const Capture& initial, const Capture& final,
+                                         const ComparedImages& images, const DepthView& final_view,
+                                         std::vector<std::string>& warnings);
+
+/// Findings of still_changes(), as add_appearance() has them.
+void add_still_appearance(ImageChanges changes, const DepthView& final_view, double false_findings,
+                          const RegionOptions& regions, Detection& detection);
 
 }  // namespace rva

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -141,18 +142,29 @@ class Run {
     require_one_device(initial_info(), final_info());
     if (has_several() || poses_differ(initial_info(), final_info())) return spatial();
     const Capture& initial = *initial_.front();
-    const std::vector<Light> lights = still_lights(initial, *final_.front());
-    StaticDetection compared = compare_pixels(initial, lights.empty() ? 1.0 : share_of_depth);
+    const ComparedImages images = still_images(initial_, final_);
+    StaticDetection compared = compare_pixels(initial, images.lights.empty() ? 1.0 : share_of_depth);
     const std::optional<CheckedViews> views = checked_views(compared, initial_info(), final_info());
     if (!views) return {std::move(compared.detection), std::nullopt};
     if (views->check.is_aligned()) {
-      if (!lights.empty())
-        add_still_appearance(initial, *final_.front(), lights, views->final,
-                             (1.0 - share_of_depth) * options_.static_camera.calibrated.false_findings,
-                             options_.static_camera.regions, compared.detection);
+      if (images.any()) add_images(images, *views, compared);
       return {std::move(compared.detection), std::nullopt};
     }
     return spatial_after(*views, std::move(compared.detection));
+  }
+
+  // Whether colour images can be compared shows only when they are: until then, depth has all of the false
+  // findings allowed.
+  void add_images(const ComparedImages& images, const CheckedViews& views, StaticDetection& compared) {
+    const Capture& initial = *initial_.front();
+    std::vector<std::string> warnings;
+    ImageChanges changes = still_changes(initial, *final_.front(), images, views.final, warnings);
+    if (changes.any() && images.lights.empty()) compared = compare_pixels(initial, share_of_depth);
+    std::ranges::move(warnings, std::back_inserter(compared.detection.warnings));
+    if (!changes.any()) return;
+    add_still_appearance(std::move(changes), views.final,
+                         (1.0 - share_of_depth) * options_.static_camera.calibrated.false_findings,
+                         options_.static_camera.regions, compared.detection);
   }
 
   // The views do not lie over each other.
@@ -224,13 +236,13 @@ class Run {
 
   SidesDetection spatial(KnownMotion known = KnownMotion::moved) {
     const StaticDetectionOptions& shared = options_.static_camera;
-    const std::vector<Light> lights = comparable_lights(initial_, final_, warnings_);
+    const ComparedImages images = comparable_images(initial_, final_, warnings_);
     SpatialDetectionOptions options{shared.frames, shared.calibrated, shared.regions, known};
-    if (!lights.empty()) options.share = share_of_depth;
+    if (images.any()) options.share = share_of_depth;
     options.pairs = have_pairs(initial_, final_);
     SpatialDetection found = detect_spatial(initial_, final_, options, progress_, left_out_);
-    if (!lights.empty())
-      add_appearance(initial_, final_, lights, found.placed,
+    if (images.any())
+      add_appearance(initial_, final_, images, found.placed,
                      (1.0 - share_of_depth) * shared.calibrated.false_findings, shared.regions,
                      found.detection);
     prepend_warnings(found.detection);

@@ -28,10 +28,9 @@ std::vector<float> peaks_of(const AppearanceChange& change) {
   return peaks;
 }
 
-void drop_faint(AppearanceChange& change) {
-  constexpr float least_contrast = 0.015F;
+void drop_faint(AppearanceChange& change, float least) {
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
-    if (std::abs(change.contrast[i]) <= least_contrast) change.deviations[i] = 0.0F;
+    if (std::abs(change.contrast[i]) <= least) change.deviations[i] = 0.0F;
   }
 }
 

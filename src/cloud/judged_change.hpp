@@ -31,8 +31,12 @@ inline constexpr UsualTail tail_with_pairs{.slope = {.slope = 1.63, .peaks = 22.
 inline constexpr UsualTail tail_of_still_pair{.slope = {.slope = 2.84, .peaks = 14.52}, .end = 5.0};
 inline constexpr UsualTail tail_under_lamp{.slope = {.slope = 1.23, .peaks = 28.28}, .end = 4.0};
 
-/// Nothing where the contrast is no more than stains and reflections change by; a collar changes more.
-void drop_faint(AppearanceChange& change);
+/// By so much stains and reflections change brightness between the dots or under a lamp; a collar changes it
+/// by more.
+inline constexpr float faint_contrast = 0.015F;
+
+/// Nothing where the contrast is no more than `least`.
+void drop_faint(AppearanceChange& change, float least = faint_contrast);
 
 /// Heights of the peaks, of both signs, of what is not beside a thing that changed beyond doubt.
 [[nodiscard]] std::vector<float> peaks_of(const AppearanceChange& change);

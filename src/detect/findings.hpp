@@ -30,7 +30,7 @@ enum class ChangeKind {
 /// What speaks for a finding.
 struct Evidence {
   bool depth = true;
-  bool appearance = false;  ///< infrared images look different there
+  bool appearance = false;  ///< infrared or colour images look different there
 
   bool operator==(const Evidence&) const = default;
 };
@@ -74,7 +74,7 @@ struct Findings {
   Transform final_from_initial = Transform::Identity();
   Coverage coverage;
   Runtime runtime;
-  /// The share of the final image in which infrared images were compared; empty where they were not.
+  /// The share of the final image in which infrared or colour images were compared; empty where none were.
   std::optional<double> appearance_judged{};
   std::vector<Finding> findings;  ///< most suspicious first, those of appearance alone after all others
 };

@@ -39,7 +39,8 @@ Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, const 
   Scene unchanged = wing.before;
   unchanged.stand = wing.after.stand;
   const RobotSideOptions side{options.captures.back(), options.frames,
-                              options.how == CameraReturn::rest ? half_a_step_deg : 0.0, options.lamp};
+                              options.how == CameraReturn::rest ? half_a_step_deg : 0.0, options.lamp,
+                              options.color};
   return {take_by_robot(wing.before, sensor, side, mix(seed, 1), room / "before"),
           take_by_robot(unchanged, sensor, side, mix(seed, 2), room / "unchanged"),
           take_by_robot(wing.after, sensor, side, mix(seed, 3), room / "changed")};

@@ -24,6 +24,7 @@ struct MovedStudyOptions {
   int frames = 10;                                                  ///< of each capture
   bool octree = false;  ///< the thesis' pipeline too, on one frame a side: a minute each time
   bool lamp = false;    ///< images under the camera's lamp, too
+  bool color = false;   ///< colour images, too
   BayFeatures bay;
   /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{

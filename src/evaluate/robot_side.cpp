@@ -21,7 +21,7 @@ RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
   constexpr std::size_t settling = 1;  // as rva serve has it
   const Clock clock = unhurried_clock();
   SimulatedRobot robot({.rest_error_deg = options.rest_error_deg}, clock.now_s, mix(seed, 1));
-  SimulatedCamera camera(scene, sensor, mix(seed, 2), ColorFrames::none,
+  SimulatedCamera camera(scene, sensor, mix(seed, 2), options.color ? ColorFrames::all : ColorFrames::none,
                          [&robot] { return robot.true_joints(); });
   std::error_code ignored;  // take_views() reports the error
   std::filesystem::create_directories(folder, ignored);

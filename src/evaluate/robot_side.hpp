@@ -29,6 +29,7 @@ struct RobotSideOptions {
   int frames = 10;              ///< of each capture, above 0
   double rest_error_deg = 0.0;  ///< as of SimulatedRobotOptions
   bool lamp = false;            ///< as of ViewCaptureOptions
+  bool color = false;           ///< a colour image with each frame
 };
 
 /// A robot with play goes to the scene's view and its dithers, from below (robot/dither.hpp), and each

@@ -96,7 +96,7 @@ DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView>
   const int height = surface.inverse_depth_per_m.height();
   Samples samples(width, height);
   for (const InfraredView& view : views) {
-    const Warp warp(surface, view.view_from_reference);
+    const Warp warp = view.warp_from(surface);
     samples.add(warp.image(view.log_image), warp.clear_of(view.dots));
   }
   DotFreeImage fused{Image<float>(width, height), samples.variance(), std::move(samples.count)};
@@ -120,7 +120,7 @@ Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> 
   const int height = surface.inverse_depth_per_m.height();
   Mask seen(width, height, mask_set);
   for (const InfraredView& view : views) {
-    const Warp warp(surface, view.view_from_reference);
+    const Warp warp = view.warp_from(surface);
     for (int v = 0; v < height; ++v) {
       for (int u = 0; u < width; ++u) {
         if (!warp.inside(u, v, within_image_px)) seen(u, v) = 0;
@@ -133,7 +133,7 @@ Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> 
 Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views) {
   Mask lit = seen_in_all(surface, views);
   for (const InfraredView& view : views) {
-    const Warp warp(surface, view.view_from_reference);
+    const Warp warp = view.warp_from(surface);
     const Mask clear = warp.clear_of(without_dots(view.dots));
     for (std::size_t i = 0; i < lit.size(); ++i) {
       if (clear[i] == 0) lit[i] = 0;
@@ -145,7 +145,7 @@ Mask lit_in_all(const ReferenceSurface& surface, std::span<const InfraredView> v
 Mask within_projectors(const ReferenceSurface& surface, std::span<const InfraredView> views) {
   Mask within(surface.inverse_depth_per_m.width(), surface.inverse_depth_per_m.height(), mask_set);
   for (const InfraredView& view : views) {
-    const Warp warp(surface, view.view_from_reference);
+    const Warp warp = view.warp_from(surface);
     const Mask clear = warp.clear_of(beyond_projector(view.log_image, view.dots, beside_field_px));
     for (int v = 0; v < within.height(); ++v) {
       for (int u = 0; u < within.width(); ++u) {

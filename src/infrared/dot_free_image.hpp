@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@
 
 namespace rva {
 
-/// A capture's left infrared image in one light, and where it was taken.
+/// A capture's left infrared image in one light, or what its colour imager saw, and where it was taken.
 struct InfraredView {
   InfraredView() = default;
   /// @param grey  mean of the capture's frames, levels of 8 bits
@@ -28,6 +29,12 @@ struct InfraredView {
   Mask saturated;          ///< where brightness is cut off
   Mask dots;               ///< as of dot_mask(): what does not show the surface itself
   Transform view_from_reference = Transform::Identity();
+  /// Of an imager other than the left one, without lens distortion.
+  std::optional<Intrinsics> camera{};
+
+  [[nodiscard]] Warp warp_from(const ReferenceSurface& surface) const {
+    return {surface, view_from_reference, camera.value_or(surface.camera)};
+  }
 };
 
 /// All images are in the reference's view.

@@ -85,8 +85,8 @@ class Target {
 
   /// The view's pose after one step. A second step upon the same image would be held back by the view's own
   /// noise, of which the image has a share.
-  [[nodiscard]] Transform step(const SmoothView& view, const Transform& view_from_reference) const {
-    return turned(view_from_reference, -turn_between(view, view_from_reference));
+  [[nodiscard]] Transform step(const SmoothView& smooth, const InfraredView& view) const {
+    return turned(view.view_from_reference, -turn_between(smooth, view));
   }
 
  private:
@@ -127,15 +127,14 @@ class Target {
     return {-x * y * gu - (1.0 + y * y) * gv, (1.0 + x * x) * gu + x * y * gv, x * gv - y * gu};
   }
 
-  [[nodiscard]] Eigen::Vector3d turn_between(const SmoothView& view,
-                                             const Transform& view_from_reference) const {
-    const ViewOfSurface seen(surface_, view_from_reference);
+  [[nodiscard]] Eigen::Vector3d turn_between(const SmoothView& smooth, const InfraredView& view) const {
+    const ViewOfSurface seen(surface_, view.view_from_reference, view.camera.value_or(surface_.camera));
     cv::Mat difference = cv::Mat::zeros(smooth_.size(), CV_32F);
     cv::Mat compared = cv::Mat::zeros(smooth_.size(), CV_32F);
     for (const cv::Point& pixel : pixels_) {
       const Eigen::Vector2f at = seen.seen_at(pixel.x, pixel.y);
-      if (!view.shows(at)) continue;
-      difference.at<float>(pixel) = cubic_at(view.image, at) - smooth_.at<float>(pixel);
+      if (!smooth.shows(at)) continue;
+      difference.at<float>(pixel) = cubic_at(smooth.image, at) - smooth_.at<float>(pixel);
       compared.at<float>(pixel) = 1.0F;
     }
     const cv::Mat level = masked_mean(difference, compared, wide, cv::Mat::zeros(difference.size(), CV_32F));
@@ -173,7 +172,7 @@ std::vector<Transform> stepped(const Target& target, const std::vector<SmoothVie
   std::vector<Transform> poses(views.size());
   parallel_bands(static_cast<int>(views.size()), [&](int first, int end) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k)
-      poses[k] = target.step(smooth[k], views[k].view_from_reference);
+      poses[k] = target.step(smooth[k], views[k]);
   });
   return poses;
 }
@@ -193,10 +192,11 @@ bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views)
 
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views) {
   const std::vector<SmoothView> smooth = smooth_views(views);
+  const Transform first = views.front().view_from_reference;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<Transform> poses = stepped(Target(fuse(surface, views), surface), smooth, views);
-    const Transform reference_from_first = poses.front().inverse();
-    for (Transform& pose : poses) pose = pose * reference_from_first;
+    const Transform back_to_first = poses.front().inverse() * first;
+    for (Transform& pose : poses) pose = pose * back_to_first;
     if (take(poses, views)) return;
   }
 }

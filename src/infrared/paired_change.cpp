@@ -159,22 +159,29 @@ PairedChange paired_change(const ReferenceSurface& surface, const std::vector<In
 }
 
 PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
-                          const InfraredView& final) {
+                          const InfraredView& final, const Mask& lit) {
+  constexpr int margin_px = 6;  // Within it, windows lie in the image whole.
   const int width = surface.camera.width;
   const int height = surface.camera.height;
-  constexpr int margin_px = 6;  // Within it, windows lie in the image whole.
   const PairDifference difference = pair_difference(initial, final, surface, Image<float>(width, height));
-  const Mask dark_before = beyond_projector(initial.log_image, initial.dots, beside_field_px);
-  const Mask dark_after = beyond_projector(final.log_image, final.dots, beside_field_px);
   Mask inside(width, height);
   for (int v = margin_px; v < height - margin_px; ++v) {
-    for (int u = margin_px; u < width - margin_px; ++u) {
-      if (dark_before(u, v) == 0 && dark_after(u, v) == 0) inside(u, v) = mask_set;
-    }
+    for (int u = margin_px; u < width - margin_px; ++u) inside(u, v) = lit(u, v);
   }
   PairedChange change = median_over({evidence_of(difference, PixelNoise({difference}))}, 1, inside);
   divide_by_bulk(change);
   return change;
+}
+
+PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
+                          const InfraredView& final) {
+  const Mask dark_before = beyond_projector(initial.log_image, initial.dots, beside_field_px);
+  const Mask dark_after = beyond_projector(final.log_image, final.dots, beside_field_px);
+  Mask lit(dark_before.width(), dark_before.height());
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (dark_before[i] == 0 && dark_after[i] == 0) lit[i] = mask_set;
+  }
+  return still_change(surface, initial, final, lit);
 }
 
 }  // namespace rva

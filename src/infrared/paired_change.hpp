@@ -36,6 +36,11 @@ struct PairedChange {
                                          const Mask& lit);
 
 /// The same for a camera that stood still: one pair, whose pixels see the same. Noise alone differs.
+/// @param lit pixels that may be judged
+[[nodiscard]] PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
+                                        const InfraredView& final, const Mask& lit);
+
+/// As far as the projector's light or other light reaches in both (beyond_projector()).
 [[nodiscard]] PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
                                         const InfraredView& final);
 

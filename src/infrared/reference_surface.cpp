@@ -20,16 +20,22 @@ ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>&
 }
 
 ViewOfSurface::ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference)
+    : ViewOfSurface(surface, view_from_reference, surface.camera) {}
+
+ViewOfSurface::ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference,
+                             const Intrinsics& camera)
     : surface_(surface),
-      fx_(static_cast<float>(surface.camera.fx)),
-      fy_(static_cast<float>(surface.camera.fy)),
-      cx_(static_cast<float>(surface.camera.cx)),
-      cy_(static_cast<float>(surface.camera.cy)),
+      fx_(static_cast<float>(camera.fx)),
+      fy_(static_cast<float>(camera.fy)),
+      cx_(static_cast<float>(camera.cx)),
+      cy_(static_cast<float>(camera.cy)),
       shift_(view_from_reference.translation().cast<float>()) {
   const Eigen::Matrix3f turn = view_from_reference.linear().cast<float>();
-  ray_along_u_ = turn.col(0) / fx_;
-  ray_along_v_ = turn.col(1) / fy_;
-  ray_of_corner_ = turn.col(2) - cx_ * ray_along_u_ - cy_ * ray_along_v_;
+  const Intrinsics& reference = surface.camera;
+  ray_along_u_ = turn.col(0) / static_cast<float>(reference.fx);
+  ray_along_v_ = turn.col(1) / static_cast<float>(reference.fy);
+  ray_of_corner_ = turn.col(2) - static_cast<float>(reference.cx) * ray_along_u_ -
+                   static_cast<float>(reference.cy) * ray_along_v_;
 }
 
 float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at) {
@@ -50,9 +56,14 @@ float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at) {
 }
 
 Warp::Warp(const ReferenceSurface& surface, const Transform& view_from_reference)
-    : u_(surface.inverse_depth_per_m.height(), surface.inverse_depth_per_m.width(), CV_32F),
+    : Warp(surface, view_from_reference, surface.camera) {}
+
+Warp::Warp(const ReferenceSurface& surface, const Transform& view_from_reference, const Intrinsics& camera)
+    : view_width_(camera.width),
+      view_height_(camera.height),
+      u_(surface.inverse_depth_per_m.height(), surface.inverse_depth_per_m.width(), CV_32F),
       v_(u_.rows, u_.cols, CV_32F) {
-  const ViewOfSurface view(surface, view_from_reference);
+  const ViewOfSurface view(surface, view_from_reference, camera);
   parallel_bands(u_.rows, [&](int first, int end) {
     for (int v = first; v < end; ++v) {
       for (int u = 0; u < u_.cols; ++u) {

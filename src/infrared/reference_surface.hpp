@@ -14,7 +14,7 @@ namespace rva {
 /// Depth without holes. Between views a degree apart, an error of a tenth of the depth moves a pixel by a few
 /// hundredths.
 struct ReferenceSurface {
-  Intrinsics camera;                 ///< without lens distortion; all views share it
+  Intrinsics camera;                 ///< without lens distortion
   Image<float> inverse_depth_per_m;  ///< above 0
 };
 
@@ -28,7 +28,10 @@ struct ReferenceSurface {
 /// Where single pixels of the reference are seen in another view.
 class ViewOfSurface {
  public:
+  /// @param camera of the view, without lens distortion; the reference's own where it is not given
   ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference);
+  ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference,
+                const Intrinsics& camera);
 
   /// In pixels of the view, which may lie outside its image.
   [[nodiscard]] Eigen::Vector2f seen_at(int u, int v) const {
@@ -81,7 +84,9 @@ class ViewOfSurface {
 /// Where each pixel of the reference is seen in another view.
 class Warp {
  public:
+  /// @param camera as for ViewOfSurface
   Warp(const ReferenceSurface& surface, const Transform& view_from_reference);
+  Warp(const ReferenceSurface& surface, const Transform& view_from_reference, const Intrinsics& camera);
 
   /// By cubic interpolation; 0 outside the view.
   [[nodiscard]] Image<float> image(const Image<float>& of_view) const;
@@ -90,11 +95,13 @@ class Warp {
   /// False where the pixel is seen within `within_px` of the view's border, or not at all.
   [[nodiscard]] bool inside(int u, int v, float within_px) const {
     return u_.at<float>(v, u) >= within_px && v_.at<float>(v, u) >= within_px &&
-           u_.at<float>(v, u) <= static_cast<float>(u_.cols - 1) - within_px &&
-           v_.at<float>(v, u) <= static_cast<float>(u_.rows - 1) - within_px;
+           u_.at<float>(v, u) <= static_cast<float>(view_width_ - 1) - within_px &&
+           v_.at<float>(v, u) <= static_cast<float>(view_height_ - 1) - within_px;
   }
 
  private:
+  int view_width_;
+  int view_height_;
   cv::Mat u_;
   cv::Mat v_;
 };

@@ -15,7 +15,7 @@ import program
 HEAD = """format: rva-scene
 version: 1
 wing: {}
-light: { ambient: 0.02 }
+light: { ambient: 0.02, visible: 0 }
 robot: { at_m: [0, 0.10, 0], tilt_deg: -20 }
 """
 COLLARS = [('0.53', 0.135, 0.378), ('0.36', -0.085, 0.562), ('0.27', -0.195, 0.562), ('0.44', 0.025, 0.745),
@@ -200,6 +200,8 @@ class LampTest(program.ProgramTest):
         super().setUp()
         shutil.copytree(self.recorded, self.folder, dirs_exist_ok=True)
         self.before, self.after = (sorted((self.folder / side).iterdir()) for side in ('before', 'after'))
+        for capture in self.before + self.after:
+            shutil.rmtree(capture / 'color')
 
     def compare(self):
         done = self.succeed('detect', '--initial', *self.before, '--final', *self.after, '--out', self.out, '--overwrite')
