@@ -158,6 +158,24 @@ PairedChange paired_change(const ReferenceSurface& surface, const std::vector<In
   return change;
 }
 
+namespace {
+
+// In a hole that no dot falls into, most counts are 0, and the few that are not look rare.
+constexpr float least_light = 2.0F;
+
+// The mean of 15 x 15 pixels, in grey levels as of InfraredView's scale.
+cv::Mat light_around(const InfraredView& view) {
+  constexpr double floor_grey = 3.0;  // of log_grey()
+  constexpr int around_px = 15;
+  cv::Mat grey;
+  cv::exp(as_mat(view.log_image), grey);
+  cv::Mat around;
+  cv::blur(grey, around, {around_px, around_px});
+  return around - floor_grey;
+}
+
+}  // namespace
+
 PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
                           const InfraredView& final, const Mask& lit) {
   constexpr int margin_px = 6;  // Within it, windows lie in the image whole.
@@ -178,8 +196,9 @@ PairedChange still_change(const ReferenceSurface& surface, const InfraredView& i
   const Mask dark_before = beyond_projector(initial.log_image, initial.dots, beside_field_px);
   const Mask dark_after = beyond_projector(final.log_image, final.dots, beside_field_px);
   Mask lit(dark_before.width(), dark_before.height());
+  const cv::Mat light = cv::min(light_around(initial), light_around(final));
   for (std::size_t i = 0; i < lit.size(); ++i) {
-    if (dark_before[i] == 0 && dark_after[i] == 0) lit[i] = mask_set;
+    if (dark_before[i] == 0 && dark_after[i] == 0 && light.ptr<float>()[i] >= least_light) lit[i] = mask_set;
   }
   return still_change(surface, initial, final, lit);
 }
