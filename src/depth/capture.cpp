@@ -87,7 +87,7 @@ std::unique_ptr<Capture> open_folder(const fs::path& folder, const CaptureOption
     if (holds(name)) return open_open3d_folder(folder, folder / name, options);
   }
   if (holds("depth.txt")) return open_tum_folder(folder, options);
-  const std::vector<fs::path> recordings = image_files(folder, {".db3", ".bag"});
+  const std::vector<fs::path> recordings = image_files(folder, {".db3", ".mcap", ".bag"});
   if (!recordings.empty()) return open_recording_in(folder, recordings, options);
   if (!bare_depth_files(folder).empty()) return open_bare_folder(folder, options);
   throw Error(printable(folder),

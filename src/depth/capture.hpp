@@ -59,7 +59,7 @@ struct InfraredBurst {
 
 /// What is known of a capture besides its images.
 struct CaptureInfo {
-  std::string format;  ///< "rva-capture", "open3d", "tum", "bag", "db3"
+  std::string format;  ///< "rva-capture", "open3d", "tum", "images", "bag", "db3", "mcap"
   Intrinsics depth;
   double depth_unit_m = 0.001;   ///< metres of one step of a depth image
   bool unit_is_assumed = false;  ///< the files do not state it
@@ -159,7 +159,7 @@ struct CaptureOptions {
 [[nodiscard]] std::size_t lost_frames(const Capture& capture);
 
 /// Opens a capture folder, an Open3D recorder folder, a TUM RGB-D folder or a folder of bare depth images,
-/// told apart by the files in it, or a .bag or .db3 of realsense-viewer, or a folder that holds one. Images
+/// told apart by the files in it, or a .bag, .db3 or .mcap, or a folder that holds one. Images
 /// are not read yet, but the first one where nothing else states their size.
 /// @throws Error when it is none of these, its description is missing or malformed, or it has no depth frame
 [[nodiscard]] std::unique_ptr<Capture> open_capture(const std::filesystem::path& path,

@@ -32,8 +32,6 @@ constexpr std::string_view needs_depth = "give a recording of the camera's depth
 constexpr std::array kinds{
     FileKind{0, "version https://git-lfs"sv, "a Git LFS pointer, not the file itself",
              "fetch it with git lfs pull"},
-    FileKind{0, "\x89MCAP0\r\n"sv, "an MCAP file, which is not read",
-             "convert it to a rosbag2 database (ros2 bag convert) and give that"},
     FileKind{0, "ply\n"sv, "a point cloud (PLY): depth images are compared, not points", give_depth},
     FileKind{0, "ply\r\n"sv, "a point cloud (PLY): depth images are compared, not points", give_depth},
     FileKind{0, "# .PCD"sv, "a point cloud (PCD): depth images are compared, not points", give_depth},

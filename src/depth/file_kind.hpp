@@ -6,7 +6,7 @@
 namespace rva {
 
 /// Refuses what is certainly no recording of a camera, by its first bytes: an empty file, a Git LFS pointer,
-/// an archive, a point cloud, a video, a single image, an MCAP file. What is no regular file is not read.
+/// an archive, a point cloud, a video, a single image. What is no regular file is not read.
 /// @throws Error that names what it is and what to do; also when the file cannot be read
 void require_recording(const std::filesystem::path& file);
 

@@ -13,7 +13,8 @@ import numpy as np
 import program
 from captures import (CAMERA, IDENTITY, TUM_INTRINSICS, noisy, plain_color, with_box, write_capture, write_open3d, write_tum)
 from db3s import write_db3
-from ros_recordings import ALIGNED, COLOR, DEPTH, in_metres, write_ros1, write_ros2
+from ros_recordings import ALIGNED, COLOR, DEPTH, in_metres, write_mcap, write_ros1, write_ros2
+from simulations import depth_frames
 
 BOX = (20, 10, 11, 7)
 FRAMES = 5
@@ -27,6 +28,9 @@ def npy(array):
     file = io.BytesIO()
     np.save(file, array)
     return file.getvalue()
+
+
+WRITERS = ((write_ros1, 'bag'), (write_ros2, 'db3'), (write_mcap, 'mcap'))
 
 
 class OpenedInputsTest(program.ProgramTest):
@@ -167,7 +171,7 @@ class OpenedInputsTest(program.ProgramTest):
     # Recordings of ROS
 
     def test_depth_of_a_ros_node_is_read_in_millimetres_and_in_metres(self):
-        for write, ending in ((write_ros1, 'bag'), (write_ros2, 'db3')):
+        for write, ending in WRITERS:
             for encoding, convert in (('16UC1', lambda frames: frames), ('32FC1', in_metres)):
                 with self.subTest(ending, encoding=encoding):
                     for side, frames in self.frames.items():
@@ -185,7 +189,7 @@ class OpenedInputsTest(program.ProgramTest):
     def test_the_camera_s_own_depth_is_chosen_or_the_topic_that_is_given(self):
         aligned = self.frames['before'] + 100
         streams = [(ALIGNED, '16UC1', aligned), (DEPTH, '16UC1', self.frames['before']), (COLOR, 'rgb8', [self.picture] * FRAMES)]
-        for write, ending in ((write_ros1, 'bag'), (write_ros2, 'db3')):
+        for write, ending in WRITERS:
             recording = write(self.folder / f'both.{ending}', streams)
             self.assertLess(self.info(recording)['farthest_m'], 1.05)
             said = self.info(recording, '--topic', ALIGNED)
@@ -195,15 +199,54 @@ class OpenedInputsTest(program.ProgramTest):
                 self.check_fails('info', recording, '--topic', topic, names=[topic, 'no depth image'])
 
     def test_without_camera_info_intrinsics_are_asked_for(self):
-        for write, ending in ((write_ros1, 'bag'), (write_ros2, 'db3')):
+        for write, ending in WRITERS:
             recording = write(self.folder / f'bare.{ending}', [(DEPTH, '16UC1', self.frames['before'])], infos=False)
             self.check_fails('info', recording, names=['/camera/depth/camera_info', '--intrinsics'])
             self.assertEqual(self.info(recording, *TUM_INTRINSICS)['depth']['width'], CAMERA.width)
 
     def test_a_recording_of_ros_without_depth_is_refused_with_what_it_has(self):
-        for write, ending in ((write_ros1, 'bag'), (write_ros2, 'db3')):
+        for write, ending in WRITERS:
             recording = write(self.folder / f'color.{ending}', [(COLOR, 'rgb8', [self.picture])])
             self.check_fails('info', recording, names=['no depth', COLOR])
+
+    # MCAP
+
+    def test_mcap_files_of_every_kind_give_the_same_frames(self):
+        streams = [(DEPTH, '16UC1', self.frames['before']), (COLOR, 'rgb8', [self.picture] * FRAMES)]
+        for options in ({}, {'compression': 'lz4'}, {'compression': 'zstd'}, {'index': False}, {'messages_per_chunk': 0, 'index': False},
+                        {'messages_per_chunk': 100, 'compression': 'zstd'}, {'encoding': 'ros1', 'compression': 'lz4'}):
+            with self.subTest(options):
+                recording = write_mcap(self.folder / 'node.mcap', streams, **options)
+                self.succeed('record', '--camera', f'replay:{recording}', '--frames', FRAMES, '--out', self.out, '--overwrite')
+                np.testing.assert_array_equal(depth_frames(self.out), self.frames['before'])
+                self.assertEqual(self.info(recording)['color_frames'], FRAMES)
+                self.assertNotIn('notes', self.info(recording))
+
+    def test_an_mcap_file_cut_at_any_byte_gives_its_whole_chunks(self):
+        whole = write_mcap(self.folder / 'whole.mcap', [(DEPTH, '16UC1', self.frames['before'])], messages_per_chunk=2).read_bytes()
+        cut = self.folder / 'cut.mcap'
+        seen = []
+        for length in [*range(0, len(whole), len(whole) // 60), len(whole) - 1, len(whole)]:
+            cut.write_bytes(whole[:length])
+            done = self.rva('info', cut, '--json')
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            seen.append(json.loads(done.stdout)['depth_frames'] if done.returncode == 0 else 0)
+            if done.returncode == 1:
+                self.check_line(done.stderr, [cut])
+            elif seen[-1] < FRAMES:
+                self.assertIn('cut short', json.loads(done.stdout)['notes'][0])
+        self.assertEqual(seen, sorted(seen))
+        self.assertEqual(seen[-1], FRAMES)
+        self.assertGreater(len(set(seen)), 3)
+
+    def test_a_damaged_chunk_of_an_mcap_file_is_noticed(self):
+        path = write_mcap(self.folder / 'node.mcap', [(DEPTH, '16UC1', self.frames['before'])], messages_per_chunk=2, index=False)
+        data = bytearray(path.read_bytes())
+        data[len(data) // 2] ^= 0x40
+        path.write_bytes(data)
+        said = self.info(path)
+        self.assertLess(said['depth_frames'], FRAMES)
+        self.assertIn('1 damaged part(s)', said['notes'][0])
 
     # Colour
 
@@ -253,7 +296,7 @@ class OpenedInputsTest(program.ProgramTest):
         png = cv2.imencode('.png', self.picture)[1].tobytes()
         kinds = {b'': 'empty', b'version https://git-lfs.github.com/spec/v1\noid sha256:0\n': 'Git LFS',
                  b'ply\nformat ascii 1.0\n': 'point cloud', b'# .PCD v0.7\n': 'point cloud', b'PK\x03\x04' + bytes(60): 'archive',
-                 b'\x1f\x8b\x08' + bytes(60): 'gzip', bytes(257) + b'ustar\0' + bytes(60): 'tar', b'\x89MCAP0\r\n' + bytes(60): 'MCAP',
+                 b'\x1f\x8b\x08' + bytes(60): 'gzip', bytes(257) + b'ustar\0' + bytes(60): 'tar',
                  struct.pack('>I', 24) + b'ftypmp42' + bytes(60): 'video', png: 'single image', b'\x93NUMPY\x01\x00': 'NumPy'}
         for i, (data, kind) in enumerate(kinds.items()):
             file = self.folder / f'file{i}'

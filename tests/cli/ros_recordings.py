@@ -1,4 +1,7 @@
 """Recordings of a camera's node in ROS 1 and ROS 2, made from numpy arrays; shares no code with the program."""
+import struct
+import zlib
+
 import numpy as np
 
 import bags
@@ -50,3 +53,87 @@ def write_ros1(path, streams, infos=True):
 def in_metres(frames):
     """NaN where nothing was measured."""
     return np.where(frames > 0, frames / 1000, np.nan).astype(np.float32)
+
+
+def mcap_text(value):
+    return struct.pack('<I', len(value.encode())) + value.encode()
+
+
+def mcap_record(op, content):
+    return struct.pack('<BQ', op, len(content)) + content
+
+
+class Mcap:
+    """An MCAP file (mcap.dev/spec): messages in chunks of so many, or in none; with an index at its end, or without."""
+
+    MAGIC = b'\x89MCAP0\r\n'
+    PACKED = {'': bytes, 'lz4': bags.lz4, 'zstd': db3s.zstd}
+
+    def __init__(self, path, encoding='cdr', messages_per_chunk=3, compression='', index=True):
+        self.file, self.encoding, self.compression, self.index = open(path, 'wb'), encoding, compression, index
+        self.messages_per_chunk = messages_per_chunk
+        self.channels, self.pending, self.chunk_indices, self.definitions = {}, [], [], b''
+        self.file.write(self.MAGIC + mcap_record(0x01, mcap_text('ros2') + mcap_text('test')))
+
+    def add(self, topic, kind, time_ns, message):
+        if topic not in self.channels:
+            number = self.channels[topic] = len(self.channels) + 1
+            definition = mcap_record(0x03, struct.pack('<H', number) + mcap_text(kind) + mcap_text('ros2msg') + struct.pack('<I', 0))
+            definition += mcap_record(0x04, struct.pack('<HH', number, number) + mcap_text(topic) + mcap_text(self.encoding) + struct.pack('<I', 0))
+            self.definitions += definition
+            self.pending.append((None, None, definition))
+        number = self.channels[topic]
+        self.pending.append((number, time_ns, mcap_record(0x05, struct.pack('<HIQQ', number, 0, time_ns, time_ns) + message)))
+        if len(self.pending) >= self.messages_per_chunk:
+            self.end_chunk()
+
+    def end_chunk(self):
+        if not self.messages_per_chunk:
+            self.file.write(b''.join(data for _, _, data in self.pending))
+            self.pending = []
+            return
+        records, entries = b'', {}
+        for number, time_ns, data in self.pending:
+            if number is not None:
+                entries.setdefault(number, []).append((time_ns, len(records)))
+            records += data
+        self.pending = []
+        packed = self.PACKED[self.compression](records)
+        content = struct.pack('<QQQI', 0, 0, len(records), zlib.crc32(records)) + mcap_text(self.compression) + struct.pack('<Q', len(packed)) + packed
+        at = self.file.tell()
+        chunk = mcap_record(0x06, content)
+        self.file.write(chunk)
+        indices, offsets = b'', b''
+        for number, places in entries.items():
+            offsets += struct.pack('<HQ', number, self.file.tell() + len(indices))
+            listed = b''.join(struct.pack('<QQ', *place) for place in places)
+            indices += mcap_record(0x07, struct.pack('<HI', number, len(listed)) + listed)
+        self.file.write(indices)
+        self.chunk_indices.append(mcap_record(0x08, struct.pack('<QQQQI', 0, 0, at, len(chunk), len(offsets)) + offsets + struct.pack('<Q', len(indices)) +
+                                              mcap_text(self.compression) + struct.pack('<QQ', len(packed), len(records))))
+
+    def finish(self):
+        if self.pending:
+            self.end_chunk()
+        self.file.write(mcap_record(0x0F, struct.pack('<I', 0)))
+        summary_at = self.file.tell() if self.index else 0
+        if self.index:
+            self.file.write(self.definitions + b''.join(self.chunk_indices))
+        self.file.write(mcap_record(0x02, struct.pack('<QQI', summary_at, 0, 0)) + self.MAGIC)
+        self.file.close()
+
+
+def write_mcap(path, streams, infos=True, encoding='cdr', **options):
+    mcap = Mcap(path, encoding, **options)
+    ros1 = encoding == 'ros1'
+    for i in range(max(len(frames) for _, _, frames in streams)):
+        for topic, pixels, frames in streams:
+            time_ns = round(1e9 * (1_700_000_000 + i / 30))
+            if infos:
+                info = bags.camera_info(CAMERA, 'plumb_bob') if ros1 else ros2_camera_info(CAMERA)
+                mcap.add(namespace(topic) + 'camera_info', 'sensor_msgs/CameraInfo' if ros1 else 'sensor_msgs/msg/CameraInfo', time_ns, info)
+            if i < len(frames):
+                image = bags.image_message(frames[i], pixels, i, i / 30) if ros1 else db3s.image_message(frames[i], pixels)
+                mcap.add(topic, 'sensor_msgs/Image' if ros1 else 'sensor_msgs/msg/Image', time_ns, image)
+    mcap.finish()
+    return path

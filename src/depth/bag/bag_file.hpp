@@ -3,17 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
-#include <memory>
-#include <mutex>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/file.hpp"
 #include "depth/bag/bag_index.hpp"
+#include "depth/recording/recent_chunks.hpp"
 
 namespace rva {
 
@@ -33,15 +29,10 @@ class BagFile {
   [[nodiscard]] std::vector<std::byte> read(const RecordedMessage& message) const;
 
  private:
-  using Chunk = std::shared_ptr<const std::vector<std::byte>>;
-
-  [[nodiscard]] Chunk chunk(std::uint64_t at) const;
-
   OpenFile file_;
   std::string place_;
   BagIndex index_;
-  mutable std::mutex mutex_;  // guards the next
-  mutable std::deque<std::pair<std::uint64_t, Chunk>> recent_chunks_;
+  mutable RecentChunks chunks_;
 };
 
 }  // namespace rva

@@ -12,6 +12,7 @@
 #include "depth/bag/bag_recording.hpp"
 #include "depth/db3/db3_recording.hpp"
 #include "depth/formats.hpp"
+#include "depth/mcap/mcap_recording.hpp"
 #include "depth/recording/streams.hpp"
 
 namespace rva {
@@ -141,8 +142,9 @@ class RecordedCapture : public Capture {
 }  // namespace
 
 std::unique_ptr<Capture> open_recording(const std::filesystem::path& file, const CaptureOptions& options) {
-  std::unique_ptr<Recording> recording =
-      is_db3_file(file) ? open_db3_recording(file) : open_bag_recording(file);
+  std::unique_ptr<Recording> recording = is_db3_file(file)    ? open_db3_recording(file)
+                                         : is_mcap_file(file) ? open_mcap_recording(file)
+                                                              : open_bag_recording(file);
   RecordedStreams streams = find_streams(*recording, options.topic);
   CaptureInfo info = describe(*recording, streams, options.intrinsics);
   require_possible(info, recording->place());

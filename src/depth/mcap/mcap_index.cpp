@@ -1,0 +1,219 @@
+#include "depth/mcap/mcap_index.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "depth/mcap/mcap_record.hpp"
+
+namespace rva {
+namespace {
+
+constexpr std::size_t footer_bytes = mcap_head_bytes + 20;
+
+bool is_magic(std::span<const std::byte> bytes) {
+  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()) == mcap_magic;
+}
+
+/// A chunk, as the index at the end of the file states it.
+struct ChunkPlace {
+  std::uint64_t at = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t index_bytes = 0;  ///< of the indices of its messages, which follow it
+};
+
+ChunkPlace parse_chunk_index(std::span<const std::byte> content, const std::string& place) {
+  RosBytes bytes(content, place);
+  static_cast<void>(bytes.number<std::uint64_t>());  // times of the first and the last message
+  static_cast<void>(bytes.number<std::uint64_t>());
+  ChunkPlace chunk;
+  chunk.at = bytes.number<std::uint64_t>();
+  chunk.bytes = bytes.number<std::uint64_t>();
+  static_cast<void>(bytes.list_of_bytes());  // where each channel's index lies
+  chunk.index_bytes = bytes.number<std::uint64_t>();
+  return chunk;
+}
+
+/// Schemas, channels and messages as they are met.
+class Builder {
+ public:
+  Builder(const OpenFile& file, const std::string& place) : file_(file), place_(place) {}
+
+  // @param at byte of the file, and offset in the chunk that begins there
+  void add(const McapRecord& record, std::uint64_t at, std::size_t offset) {
+    if (record.op == McapOp::schema) add_schema(record.content);
+    if (record.op == McapOp::channel) add_channel(record.content);
+    if (record.op == McapOp::message) {
+      const McapMessage message = parse_mcap_message(record.content, place_);
+      add_message(message.channel, {message.time_ns, at, static_cast<std::uint32_t>(offset)});
+    }
+  }
+
+  // What a damaged chunk holds is left out, and it is counted.
+  void add_chunk(std::span<const std::byte> content, std::uint64_t at) {
+    try {
+      const std::vector<std::byte> records = unpack_mcap_chunk(content, place_);
+      RosBytes bytes(records, place_);
+      while (bytes.left() > 0) {
+        const std::size_t offset = records.size() - bytes.left();
+        add(take_mcap_record(bytes, place_), at, offset);
+      }
+    } catch (const Error&) {
+      ++index_.damaged_chunks;
+    }
+  }
+
+  // Where a chunk's messages have no index, it is unpacked.
+  void add_indexed(const ChunkPlace& chunk) {
+    throw_if_interrupted();
+    if (chunk.index_bytes == 0) {
+      const std::vector<std::byte> record = read_mcap_record(file_, chunk.at, place_);
+      add_chunk(std::span(record).subspan(mcap_head_bytes), chunk.at);
+      return;
+    }
+    constexpr std::uint64_t most_index_bytes = 256ULL << 20U;
+    if (chunk.index_bytes > most_index_bytes) throw damaged_index();
+    const std::vector<std::byte> indices =
+        file_.read(chunk.at + chunk.bytes, static_cast<std::size_t>(chunk.index_bytes));
+    RosBytes bytes(indices, place_);
+    while (bytes.left() > 0) {
+      const McapRecord record = take_mcap_record(bytes, place_);
+      if (record.op == McapOp::message_index) add_message_index(record.content, chunk.at);
+    }
+  }
+
+  [[nodiscard]] McapIndex take() {
+    for (auto& [name, topic] : index_.topics)
+      std::ranges::stable_sort(topic.messages, {}, &RecordedMessage::time_ns);
+    return std::move(index_);
+  }
+
+  void set_unfinished() { index_.finished = false; }
+
+ private:
+  [[nodiscard]] Error damaged_index() const {
+    return {place_, "its index is damaged", "copy it again, or record anew"};
+  }
+
+  void add_schema(std::span<const std::byte> content) {
+    RosBytes bytes(content, place_);
+    const auto id = bytes.number<std::uint16_t>();
+    schemas_[id] = bytes.text();
+  }
+
+  void add_channel(std::span<const std::byte> content) {
+    McapChannel channel = parse_mcap_channel(content, place_);
+    RecordedTopic& topic = index_.topics[channel.topic];
+    topic.type = schemas_[channel.schema];
+    index_.encodings[channel.topic] = channel.encoding;
+    topics_[channel.id] = &topic;
+  }
+
+  void add_message(std::uint16_t channel, RecordedMessage message) {
+    const auto topic = topics_.find(channel);
+    if (topic != topics_.end()) topic->second->messages.push_back(message);
+  }
+
+  void add_message_index(std::span<const std::byte> content, std::uint64_t at) {
+    RosBytes bytes(content, place_);
+    const auto channel = bytes.number<std::uint16_t>();
+    if (!topics_.contains(channel))
+      throw damaged_index();  // not every recorder repeats what channels there are
+    RosBytes entries(bytes.list_of_bytes(), place_);
+    while (entries.left() > 0) {
+      const auto time_ns = entries.number<std::uint64_t>();
+      const auto offset = entries.number<std::uint64_t>();
+      add_message(channel, {time_ns, at, static_cast<std::uint32_t>(offset)});
+    }
+  }
+
+  const OpenFile& file_;
+  const std::string& place_;
+  McapIndex index_;
+  std::map<std::uint16_t, std::string> schemas_;
+  std::map<std::uint16_t, RecordedTopic*> topics_;
+};
+
+// The bytes between the data and the footer; empty where the recorder left none.
+std::vector<std::byte> read_summary(const OpenFile& file, const std::string& place) {
+  constexpr std::uint64_t most_summary_bytes = 512ULL << 20U;
+  const std::uint64_t tail_bytes = footer_bytes + mcap_magic.size();
+  if (file.size_bytes() < mcap_magic.size() + tail_bytes) return {};
+  const std::uint64_t footer_at = file.size_bytes() - tail_bytes;
+  const std::vector<std::byte> tail = file.read(footer_at, tail_bytes);
+  if (!is_magic(std::span(tail).subspan(footer_bytes))) return {};
+  RosBytes bytes(tail, place);
+  if (static_cast<McapOp>(bytes.number<std::uint8_t>()) != McapOp::footer) return {};
+  static_cast<void>(bytes.number<std::uint64_t>());
+  const auto summary_at = bytes.number<std::uint64_t>();
+  if (summary_at == 0 || summary_at > footer_at || footer_at - summary_at > most_summary_bytes) return {};
+  return file.read(summary_at, static_cast<std::size_t>(footer_at - summary_at));
+}
+
+// Empty where the summary has no chunks: then messages may lie in none.
+std::optional<McapIndex> from_summary(const OpenFile& file, const std::string& place) {
+  const std::vector<std::byte> summary = read_summary(file, place);
+  Builder builder(file, place);
+  std::vector<ChunkPlace> chunks;
+  RosBytes bytes(summary, place);
+  while (bytes.left() > 0) {
+    const McapRecord record = take_mcap_record(bytes, place);
+    if (record.op == McapOp::chunk_index)
+      chunks.push_back(parse_chunk_index(record.content, place));
+    else
+      builder.add(record, 0, 0);
+  }
+  if (chunks.empty()) return std::nullopt;
+  for (const ChunkPlace& chunk : chunks) builder.add_indexed(chunk);
+  return builder.take();
+}
+
+McapIndex from_records(const OpenFile& file, const std::string& place) {
+  Builder builder(file, place);
+  bool ended = false;
+  for (std::uint64_t at = mcap_magic.size(); at < file.size_bytes() && !ended;) {
+    throw_if_interrupted();
+    std::vector<std::byte> record;
+    try {
+      record = read_mcap_record(file, at, place);
+    } catch (const Error&) {
+      break;
+    }
+    const auto op = static_cast<McapOp>(record.front());
+    const auto content = std::span<const std::byte>(record).subspan(mcap_head_bytes);
+    if (op == McapOp::chunk)
+      builder.add_chunk(content, at);
+    else
+      builder.add({op, content}, at, 0);
+    ended = op == McapOp::data_end;
+    at += record.size();
+  }
+  if (!ended) builder.set_unfinished();
+  return builder.take();
+}
+
+}  // namespace
+
+std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at, const std::string& place) {
+  constexpr std::uint64_t most_record_bytes = 1ULL << 30U;
+  const std::vector<std::byte> head = file.read(at, mcap_head_bytes);
+  RosBytes bytes(head, place);
+  static_cast<void>(bytes.number<std::uint8_t>());
+  const auto length = bytes.number<std::uint64_t>();
+  if (length > most_record_bytes || at + mcap_head_bytes + length > file.size_bytes())
+    throw Error(place, "the recording is damaged: a record ends early", "copy it again, or record anew");
+  return file.read(at, mcap_head_bytes + static_cast<std::size_t>(length));
+}
+
+McapIndex read_mcap_index(const OpenFile& file, const std::string& place) {
+  if (!is_magic(file.read(0, mcap_magic.size()))) throw Error(place, "no MCAP file", "give a recording");
+  try {
+    if (auto index = from_summary(file, place)) return std::move(*index);
+  } catch (const Error&) {  // a damaged index: what is whole is found without it
+  }
+  return from_records(file, place);
+}
+
+}  // namespace rva

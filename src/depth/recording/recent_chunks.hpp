@@ -1,0 +1,43 @@
+// The chunks of a recording that were unpacked last.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace rva {
+
+/// May be used by several threads at once.
+class RecentChunks {
+ public:
+  using Chunk = std::shared_ptr<const std::vector<std::byte>>;
+
+  /// @param at     where the chunk lies in the file
+  /// @param unpack gives its bytes where they are not known any more; what it throws is passed on
+  [[nodiscard]] Chunk get(std::uint64_t at, auto&& unpack) {
+    {
+      const std::lock_guard lock(mutex_);
+      const auto known = std::ranges::find(chunks_, at, &std::pair<std::uint64_t, Chunk>::first);
+      if (known != chunks_.end()) return known->second;
+    }
+    auto unpacked = std::make_shared<const std::vector<std::byte>>(unpack());
+    const std::lock_guard lock(mutex_);
+    chunks_.emplace_front(at, unpacked);
+    if (chunks_.size() > most_chunks) chunks_.pop_back();
+    return unpacked;
+  }
+
+ private:
+  // A frame, its metadata and its neighbour's lie in one or two.
+  static constexpr std::size_t most_chunks = 8;
+
+  std::mutex mutex_;  // guards the next
+  std::deque<std::pair<std::uint64_t, Chunk>> chunks_;
+};
+
+}  // namespace rva
