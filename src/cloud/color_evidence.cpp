@@ -124,19 +124,22 @@ struct OnDepth {
 OnDepth on_depth(const Capture& capture, const ColorMeans& color, const ReferenceSurface& surface,
                  const std::array<float, 3>& levels) {
   constexpr float border_px = 6.0F;
+  // What is saturated has no say in the level beside it, and neither must what the colour imager does not
+  // see.
+  constexpr float saturated = 1e4F;
   const Warp warp(surface, capture.info().color_from_depth.value(), color.camera);
   OnDepth result{{}, warp.clear_of(color.moving)};
-  for (std::size_t c = 0; c < levels.size(); ++c) {
-    Image<float> light = warp.image(color.channels[c]);
-    for (float& value : light.pixels())
-      value = std::max(value, 0.0F);  // cubics overshoot beside what is bright
-    const float scale = scale_to_level(levels[c], color.channels[c], no_dots);
-    result.channels[c] = InfraredView(light, Transform::Identity(), no_dots, scale);
-  }
   for (int v = 0; v < result.clear.height(); ++v) {
     for (int u = 0; u < result.clear.width(); ++u) {
       if (!warp.inside(u, v, border_px)) result.clear(u, v) = 0;
     }
+  }
+  for (std::size_t c = 0; c < levels.size(); ++c) {
+    Image<float> light = warp.image(color.channels[c]);
+    for (std::size_t i = 0; i < light.size(); ++i)
+      light[i] = result.clear[i] == 0 ? saturated : std::max(light[i], 0.0F);  // cubics overshoot
+    const float scale = scale_to_level(levels[c], color.channels[c], no_dots);
+    result.channels[c] = InfraredView(light, Transform::Identity(), no_dots, scale);
   }
   return result;
 }

@@ -109,11 +109,13 @@ std::optional<RecordedStreams> find_ros_streams(const Recording& recording,
   RecordedStreams streams{stream_of(*depth), {}, {}};
   streams.color =
       beside(recording, topics, *depth, [](const ImageTopic& topic) { return is_color(topic.encoding); });
-  for (const auto& [imager, name] : {std::pair(Imager::left, "infra1"), {Imager::right, "infra2"}}) {
-    if (auto stream = beside(recording, topics, *depth, [name](const ImageTopic& topic) {
-          return is_gray(topic.encoding) && names(topic.name, name);
-        }))
-      streams.infrared.emplace(imager, std::move(*stream));
+  const auto infrared_of = [&](std::string_view word) {
+    return beside(recording, topics, *depth, [word](const ImageTopic& topic) {
+      return is_gray(topic.encoding) && names(topic.name, word);
+    });
+  };
+  for (const auto& [imager, word] : {std::pair(Imager::left, "infra1"), {Imager::right, "infra2"}}) {
+    if (auto stream = infrared_of(word)) streams.infrared.emplace(imager, std::move(*stream));
   }
   return streams;
 }
