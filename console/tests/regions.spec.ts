@@ -80,6 +80,7 @@ test('an operator draws by keyboard alone; a viewer sees it and changes nothing'
     await expectAccessible(page);
   }
   await page.getByTestId('add-rectangle').press('Enter');
+  await expect(page.getByTestId('region-1')).toBeFocused();
   await page.keyboard.press('Delete');
   await expect(page.getByTestId('region-1')).toHaveCount(0);
   await expect(page.getByTestId('region-0'), 'the next one').toBeFocused();
