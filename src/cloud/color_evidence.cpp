@@ -12,6 +12,7 @@
 #include "cloud/color_means.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
 #include "infrared/dot_free_image.hpp"
 #include "infrared/infrared_alignment.hpp"
@@ -41,13 +42,19 @@ struct ColorView {
 std::optional<std::vector<ColorView>> color_views(const Captures& side,
                                                   const std::vector<Transform>& first_from_view,
                                                   const Transform& first_from_reference) {
+  constexpr int frames_of_each = 4;  // captures add up, too, and reading colour takes long
+  std::vector<std::optional<ColorMeans>> colors(side.size());
+  parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
+      throw_if_interrupted();
+      colors[k] = color_means(*side[k], frames_of_each);
+    }
+  });
   std::vector<ColorView> views;
   for (std::size_t k = 0; k < side.size(); ++k) {
-    throw_if_interrupted();
-    std::optional<ColorMeans> color = color_means(*side[k]);
-    if (!color || !is_well_lit(*color)) return std::nullopt;
-    views.push_back({std::move(*color), side[k]->info().color_from_depth.value() *
-                                            first_from_view[k].inverse() * first_from_reference});
+    if (!colors[k] || !is_well_lit(*colors[k])) return std::nullopt;
+    views.push_back({std::move(*colors[k]), side[k]->info().color_from_depth.value() *
+                                                first_from_view[k].inverse() * first_from_reference});
   }
   return views;
 }
