@@ -39,8 +39,8 @@ void add_appearance(const Captures& initial, const Captures& final, const Compar
                     const PlacedCaptures& placed, double false_findings, const RegionOptions& regions,
                     Detection& detection);
 
-/// Of a camera that stood still, one capture a side will do, with the left imager's image. None where the
-/// lens bends rays.
+/// The same for a camera that stood still: one capture a side is enough, and the right imager's image is not
+/// needed. There are none where the lens bends rays.
 /// @param initial, final one capture each
 [[nodiscard]] ComparedImages still_images(const Captures& initial, const Captures& final);
 
@@ -52,7 +52,8 @@ struct ImageChanges {
   [[nodiscard]] bool any() const { return color || !infrared.empty(); }
 };
 
-/// Of a camera that stood still between two captures: pixel by pixel, dots included (still_evidence.hpp).
+/// Compares the images of a camera that stood still between two captures pixel by pixel, dots included
+/// (still_evidence.hpp).
 /// @param images   as of still_images()
 /// @param warnings gets why images could not be compared
 /// @throws Error when an infrared image cannot be read; Interrupted

@@ -102,11 +102,6 @@ std::vector<StereoView> pairs_of(const Captures& side, float level, const std::v
   return pairs;
 }
 
-Mask both_set(Mask a, const Mask& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
-  return a;
-}
-
 SurfaceChange surface_between(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
                               double disparity_m_px, float level, const std::vector<InfraredView>& before,
                               const std::vector<InfraredView>& after) {

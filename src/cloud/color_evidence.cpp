@@ -115,7 +115,7 @@ std::optional<JudgedChange> judged_color(AppearanceChange change, std::vector<st
   if (cv::countNonZero(as_mat(change.judged)) == 0) return std::nullopt;
   if (light_changed(change)) {
     warnings.emplace_back(
-        "the colours of a sixth of the view and more differ, as where light changed: colour images were not "
+        "the colours of 15 % of the view or more differ, as where light changed: colour images were not "
         "compared");
     return std::nullopt;
   }
@@ -131,8 +131,8 @@ struct OnDepth {
 OnDepth on_depth(const Capture& capture, const ColorMeans& color, const ReferenceSurface& surface,
                  const std::array<float, 3>& levels) {
   constexpr float border_px = 6.0F;
-  // What is saturated has no say in the level beside it, and neither must what the colour imager does not
-  // see.
+  // Saturated pixels are left out of the level of brightness beside them. Pixels that the colour imager does
+  // not see must be left out, too, so they are marked as saturated.
   constexpr float saturated = 1e4F;
   const Warp warp(surface, capture.info().color_from_depth.value(), color.camera);
   OnDepth result{{}, warp.clear_of(color.moving)};
@@ -155,11 +155,6 @@ std::array<float, 3> levels_of(const ColorMeans& color) {
   std::array<float, 3> levels{};
   for (std::size_t c = 0; c < levels.size(); ++c) levels[c] = exposed_level(color.channels[c], no_dots);
   return levels;
-}
-
-Mask both_set(Mask a, const Mask& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
-  return a;
 }
 
 Mask without(const Mask& taken, Mask from) {

@@ -21,7 +21,7 @@ struct ColorMeans {
 /// True when a capture has colour images, states where the colour imager stands, and neither lens bends rays.
 [[nodiscard]] bool has_comparable_color(const Capture& capture);
 
-/// Of frames that are evenly spread.
+/// The means of some of the capture's frames, evenly spread over it.
 /// @param capture     has_comparable_color()
 /// @param most_frames to read
 /// @return empty when no frame has a colour image

@@ -18,8 +18,8 @@ constexpr double usual_unit_m = 0.001;
 }  // namespace
 
 std::vector<fs::path> bare_depth_files(const fs::path& folder) {
-  std::vector<fs::path> files = image_files(folder / "depth", depth_endings());
-  return files.empty() ? image_files(folder, depth_endings()) : files;
+  std::vector<fs::path> files = depth_files(folder / "depth");
+  return files.empty() ? depth_files(folder) : files;
 }
 
 std::unique_ptr<Capture> open_bare_folder(const fs::path& folder, const CaptureOptions& options) {

@@ -206,8 +206,7 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const Captu
   const fs::path description = folder / "capture.json";
   const fs::path lines = folder / "frames.jsonl";
   std::error_code ignored;
-  FrameFiles files{image_files(folder / "depth", depth_endings()),
-                   image_files(folder / "color", {".png", ".jpg", ".jpeg"})};
+  FrameFiles files{depth_files(folder / "depth"), image_files(folder / "color", {".png", ".jpg", ".jpeg"})};
   for (const Imager imager : both_imagers) {
     for (const Light light : {Light::projector, Light::lamp})
       files.infrared[{imager, light}] =

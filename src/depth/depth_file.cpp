@@ -8,11 +8,11 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <optional>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/path_text.hpp"
+#include "depth/formats.hpp"
 #include "depth/image_file.hpp"
 #include "depth/no_depth.hpp"
 
@@ -20,10 +20,6 @@ namespace rva {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
-
-Error damaged(const std::string& place, const std::string& problem) {
-  return {place, "not a sound image (" + problem + ")", "copy or record it again"};
-}
 
 Error other_content(const std::string& place, const std::string& content) {
   return {place, content, "give depth of 16 bits in one channel, or floating point in metres"};
@@ -33,18 +29,11 @@ std::string_view as_text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-void require_size(long width, long height, const std::string& place) {
-  if (width > 0 && height > 0 && width <= max_depth_pixels / height) return;
-  throw Error(place,
-              fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
-              "check that the file is what it should be");
-}
-
 // Pixels as they lie in the file, of another type than the image's, perhaps.
 template <typename Stored, typename Pixel>
 Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height, const std::string& place) {
   Image<Pixel> image(width, height);
-  if (bytes.size() < image.size() * sizeof(Stored)) throw damaged(place, "it ends early");
+  if (bytes.size() < image.size() * sizeof(Stored)) throw damaged_image(place, "it ends early");
   for (std::size_t i = 0; i < image.size(); ++i) {
     Stored value;
     std::memcpy(&value, &bytes[i * sizeof(Stored)], sizeof value);
@@ -63,7 +52,7 @@ class PgmHeader {
     int value = 0;
     const char* const begin = text_.data() + at_;
     const auto [end, failure] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (failure != std::errc{}) throw damaged(place_, "its header has no number where one must be");
+    if (failure != std::errc{}) throw damaged_image(place_, "its header has no number where one must be");
     at_ += static_cast<std::size_t>(end - begin);
     return value;
   }
@@ -87,7 +76,8 @@ class PgmHeader {
 // The value of a key in NumPy's header: {'descr': '<u2', 'fortran_order': False, 'shape': (480, 848), }
 std::string_view npy_value(std::string_view header, std::string_view key, const std::string& place) {
   const std::size_t found = header.find(fmt::format("'{}':", key));
-  if (found == std::string_view::npos) throw damaged(place, fmt::format("its header states no {}", key));
+  if (found == std::string_view::npos)
+    throw damaged_image(place, fmt::format("its header states no {}", key));
   std::string_view value = header.substr(found + key.size() + 3);
   value.remove_prefix(std::min(value.find_first_not_of(' '), value.size()));
   return value;
@@ -102,7 +92,8 @@ NpyShape npy_shape(std::string_view header, const std::string& place) {
   std::string_view text = npy_value(header, "shape", place);
   std::vector<int> sides;
   const std::size_t end = text.find(')');
-  if (!text.starts_with('(') || end == std::string_view::npos) throw damaged(place, "its shape is no tuple");
+  if (!text.starts_with('(') || end == std::string_view::npos)
+    throw damaged_image(place, "its shape is no tuple");
   text = text.substr(1, end - 1);
   while (!text.empty()) {
     text.remove_prefix(std::min(text.find_first_of("0123456789"), text.size()));
@@ -116,19 +107,19 @@ NpyShape npy_shape(std::string_view header, const std::string& place) {
   if (sides.size() != 2)
     throw other_content(place,
                         fmt::format("an array of {} dimensions where a depth image has two", sides.size()));
-  require_size(sides[1], sides[0], place);
+  require_reasonable_size(sides[1], sides[0], max_depth_pixels, place);
   return {sides[1], sides[0]};
 }
 
 std::span<const std::byte> npy_header(std::span<const std::byte> file, const std::string& place) {
   constexpr std::size_t version_at = 6;
   constexpr std::size_t length_at = 8;
-  if (file.size() < length_at + sizeof(std::uint32_t)) throw damaged(place, "it ends early");
+  if (file.size() < length_at + sizeof(std::uint32_t)) throw damaged_image(place, "it ends early");
   const bool is_long = file[version_at] != std::byte{1};
   std::uint32_t length = 0;
   std::memcpy(&length, &file[length_at], is_long ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
   const std::size_t begin = length_at + (is_long ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
-  if (length > file.size() - begin) throw damaged(place, "it ends early");
+  if (length > file.size() - begin) throw damaged_image(place, "it ends early");
   return file.subspan(begin, length);
 }
 
@@ -140,11 +131,6 @@ std::string ending_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-const std::vector<std::string_view>& depth_endings() {
-  static const std::vector<std::string_view> endings{".png", ".tif", ".tiff", ".pgm", ".npy"};
-  return endings;
-}
-
 StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place) {
   constexpr int most = 65535;
   constexpr int one_byte = 255;
@@ -154,7 +140,7 @@ StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place
   const int width = header.number();
   const int height = header.number();
   const int greatest = header.number();
-  require_size(width, height, place);
+  require_reasonable_size(width, height, max_depth_pixels, place);
   if (greatest <= one_byte || greatest > most)
     throw other_content(place, fmt::format("grey levels up to {} where depth has 16 bits", greatest));
   const auto pixels = file.subspan(std::min(header.pixels_at(), file.size()));
@@ -177,6 +163,14 @@ StoredDepth decode_npy(std::span<const std::byte> file, const std::string& place
   if (type.starts_with("'<f4'")) return pixels_from<float, float>(pixels, shape.width, shape.height, place);
   if (type.starts_with("'<f8'")) return pixels_from<double, float>(pixels, shape.width, shape.height, place);
   throw other_content(place, "an array of " + printable(type.substr(0, type.find(','))));
+}
+
+std::vector<std::filesystem::path> depth_files(const std::filesystem::path& folder) {
+  for (const auto& endings : {std::vector<std::string_view>{".png"}, {".tif", ".tiff"}, {".pgm"}, {".npy"}}) {
+    std::vector<std::filesystem::path> files = image_files(folder, endings);
+    if (!files.empty()) return files;
+  }
+  return {};
 }
 
 DepthImage read_depth_file(const std::filesystem::path& file, double unit_m) {

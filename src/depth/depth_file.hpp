@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,8 +12,11 @@
 
 namespace rva {
 
-/// Endings of the files that are read, in lower case.
-[[nodiscard]] const std::vector<std::string_view>& depth_endings();
+/// The depth images of a folder, by name, as image_files() orders them. Some tools write each image as
+/// several files: where there are files of several kinds, those of the first kind count (PNG, TIFF, PGM,
+/// NumPy).
+/// @throws Error when the folder cannot be read
+[[nodiscard]] std::vector<std::filesystem::path> depth_files(const std::filesystem::path& folder);
 
 /// Depth as a file holds it: whole units of 16 bits, or metres.
 using StoredDepth = std::variant<DepthImage, Image<float>>;

@@ -64,10 +64,14 @@ std::string first_bytes(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool begins_with(const std::filesystem::path& file, std::string_view magic) {
+  std::error_code failure;
+  return std::filesystem::is_regular_file(file, failure) && first_bytes(file).starts_with(magic);
+}
+
 void require_recording(const std::filesystem::path& file) {
   std::error_code failure;
-  if (!std::filesystem::is_regular_file(file, failure))
-    return;  // reading a pipe would wait for its other end
+  if (!std::filesystem::is_regular_file(file, failure)) return;
   const std::string bytes = first_bytes(file);
   if (bytes.empty()) throw Error(printable(file), "the file is empty", "copy or record it again");
   const auto* const kind = std::ranges::find_if(kinds, [&](const FileKind& candidate) {

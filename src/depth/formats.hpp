@@ -21,7 +21,8 @@ struct FrameFiles {
   std::vector<std::filesystem::path> color;
   std::map<std::pair<Imager, Light>, std::vector<std::filesystem::path>> infrared{};
   std::map<std::size_t, FrameMetadata> metadata{};  ///< by the number that a depth file is called by
-  /// Of each depth file, the position of the colour image that was taken with it; empty where names say so.
+  /// For each depth file, the position in `color` of the image that was taken with it. Empty where the files'
+  /// names show which go together.
   std::vector<std::optional<std::size_t>> color_of{};
 };
 

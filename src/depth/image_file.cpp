@@ -25,24 +25,14 @@ struct TurboJpegDelete {
 };
 using TurboJpeg = std::unique_ptr<void, TurboJpegDelete>;
 
-void require_reasonable_size(long width, long height, long most_pixels, const std::string& place) {
-  if (width > 0 && height > 0 && width <= most_pixels / height) return;
-  throw Error(place,
-              fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
-              "check that the file is what it should be");
-}
-
-Error damaged(const std::string& place, std::string_view reason) {
-  return {place, fmt::format("not a sound image ({})", reason), copy_again};
-}
-
 // A decoder with the header read and judged, ready for spng_decode_image().
 Spng open_png(std::span<const std::byte> png, long most_pixels, const std::string& place, spng_ihdr& header) {
-  if (png.empty()) throw damaged(place, "the file is empty");
+  if (png.empty()) throw damaged_image(place, "the file is empty");
   Spng decoder(spng_ctx_new(0), spng_ctx_free);
   spng_set_chunk_limits(decoder.get(), 1U << 20U, 1U << 20U);
   spng_set_png_buffer(decoder.get(), png.data(), png.size());
-  if (const int error = spng_get_ihdr(decoder.get(), &header)) throw damaged(place, spng_strerror(error));
+  if (const int error = spng_get_ihdr(decoder.get(), &header))
+    throw damaged_image(place, spng_strerror(error));
   require_reasonable_size(header.width, header.height, most_pixels, place);
   return decoder;
 }
@@ -51,7 +41,7 @@ void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, cons
   int error = spng_decode_image(decoder, out, size, format, 0);
   // On to the end mark: a file that lacks it was cut off, even where all pixels happen to be there.
   if (error == 0) error = spng_decode_chunks(decoder);
-  if (error != 0) throw damaged(place, spng_strerror(error));
+  if (error != 0) throw damaged_image(place, spng_strerror(error));
 }
 
 ColorImage decode_color_png(std::span<const std::byte> png, const std::string& place) {
@@ -71,14 +61,14 @@ ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place
   int color_space = 0;
   if (tjDecompressHeader3(decoder.get(), bytes, jpeg.size(), &width, &height, &subsampling, &color_space) !=
       0) {
-    throw damaged(place, tjGetErrorStr2(decoder.get()));
+    throw damaged_image(place, tjGetErrorStr2(decoder.get()));
   }
   require_reasonable_size(width, height, max_color_pixels, place);
   ColorImage image(width, height);
   // TJFLAG_STOPONWARNING: a JPEG that ends early is otherwise filled with grey and called sound.
   if (tjDecompress2(decoder.get(), bytes, jpeg.size(), reinterpret_cast<unsigned char*>(image.data()), width,
                     0, height, TJPF_RGB, TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
-    throw damaged(place, tjGetErrorStr2(decoder.get()));
+    throw damaged_image(place, tjGetErrorStr2(decoder.get()));
   }
   return image;
 }
@@ -123,6 +113,17 @@ std::vector<std::byte> encode_jpeg(const unsigned char* pixels, int width, int h
 }
 
 }  // namespace
+
+void require_reasonable_size(long width, long height, long most_pixels, const std::string& place) {
+  if (width > 0 && height > 0 && width <= most_pixels / height) return;
+  throw Error(place,
+              fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
+              "check that the file is what it should be");
+}
+
+Error damaged_image(const std::string& place, std::string_view reason) {
+  return {place, fmt::format("not a sound image ({})", reason), copy_again};
+}
 
 DepthImage decode_depth(std::span<const std::byte> png, const std::string& place) {
   spng_ihdr header{};

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "depth/image.hpp"
 
 namespace rva {
@@ -15,6 +17,12 @@ namespace rva {
 /// million pixels, and a comparison takes about 50 bytes for each.
 inline constexpr long max_depth_pixels = 8L << 20;
 inline constexpr long max_color_pixels = 32L << 20;
+
+/// Refuses an image with no pixel or more than `most_pixels`. @throws Error
+void require_reasonable_size(long width, long height, long most_pixels, const std::string& place);
+
+/// An image file that is damaged. @param reason completes "not a sound image"
+[[nodiscard]] Error damaged_image(const std::string& place, std::string_view reason);
 
 /// @param png    a whole PNG file: one channel of 16 bits
 /// @param place  what to call it in an error

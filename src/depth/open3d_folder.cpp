@@ -60,8 +60,7 @@ std::unique_ptr<Capture> open_open3d_folder(const fs::path& folder, const fs::pa
   settle_unit(options, info);
   return std::make_unique<FolderCapture>(
       folder, std::move(info),
-      FrameFiles{image_files(folder / "depth", depth_endings()),
-                 image_files(folder / "color", {".png", ".jpg", ".jpeg"})});
+      FrameFiles{depth_files(folder / "depth"), image_files(folder / "color", {".png", ".jpg", ".jpeg"})});
 }
 
 }  // namespace rva

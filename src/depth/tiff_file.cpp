@@ -14,10 +14,6 @@
 namespace rva {
 namespace {
 
-Error damaged(const std::string& place, const std::string& problem) {
-  return {place, "not a sound image (" + problem + ")", "copy or record it again"};
-}
-
 /// Bytes that libtiff reads like a file.
 struct Bytes {
   std::span<const std::byte> all;
@@ -48,13 +44,13 @@ toff_t size_of(thandle_t handle) { return static_cast<Bytes*>(handle)->all.size(
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
 Tiff open_tiff(Bytes& bytes, const std::string& place) {
-  // Its words would go to stderr; errors are found by what calls return.
+  // libtiff writes its messages to stderr; errors are found by what its calls return.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   Tiff tiff(TIFFClientOpen("depth", "rm", &bytes, read_bytes, write_nothing, seek, close_nothing, size_of,
                            nullptr, nullptr),
             TIFFClose);
-  if (!tiff) throw damaged(place, "no TIFF");
+  if (!tiff) throw damaged_image(place, "no TIFF");
   return tiff;
 }
 
@@ -62,10 +58,10 @@ template <typename Pixel>
 Image<Pixel> rows_of(TIFF* tiff, int width, int height, const std::string& place) {
   Image<Pixel> image(width, height);
   if (TIFFScanlineSize64(tiff) != static_cast<std::uint64_t>(width) * sizeof(Pixel))
-    throw damaged(place, "its rows have another length than its width");
+    throw damaged_image(place, "its rows have another length than its width");
   for (int v = 0; v < height; ++v) {
     if (TIFFReadScanline(tiff, &image(0, v), static_cast<std::uint32_t>(v)) != 1)
-      throw damaged(place, fmt::format("row {} cannot be read", v));
+      throw damaged_image(place, fmt::format("row {} cannot be read", v));
   }
   return image;
 }
@@ -85,10 +81,7 @@ StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& plac
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_BITSPERSAMPLE, &bits);
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_SAMPLEFORMAT, &format);
-  if (width == 0 || height == 0 || width > max_depth_pixels / height)
-    throw Error(
-        place, fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
-        "check that the file is what it should be");
+  require_reasonable_size(width, height, max_depth_pixels, place);
   const bool whole = bits == 16 && format == SAMPLEFORMAT_UINT;
   const bool real = bits == 32 && format == SAMPLEFORMAT_IEEEFP;
   if (samples != 1 || !(whole || real) || TIFFIsTiled(tiff.get()) != 0)

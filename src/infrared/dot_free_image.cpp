@@ -114,6 +114,11 @@ Image<float> without_gaps(const DotFreeImage& image) {
   return filled;
 }
 
+Mask both_set(Mask a, const Mask& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] &= b[i];
+  return a;
+}
+
 Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views) {
   constexpr float within_image_px = 6.0F;
   const int width = surface.inverse_depth_per_m.width();

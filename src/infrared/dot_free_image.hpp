@@ -29,7 +29,7 @@ struct InfraredView {
   Mask saturated;          ///< where brightness is cut off
   Mask dots;               ///< as of dot_mask(): what does not show the surface itself
   Transform view_from_reference = Transform::Identity();
-  /// Of an imager other than the left one, without lens distortion.
+  /// The imager that took the image, where it is not the left one; without lens distortion.
   std::optional<Intrinsics> camera{};
 
   [[nodiscard]] Warp warp_from(const ReferenceSurface& surface) const {
@@ -53,6 +53,9 @@ struct DotFreeImage {
 
 /// A pixel without a sample gets what the nearest one has.
 [[nodiscard]] Image<float> without_gaps(const DotFreeImage& image);
+
+/// Set where both masks of one size are.
+[[nodiscard]] Mask both_set(Mask a, const Mask& b);
 
 /// Set where every view sees the pixel well inside its image.
 [[nodiscard]] Mask seen_in_all(const ReferenceSurface& surface, std::span<const InfraredView> views);

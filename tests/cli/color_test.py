@@ -11,15 +11,8 @@ import tempfile
 import cv2
 import numpy as np
 import program
+from simulations import write_bays
 
-HEAD = """format: rva-scene
-version: 1
-wing: {}
-light: { ambient: 0.02 }
-robot: { at_m: [0, 0.10, 0], tilt_deg: -20 }
-"""
-COLLARS = [('0.53', 0.135, 0.378), ('0.36', -0.085, 0.562), ('0.27', -0.195, 0.562), ('0.44', 0.025, 0.745),
-           ('0.53', 0.135, 0.745)]
 DITHER, FRAMES = 3, 4
 
 
@@ -31,10 +24,7 @@ class ColorTest(program.ProgramTest):
         temporary = tempfile.TemporaryDirectory(prefix='rva-test-')
         cls.addClassCleanup(temporary.cleanup)
         cls.recorded = pathlib.Path(temporary.name)
-        debris = ''.join(f'  - {{ kind: collar-{inches}, on: [{x}, {y}] }}\n' for inches, x, y in COLLARS)
-        for seed, (side, text) in enumerate({'before': HEAD, 'unchanged': HEAD, 'after': HEAD + 'debris:\n' + debris}.items()):
-            scene = cls.recorded / f'{side}.yaml'
-            scene.write_text(text)
+        for seed, (side, scene) in enumerate(write_bays(cls.recorded, '{ ambient: 0.02 }').items()):
             take = [program.PROGRAM, 'record', '--camera', f'sim:{scene}', '--frames', str(FRAMES), '--seed', str(seed), '--out']
             subprocess.run([*take, cls.recorded / side, '--dither', str(DITHER)], check=True, capture_output=True)
             subprocess.run([*take, cls.recorded / 'still' / side], check=True, capture_output=True)

@@ -325,6 +325,14 @@ class OpenedInputsTest(program.ProgramTest):
                     for side in self.frames:
                         shutil.rmtree(self.folder / side)
 
+    def test_images_that_are_there_in_several_kinds_of_files_count_once(self):
+        self.write(write_capture)
+        for side, frames in self.frames.items():
+            for i, file in enumerate(sorted((self.folder / side / 'depth').iterdir())):
+                np.save(file.with_suffix('.npy'), frames[i])
+        self.assertEqual(self.info(self.folder / 'before')['depth_frames'], FRAMES)
+        self.check_box()
+
     def test_depth_files_that_hold_something_else_are_named(self):
         wrong = {'tiff': [(cv2.imencode('.tiff', self.picture)[1].tobytes(), 'channel'), (b'II*\0', 'TIFF'), (b'', 'TIFF')],
                  'pgm': [(cv2.imencode('.pgm', self.picture[..., 0])[1].tobytes(), '16 bits'), (b'P5\n64 48\n65535\n' + bytes(10), 'ends early'),

@@ -16,6 +16,21 @@ WALL = SCENES / 'wall.yaml'
 CHEAP = ('--supersampling', 1)
 
 
+COLLARS = [('0.53', 0.135, 0.378), ('0.36', -0.085, 0.562), ('0.27', -0.195, 0.562), ('0.44', 0.025, 0.745),
+           ('0.53', 0.135, 0.745)]
+
+
+def write_bays(folder, light):
+    """Scenes of one bay in this light: before the work, the same unchanged, and with five collars."""
+    head = f'format: rva-scene\nversion: 1\nwing: {{}}\nlight: {light}\nrobot: {{ at_m: [0, 0.10, 0], tilt_deg: -20 }}\n'
+    debris = 'debris:\n' + ''.join(f'  - {{ kind: collar-{inches}, on: [{x}, {y}] }}\n' for inches, x, y in COLLARS)
+    scenes = {}
+    for side, text in {'before': head, 'unchanged': head, 'after': head + debris}.items():
+        scenes[side] = folder / f'{side}.yaml'
+        scenes[side].write_text(text)
+    return scenes
+
+
 def description(capture):
     return json.loads((capture / 'capture.json').read_text())
 

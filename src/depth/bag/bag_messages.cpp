@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "depth/bag/ros_bytes.hpp"
-#include "depth/recording/recording.hpp"
+#include "depth/recording/camera_info.hpp"
 
 namespace rva {
 namespace {
@@ -61,20 +61,7 @@ ImageMessage parse_image_message(std::vector<std::byte> message, std::string_vie
 Intrinsics parse_camera_info(std::span<const std::byte> message, std::string_view place) {
   RosBytes bytes(message, place);
   static_cast<void>(take_header(bytes));
-  Intrinsics camera;
-  camera.height = possible_side(bytes.number<std::uint32_t>(), place);
-  camera.width = possible_side(bytes.number<std::uint32_t>(), place);
-  const std::string_view model = bytes.text();
-  std::vector<double> coefficients;
-  for (auto left = bytes.number<std::uint32_t>(); left > 0; --left)
-    coefficients.push_back(bytes.number<double>());
-  std::array<double, 9> k{};
-  for (double& number : k) number = bytes.number<double>();
-  camera.fx = k[0];
-  camera.cx = k[2];
-  camera.fy = k[4];
-  camera.cy = k[5];
-  return with_lens(camera, model, coefficients, place);
+  return take_camera_info(bytes, place);
 }
 
 Transform parse_transform_message(std::span<const std::byte> message, std::string_view place) {

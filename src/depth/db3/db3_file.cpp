@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <span>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/path_text.hpp"
+#include "depth/file_kind.hpp"
 
 namespace rva {
 namespace {
@@ -105,13 +105,7 @@ std::vector<std::byte> unpack(std::span<const std::byte> packed, const std::stri
 
 bool is_db3_file(const std::filesystem::path& path) {
   constexpr std::string_view magic("SQLite format 3\0", 16);
-  std::error_code absent;
-  if (!std::filesystem::is_regular_file(path, absent)) return false;  // a pipe would be waited for
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, magic.size()> beginning{};
-  file.read(beginning.data(), beginning.size());
-  return file.gcount() == static_cast<std::streamsize>(magic.size()) &&
-         std::string_view(beginning.data(), beginning.size()) == magic;
+  return begins_with(path, magic);
 }
 
 Db3File::Db3File(const std::filesystem::path& path) : place_(printable(path)), database_(open(path)) {

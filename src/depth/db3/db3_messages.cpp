@@ -4,12 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
 #include "depth/db3/cdr_bytes.hpp"
+#include "depth/recording/camera_info.hpp"
 
 namespace rva {
 namespace {
@@ -78,20 +78,7 @@ ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view pl
 Intrinsics parse_db3_camera_info(std::span<const std::byte> message, std::string_view place) {
   CdrBytes bytes(message, place);
   skip_header(bytes);
-  Intrinsics camera;
-  camera.height = possible_side(bytes.number<std::uint32_t>(), place);
-  camera.width = possible_side(bytes.number<std::uint32_t>(), place);
-  const std::string_view model = bytes.text();
-  std::vector<double> coefficients;
-  for (auto left = bytes.number<std::uint32_t>(); left > 0; --left)
-    coefficients.push_back(bytes.number<double>());
-  std::array<double, 9> k{};
-  for (double& number : k) number = bytes.number<double>();
-  camera.fx = k[0];
-  camera.cx = k[2];
-  camera.fy = k[4];
-  camera.cy = k[5];
-  return with_lens(camera, model, coefficients, place);
+  return take_camera_info(bytes, place);
 }
 
 std::string parse_db3_text(std::span<const std::byte> message, std::string_view place) {

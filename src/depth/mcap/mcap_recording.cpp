@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
-#include <system_error>
-
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/path_text.hpp"
 #include "depth/bag/bag_messages.hpp"
 #include "depth/db3/db3_messages.hpp"
+#include "depth/file_kind.hpp"
 #include "depth/mcap/mcap_index.hpp"
 #include "depth/mcap/mcap_record.hpp"
 #include "depth/recording/recent_chunks.hpp"
@@ -84,7 +81,7 @@ class McapRecording : public Recording {
     return {content.data.begin(), content.data.end()};
   }
 
-  // Of a chunk those in it; a message by itself is the only one.
+  // The records of the chunk at this byte, or the one message that stands there in no chunk.
   [[nodiscard]] std::vector<std::byte> records_at(std::uint64_t at) const {
     std::vector<std::byte> record = read_mcap_record(file_, at, place_);
     if (static_cast<McapOp>(record.front()) != McapOp::chunk) return record;
@@ -103,14 +100,7 @@ class McapRecording : public Recording {
 
 }  // namespace
 
-bool is_mcap_file(const std::filesystem::path& path) {
-  std::error_code absent;
-  if (!std::filesystem::is_regular_file(path, absent)) return false;  // a pipe would be waited for
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, mcap_magic.size()> beginning{};
-  file.read(beginning.data(), beginning.size());
-  return std::string_view(beginning.data(), static_cast<std::size_t>(file.gcount())) == mcap_magic;
-}
+bool is_mcap_file(const std::filesystem::path& path) { return begins_with(path, mcap_magic); }
 
 std::unique_ptr<Recording> open_mcap_recording(const std::filesystem::path& file) {
   return std::make_unique<McapRecording>(file);
