@@ -104,7 +104,7 @@ struct TakenSide {
     std::vector<PlacedView> views;
     const Transform first_from_world = world_from_camera.front().inverse();
     for (std::size_t k = 0; k < captures; ++k)
-      views.push_back({view_of(*lit[k]), first_from_world * world_from_camera[k]});
+      views.push_back({depth_view(*lit[k]), first_from_world * world_from_camera[k]});
     return fuse(views);
   }
 

@@ -72,6 +72,8 @@ export interface TaskStatus {
   captures: number;
   frame: number;
   frames: number;
+  approach: number;
+  approaches: number;
   done: number;
   total: number;
   waiting?: string;

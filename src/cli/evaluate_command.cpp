@@ -40,6 +40,7 @@ struct EvaluateArguments {
   bool octree = false;
   bool lamp = false;
   bool color = false;
+  PoseReturnOptions pose_return;
   std::string how = "elsewhere";
   std::vector<int> captures{MovedStudyOptions{}.captures};
   std::vector<double> allowed{MovedStudyOptions{}.allowed};
@@ -104,13 +105,19 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.octree = arguments.octree;
   options.lamp = arguments.lamp;
   options.color = arguments.color;
+  options.pose_return = arguments.pose_return;
+  check_options(options.pose_return);
   options.sensor = camera_of_each(arguments.cameras);
   options.bay = bay_features(arguments.bay);
   const std::string begun_with = fmt::format(
-      "return {}, cameras {}, first seed {}, captures {}, allowed {}{}{}{}{}", arguments.how,
+      "return {}, cameras {}, first seed {}, captures {}, allowed {}{}{}{}{}{}", arguments.how,
       arguments.cameras, options.first_seed, fmt::join(options.captures, ","),
       fmt::join(options.allowed, ","), options.octree ? ", octree" : "", options.lamp ? ", lamp" : "",
-      options.color ? ", color" : "", arguments.bay.empty() ? "" : ", bay " + name_of_bay(arguments));
+      options.color ? ", color" : "", arguments.bay.empty() ? "" : ", bay " + name_of_bay(arguments),
+      options.pose_return.approaches > 1
+          ? fmt::format(", approaches {} within {} deg", options.pose_return.approaches,
+                        options.pose_return.within_deg)
+          : "");
   Existing existing = arguments.overwrite || arguments.resume ? Existing::replace : Existing::refuse;
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
@@ -196,6 +203,7 @@ void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
       ->excludes(scene);
   command.add_flag("--lamp", arguments->lamp, "--moved: images under the camera's lamp, too")->needs(moved);
   command.add_flag("--color", arguments->color, "--moved: colour images, too")->needs(moved);
+  add_flags(command, arguments->pose_return);
   command.add_flag("--with-octree", arguments->octree, "--moved: the thesis' pipeline too, a minute a pair")
       ->needs(moved);
   command

@@ -70,6 +70,8 @@ Json to_json(const Pose& pose) {
   if (pose.pan_deg) json["pan_deg"] = *pose.pan_deg;
   if (pose.tilt_deg) json["tilt_deg"] = *pose.tilt_deg;
   if (pose.world_from_camera) json["world_from_camera"] = to_row_major(*pose.world_from_camera);
+  if (pose.off_baseline_deg) json["off_baseline_deg"] = *pose.off_baseline_deg;
+  if (pose.approaches) json["approaches"] = *pose.approaches;
   return json;
 }
 

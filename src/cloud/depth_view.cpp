@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/error.hpp"
+#include "detect/detection.hpp"
 
 namespace rva {
 namespace {
@@ -30,6 +31,13 @@ DepthView depth_view(const DepthStatistics& depth, const Intrinsics& camera, dou
     view.deviation_px[i] = static_cast<float>(deviation_px);
   }
   return view;
+}
+
+DepthView depth_view(const Capture& capture) {
+  const CaptureInfo& info = capture.info();
+  DepthStatistics statistics(info.depth.width, info.depth.height);
+  for (std::size_t frame = 0; frame < capture.depth_frames(); ++frame) statistics.add(capture.depth(frame));
+  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
 }
 
 }  // namespace rva

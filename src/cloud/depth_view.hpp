@@ -1,6 +1,7 @@
 // What a camera saw from one place, ready to be compared with what it saw from another.
 #pragma once
 
+#include "depth/capture.hpp"
 #include "depth/depth_statistics.hpp"
 #include "depth/image.hpp"
 #include "geometry/intrinsics.hpp"
@@ -25,5 +26,8 @@ struct DepthView {
 /// @throws Error when the camera's lens bends rays: a plane is no plane then
 [[nodiscard]] DepthView depth_view(const DepthStatistics& depth, const Intrinsics& camera, double unit_m,
                                    double disparity_m_px);
+
+/// Of all depth images of a capture. @throws Error when one cannot be read, or as above
+[[nodiscard]] DepthView depth_view(const Capture& capture);
 
 }  // namespace rva

@@ -50,8 +50,6 @@ struct SpatialDetection {
   PlacedCaptures placed;
 };
 
-using Captures = std::vector<std::unique_ptr<Capture>>;
-
 /// True within 3 degrees and 20 mm: farther away, surfaces hide others, and light comes from elsewhere.
 [[nodiscard]] bool came_back_nearly(const Transform& initial_from_final);
 

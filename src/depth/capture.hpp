@@ -24,6 +24,10 @@ struct Pose {
   std::optional<double> pan_deg;
   std::optional<double> tilt_deg;
   std::optional<Transform> world_from_camera;
+  /// Of a capture after the work whose pose was approached more than once: how far the images show it from
+  /// the baseline's, and how many approaches were made.
+  std::optional<double> off_baseline_deg{};
+  std::optional<int> approaches{};
 };
 
 /// Which camera it was, and how it was set. Texts are empty where unknown.
@@ -138,6 +142,9 @@ class Capture {
  private:
   CaptureInfo info_;
 };
+
+/// Of one view, or of one side of an inspection.
+using Captures = std::vector<std::unique_ptr<Capture>>;
 
 /// What a capture's own files may leave out.
 struct CaptureOptions {

@@ -63,6 +63,9 @@ Pose parse_pose(const JsonObject& object) {
   pose.base = object.optional_string("base");
   pose.pan_deg = object.optional_number("pan_deg");
   pose.tilt_deg = object.optional_number("tilt_deg");
+  pose.off_baseline_deg = object.optional_number("off_baseline_deg");
+  if (const auto approaches = object.optional_number("approaches"))
+    pose.approaches = static_cast<int>(*approaches);
   if (object.has("world_from_camera")) pose.world_from_camera = parse_transform(object, "world_from_camera");
   return pose;
 }

@@ -39,7 +39,9 @@ Json to_json_value(const Pose& pose) {
   return {{"base", or_null(pose.base)},
           {"pan_deg", or_null(pose.pan_deg)},
           {"tilt_deg", or_null(pose.tilt_deg)},
-          {"world_from_camera", or_null(pose.world_from_camera)}};
+          {"world_from_camera", or_null(pose.world_from_camera)},
+          {"off_baseline_deg", or_null(pose.off_baseline_deg)},
+          {"approaches", or_null(pose.approaches)}};
 }
 
 Json to_json_value(const CameraInfo& camera) {

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -38,12 +39,16 @@ Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, const 
                  std::uint64_t seed, const fs::path& room) {
   Scene unchanged = wing.before;
   unchanged.stand = wing.after.stand;
-  const RobotSideOptions side{options.captures.back(), options.frames,
-                              options.how == CameraReturn::rest ? half_a_step_deg : 0.0, options.lamp,
-                              options.color};
-  return {take_by_robot(wing.before, sensor, side, mix(seed, 1), room / "before"),
-          take_by_robot(unchanged, sensor, side, mix(seed, 2), room / "unchanged"),
-          take_by_robot(wing.after, sensor, side, mix(seed, 3), room / "changed")};
+  const RobotSideOptions before{options.captures.back(), options.frames,
+                                options.how == CameraReturn::rest ? half_a_step_deg : 0.0, options.lamp,
+                                options.color};
+  RobotSideOptions after = before;
+  if (options.how == CameraReturn::rest)
+    after.baseline =
+        Baseline{room / "before", static_cast<std::size_t>(before.captures), options.pose_return};
+  return {take_by_robot(wing.before, sensor, before, mix(seed, 1), room / "before"),
+          take_by_robot(unchanged, sensor, after, mix(seed, 2), room / "unchanged"),
+          take_by_robot(wing.after, sensor, after, mix(seed, 3), room / "changed")};
 }
 
 /// What a comparison came to; a refused one finds nothing, neither debris nor anything false.
@@ -138,6 +143,19 @@ Transform world_from_first(const Scene& scene, const StereoSensorOptions& sensor
   return camera_at(scene, sensor, side.rested.front()).world_from_camera();
 }
 
+void state_return(const Sides& sides, MovedInspection& inspection) {
+  const auto captures = sides.changed.captures.size();
+  inspection.approaches = 0.0;
+  for (const auto& capture : sides.changed.open(static_cast<int>(captures)))
+    inspection.approaches += capture->info().pose.value_or(Pose{}).approaches.value_or(1);
+  for (std::size_t k = 0; k < captures; ++k)
+    inspection.off_baseline_deg +=
+        std::hypot(sides.changed.rested[k].pan_deg - sides.before.rested[k].pan_deg,
+                   sides.changed.rested[k].tilt_deg - sides.before.rested[k].tilt_deg);
+  inspection.approaches /= static_cast<double>(captures);
+  inspection.off_baseline_deg /= static_cast<double>(captures);
+}
+
 }  // namespace
 
 MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t seed) {
@@ -156,8 +174,9 @@ MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t se
   inspection.ambient = wing.after.lighting.ambient;
   inspection.move_m = initial_from_final.translation().norm();
   inspection.turn_deg = turn_deg(initial_from_final);
+  if (options.how == CameraReturn::rest) state_return(sides, inspection);
   inspection.targets = moved_targets(camera_at(wing.after, sensor, sides.changed.rested.front()),
-                                     view_of(*sides.before.open(1).front()), initial_from_final);
+                                     depth_view(*sides.before.open(1).front()), initial_from_final);
   Scene before = wing.before;
   before.stand = wing.after.stand;
   const OtherChanges others = other_changes(camera_at(before, sensor, sides.changed.rested.front()),

@@ -158,6 +158,8 @@ Json to_json_value(const MovedInspection& inspection) {
             {"turn_deg", inspection.turn_deg}, {"matcher", inspection.matcher},
             {"ambient", inspection.ambient},   {"targets", Json::array()},
             {"results", Json::array()}};
+  json["off_baseline_deg"] = inspection.off_baseline_deg;
+  json["approaches"] = inspection.approaches;
   for (const MovedTarget& of : inspection.targets)
     json["targets"].push_back(Json{{"kind", of.target.kind},
                                    {"visible_px", of.target.visible_px},
@@ -192,6 +194,8 @@ MovedInspection inspection_from(const nlohmann::json& json) {
   json.at("turn_deg").get_to(inspection.turn_deg);
   json.at("matcher").get_to(inspection.matcher);
   json.at("ambient").get_to(inspection.ambient);
+  inspection.off_baseline_deg = json.value("off_baseline_deg", 0.0);
+  inspection.approaches = json.value("approaches", 1.0);
   for (const nlohmann::json& of : json.at("targets")) {
     MovedTarget target;
     of.at("kind").get_to(target.target.kind);
@@ -239,6 +243,20 @@ std::string stated_sizes(const std::optional<DetectionSizes>& sizes) {
   if (!sizes) return "no curve fits";
   return fmt::format("a90 {:.1f} mm, a90/95 {}", sizes->a90_mm,
                      sizes->a90_95_mm ? fmt::format("{:.1f} mm", *sizes->a90_95_mm) : "not proven");
+}
+
+// Of studies in which each pose was approached more than once.
+std::string stated_return(const std::vector<MovedInspection>& inspections) {
+  std::vector<double> off_deg;
+  double approaches = 0.0;
+  for (const MovedInspection& inspection : inspections) {
+    off_deg.push_back(inspection.off_baseline_deg);
+    approaches += inspection.approaches / static_cast<double>(inspections.size());
+  }
+  if (approaches <= 1.0) return "";
+  return fmt::format(
+      "poses: {:.1f} approaches each, {:.3f} degrees from the baseline's in the median inspection\n",
+      approaches, quantile(off_deg, 0.5));
 }
 
 Json to_json_value(const CollarDetection& of) {
@@ -300,6 +318,7 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
                    stated_rate(of.false_with_debris, of.inspections), stated_share(of.big_found, of.big),
                    stated_share(of.large_found, of.large), stated_share(of.found, of.targets));
   }
+  table += stated_return(inspections);
   for (auto& [key, of] : registrations_of(inspections)) {
     const auto& [method, captures] = key;
     if (of.mm.empty()) {

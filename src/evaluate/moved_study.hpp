@@ -11,6 +11,7 @@
 #include "detect/calibrated/calibrated.hpp"
 #include "evaluate/moved_targets.hpp"
 #include "evaluate/moved_wing.hpp"
+#include "map/pose_return.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 
 namespace rva {
@@ -22,9 +23,10 @@ struct MovedStudyOptions {
   std::vector<int> captures{1, 4, 8};                               ///< a side, dithered; ascending
   std::vector<double> allowed{CalibratedOptions{}.false_findings};  ///< false findings; ascending
   int frames = 10;                                                  ///< of each capture
-  bool octree = false;  ///< the thesis' pipeline too, on one frame a side: a minute each time
-  bool lamp = false;    ///< images under the camera's lamp, too
-  bool color = false;   ///< colour images, too
+  bool octree = false;              ///< the thesis' pipeline too, on one frame a side: a minute each time
+  bool lamp = false;                ///< images under the camera's lamp, too
+  bool color = false;               ///< colour images, too
+  PoseReturnOptions pose_return{};  ///< of a robot that stayed, as `rva serve` has it
   BayFeatures bay;
   /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
@@ -59,6 +61,10 @@ struct MovedInspection {
   std::uint64_t seed = 0;
   double move_m = 0.0;
   double turn_deg = 0.0;
+  /// Of a robot that stayed, means over the captures after the work: how far each was in truth from the
+  /// baseline's pose, and how often that was approached.
+  double off_baseline_deg = 0.0;
+  double approaches = 1.0;
   std::string matcher;   ///< of the camera
   double ambient = 0.0;  ///< light, relative to the projector's mean at one metre
   std::vector<MovedTarget> targets;

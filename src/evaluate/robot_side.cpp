@@ -3,7 +3,6 @@
 #include <system_error>
 
 #include "core/random.hpp"
-#include "map/view_capture.hpp"
 #include "robot/dither.hpp"
 #include "sim/simulated_robot.hpp"
 
@@ -31,17 +30,11 @@ RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
   };
   take_views({camera, robot, clock, PanTiltChain{}, scene.stand.base},
              dithered({scene.stand.pan_deg, scene.stand.tilt_deg}, options.captures, robot.limits()), folder,
-             {static_cast<std::size_t>(options.frames), settling, options.lamp}, note_joints);
+             {static_cast<std::size_t>(options.frames), settling, options.lamp, options.baseline},
+             note_joints);
   for (int i = 0; i < options.captures; ++i)
     side.captures.push_back(folder / view_name(static_cast<std::size_t>(i)));
   return side;
-}
-
-DepthView view_of(const Capture& capture) {
-  const CaptureInfo& info = capture.info();
-  DepthStatistics statistics(info.depth.width, info.depth.height);
-  for (std::size_t i = 0; i < capture.depth_frames(); ++i) statistics.add(capture.depth(i));
-  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
 }
 
 SimulatedCamera camera_at(const Scene& scene, const StereoSensorOptions& sensor, const PanTilt& joints) {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "cloud/spatial_detection.hpp"
 #include "geometry/pan_tilt.hpp"
+#include "map/view_capture.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 #include "sim/simulated_camera.hpp"
@@ -25,11 +27,12 @@ struct RobotSide {
 inline constexpr double half_a_step_deg = 0.16;
 
 struct RobotSideOptions {
-  int captures = 4;             ///< dithered, above 0
-  int frames = 10;              ///< of each capture, above 0
-  double rest_error_deg = 0.0;  ///< as of SimulatedRobotOptions
-  bool lamp = false;            ///< as of ViewCaptureOptions
-  bool color = false;           ///< a colour image with each frame
+  int captures = 4;                    ///< dithered, above 0
+  int frames = 10;                     ///< of each capture, above 0
+  double rest_error_deg = 0.0;         ///< as of SimulatedRobotOptions
+  bool lamp = false;                   ///< as of ViewCaptureOptions
+  bool color = false;                  ///< a colour image with each frame
+  std::optional<Baseline> baseline{};  ///< as of ViewCaptureOptions
 };
 
 /// A robot with play goes to the scene's view and its dithers, from below (robot/dither.hpp), and each
@@ -40,9 +43,6 @@ struct RobotSideOptions {
 [[nodiscard]] RobotSide take_by_robot(const Scene& scene, const StereoSensorOptions& sensor,
                                       const RobotSideOptions& options, std::uint64_t seed,
                                       const std::filesystem::path& folder);
-
-/// The mean of all depth images of a capture. @throws Error when one cannot be read
-[[nodiscard]] DepthView view_of(const Capture& capture);
 
 /// A simulated camera at rest at these angles.
 [[nodiscard]] SimulatedCamera camera_at(const Scene& scene, const StereoSensorOptions& sensor,

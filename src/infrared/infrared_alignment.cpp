@@ -17,7 +17,6 @@ constexpr double smoothing_px = 0.8;
 constexpr int wide_px = 61;
 constexpr int border_px = 3;
 constexpr float tukey_log = 0.2F;
-constexpr int most_rounds = 8;
 constexpr double settled_rad = 0.002 * std::numbers::pi / 180.0;
 
 /// The mean of the set pixels around each; `missing` where hardly any is.
@@ -193,7 +192,7 @@ bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views)
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views) {
   const std::vector<SmoothView> smooth = smooth_views(views);
   const Transform first = views.front().view_from_reference;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < usual_rounds; ++round) {
     std::vector<Transform> poses = stepped(Target(fuse(surface, views), surface), smooth, views);
     const Transform back_to_first = poses.front().inverse() * first;
     for (Transform& pose : poses) pose = pose * back_to_first;
@@ -201,7 +200,8 @@ void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& view
   }
 }
 
-void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views) {
+void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views,
+              int most_rounds) {
   const std::vector<SmoothView> smooth = smooth_views(views);
   const Target target(image, surface);
   for (int round = 0; round < most_rounds; ++round) {

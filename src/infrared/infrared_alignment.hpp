@@ -18,7 +18,12 @@ namespace rva {
 /// @param views at least one; their poses are known to half a degree
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views);
 
-/// Refines where the views of another side were taken: what changed in between are outliers.
-void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views);
+/// The rounds that sides are aligned with (docs/infrared.md).
+inline constexpr int usual_rounds = 8;
+
+/// Refines where the views of another side were taken. What changed in between counts as outliers.
+/// @param most_rounds above 0; ends before when no view turns by 0.002 degrees any more
+void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views,
+              int most_rounds = usual_rounds);
 
 }  // namespace rva

@@ -169,7 +169,9 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
                            folder(id).side(side, round.round),
                            round.base,
                            (static_cast<std::size_t>(options_.frames) + captures - 1) / captures,
-                           options_.lamp};
+                           options_.lamp,
+                           baseline_to_return_to(before, side, round.base),
+                           options_.pose_return};
   folder(id).require_no_links(wanted.folder);
   records_.begin_side(id, side, round);
   return [this, id, side, round, wanted] {
@@ -180,6 +182,15 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
     else
       check_now(id);
   };
+}
+
+// A robot that was put elsewhere has no pose to come back to, and without a robot nothing does.
+std::filesystem::path Inspector::baseline_to_return_to(const Inspection& inspection, Side side,
+                                                       const std::string& base) const {
+  const bool may_return =
+      side == Side::final && rig_.drive != nullptr && inspection.initial && inspection.initial->base == base;
+  return may_return ? folder(inspection.id).side(Side::initial, inspection.initial->round)
+                    : std::filesystem::path();
 }
 
 // A baseline on a robot goes on with the views that it has: no work has been done yet. After the work, views

@@ -20,6 +20,7 @@ struct InspectorOptions {
   int frames = 80;
   int dither = 8;
   bool lamp = false;
+  PoseReturnOptions pose_return{};
   ReadinessOptions readiness;
 
   static void describe(auto&& self, auto&& visit) {
@@ -30,6 +31,7 @@ struct InspectorOptions {
                       "captures of each view, a few servo steps apart; 1 where there is no robot"});
     visit(self.lamp,
           OptionField{"lamp", "", 0, 1, "with each capture as many infrared images under the camera's lamp"});
+    PoseReturnOptions::describe(self.pose_return, visit);
     ReadinessOptions::describe(self.readiness, visit);
   }
 };
@@ -107,6 +109,8 @@ class Inspector {
   void change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
   [[nodiscard]] BegunSide round_for(const Inspection& inspection, Side side, const std::string& person,
                                     const std::string& base) const;
+  [[nodiscard]] std::filesystem::path baseline_to_return_to(const Inspection& inspection, Side side,
+                                                            const std::string& base) const;
   void require_same_rig(const Inspection& inspection) const;
   void require_baseline(const Inspection& inspection) const;
   [[nodiscard]] std::vector<PanTilt> waypoints_of(const Inspection& inspection) const;

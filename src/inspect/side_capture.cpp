@@ -26,10 +26,13 @@ CaptureProgress progress_at(const SideCapture& side, std::size_t waypoint) {
           waypoint % side.captures_each,
           side.captures_each,
           0,
-          side.frames};
+          side.frames,
+          0,
+          side.baseline.empty() ? 1 : static_cast<std::size_t>(side.pose_return.approaches)};
 }
 
-/// Reports each frame, and measures the noise of those of one capture.
+/// Reports each frame, and measures the noise of those of one capture. Frames by which an approach is judged
+/// are none of the capture's.
 class Witness {
  public:
   Witness(const SideCapture& side, const CaptureEvents& events, CaptureInfo info)
@@ -39,10 +42,18 @@ class Witness {
   void begin(const CaptureProgress& next) {
     now_ = next;
     watch_ = NoiseWatch(info_);
+    approaching_ = now_.approaches > 1;
+    events_.progress(now_);
+  }
+
+  void approached(const ReachedPose& reached, bool last) {
+    approaching_ = !last;
+    now_.approach = static_cast<std::size_t>(reached.approaches) - (last ? 1 : 0);
     events_.progress(now_);
   }
 
   void see(const CameraFrame& frame) {
+    if (approaching_) return events_.progress(now_);
     watch_.add(frame.depth);
     now_.frame = std::min(watch_.frames(), now_.frames);
     events_.progress(now_);
@@ -57,6 +68,7 @@ class Witness {
   CaptureInfo info_;
   NoiseWatch watch_;
   CaptureProgress now_;
+  bool approaching_ = false;
 };
 
 // Long waits for the robot end when the work is to end.
@@ -79,8 +91,13 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
   const Progress progress = [&](std::string_view /*step*/, std::size_t done, std::size_t total) {
     if (done < total) witness.begin(progress_at(side, done));
   };
-  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder,
-             {side.frames, 1, side.lamp}, progress);
+  ViewCaptureOptions options{side.frames, 1, side.lamp};
+  if (!side.baseline.empty())
+    options.baseline =
+        Baseline{side.baseline, side.captures_each, side.pose_return,
+                 [&](const ReachedPose& reached, bool last) { witness.approached(reached, last); }};
+  take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder, options,
+             progress);
 }
 
 void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,

@@ -10,6 +10,7 @@
 #include "camera/live_camera.hpp"
 #include "geometry/pan_tilt.hpp"
 #include "inspect/noise_watch.hpp"
+#include "map/pose_return.hpp"
 #include "robot/drive.hpp"
 
 namespace rva {
@@ -29,6 +30,8 @@ struct CaptureProgress {
   std::size_t captures = 1;  ///< of each view
   std::size_t frame = 0;     ///< of the capture
   std::size_t frames = 0;
+  std::size_t approach = 0;    ///< to the baseline's pose, from 0; only where more than one is allowed
+  std::size_t approaches = 1;  ///< at most
 };
 
 /// Called while the side is taken, on the thread that takes it.
@@ -46,6 +49,9 @@ struct SideCapture {
   std::string base;         ///< name of the place where the robot's foot stands
   std::size_t frames = 40;  ///< of each capture
   bool lamp = false;        ///< as many under the camera's lamp, too, which it must have
+  /// Folder of the baseline to whose poses a robot comes back; empty where there is none to come back to.
+  std::filesystem::path baseline{};
+  PoseReturnOptions pose_return{};
 };
 
 /// With a robot, goes on where an earlier call was ended: captures that are there are not taken again. A

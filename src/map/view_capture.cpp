@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,7 +15,6 @@
 #include "depth/capture.hpp"
 #include "depth/capture_writer.hpp"
 #include "map/waypoints.hpp"
-#include "robot/dither.hpp"
 
 namespace fs = std::filesystem;
 
@@ -71,14 +71,51 @@ bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo
   return true;
 }
 
-void take_view(const Rig& rig, const PanTilt& waypoint, const fs::path& folder,
+Pose pose_of(const Rig& rig, const ReachedPose& reached) {
+  Pose pose{rig.base, reached.joints.pan_deg, reached.joints.tilt_deg,
+            foot_from_camera(rig.chain, reached.joints)};
+  pose.off_baseline_deg = reached.off_deg;
+  if (reached.off_deg) pose.approaches = reached.approaches;
+  return pose;
+}
+
+/// Comes back to the poses of a baseline; what its images show of the poses is worked out view by view.
+class BaselineReturn {
+ public:
+  BaselineReturn(const Rig& rig, const ViewCaptureOptions& options)
+      : rig_(rig), baseline_(*options.baseline), settling_(options.settling) {}
+
+  [[nodiscard]] ReachedPose reach(const PanTilt& waypoint, std::size_t number) {
+    const std::size_t view = number / baseline_.captures_each;
+    if (view != view_ || !poses_) open(view);
+    return return_to_pose(rig_, waypoint, *poses_, number % baseline_.captures_each, settling_,
+                          baseline_.pose_return, baseline_.on_approach);
+  }
+
+ private:
+  void open(std::size_t view) {
+    poses_.reset();
+    captures_.clear();
+    for (std::size_t k = 0; k < baseline_.captures_each; ++k)
+      captures_.push_back(open_capture(baseline_.folder / view_name(view * baseline_.captures_each + k)));
+    poses_.emplace(captures_);
+    view_ = view;
+  }
+
+  const Rig& rig_;
+  const Baseline& baseline_;
+  std::size_t settling_;
+  std::size_t view_ = 0;
+  Captures captures_;
+  std::optional<BaselinePoses> poses_;
+};
+
+void take_view(const Rig& rig, const std::function<ReachedPose()>& reach, const fs::path& folder,
                const ViewCaptureOptions& options) {
   OutputFolder out(folder, capture_files(), Existing::refuse);
-  const PanTilt joints = approach(rig.robot, waypoint, rig.clock);
-  rig.camera.drop_waiting();
-  for (std::size_t i = 0; i < options.settling; ++i) static_cast<void>(rig.camera.wait_for_frame());
+  const ReachedPose reached = reach();
   CaptureInfo info = rig.camera.info();
-  info.pose = Pose{rig.base, joints.pan_deg, joints.tilt_deg, foot_from_camera(rig.chain, joints)};
+  info.pose = pose_of(rig, reached);
   CaptureWriter writer(out.path(""), info);
   record(rig.camera, options.frames, writer, {});
   if (options.lamp) record_lamp(rig.camera, options.frames, writer, {});
@@ -99,8 +136,14 @@ void take_views(const Rig& rig, const std::vector<PanTilt>& waypoints, const fs:
   }
   std::size_t done = waypoints.size() - missing.size();
   if (progress) progress("views", done, waypoints.size());
+  std::optional<BaselineReturn> baseline;
+  if (options.baseline && options.baseline->pose_return.approaches > 1) baseline.emplace(rig, options);
   for (const std::size_t i : missing) {
-    take_view(rig, waypoints[i], folder / view_name(i), options);
+    const auto reach = [&] {
+      return baseline ? baseline->reach(waypoints[i], i)
+                      : ReachedPose{approach_and_settle(rig, waypoints[i], options.settling)};
+    };
+    take_view(rig, reach, folder / view_name(i), options);
     if (progress) progress("views", ++done, waypoints.size());
   }
 }

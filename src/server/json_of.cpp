@@ -138,6 +138,8 @@ Json json_of(const TaskState& task) {
   json["captures"] = task.progress.captures;
   json["frame"] = task.progress.frame;
   json["frames"] = task.progress.frames;
+  json["approach"] = task.progress.approach;
+  json["approaches"] = task.progress.approaches;
   json["done"] = task.done;
   json["total"] = task.total;
   if (!task.waiting.empty()) json["waiting"] = without_folders(task.waiting);

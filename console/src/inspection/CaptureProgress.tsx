@@ -19,7 +19,8 @@ function says(task: TaskStatus): string {
   if (task.kind === 'comparison') return 'Comparing before and after…';
   const view = task.views > 1 ? `View ${task.view + 1} of ${task.views}, ` : '';
   const capture = task.captures > 1 ? `capture ${task.capture + 1} of ${task.captures}: ` : '';
-  const doing = task.frame === 0 ? 'turning the camera' : `${task.frame} of ${task.frames} frames`;
+  const turning = task.approach === 0 ? 'turning the camera' : `turning the camera closer to the baseline (approach ${task.approach + 1} of up to ${task.approaches})`;
+  const doing = task.frame === 0 ? turning : `${task.frame} of ${task.frames} frames`;
   const text = `${view}${capture}${doing}`;
   return text.charAt(0).toUpperCase() + text.slice(1);
 }

@@ -1,0 +1,54 @@
+// Approaches a pose of the baseline again until the images show that the camera has come back to it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "cloud/baseline_poses.hpp"
+#include "core/options.hpp"
+#include "geometry/pan_tilt.hpp"
+#include "map/rig.hpp"
+
+namespace rva {
+
+struct PoseReturnOptions {
+  int approaches = 1;
+  double within_deg = 0.05;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.approaches,
+          OptionField{"approaches", "", 1, 50,
+                      "how often at most each pose of the baseline is approached after the work, until the "
+                      "images show that the camera has come back; 1 takes what the servos reach"});
+    visit(self.within_deg,
+          OptionField{"return-within", "deg", 0.01, 1, "how close to the baseline's pose is close enough"});
+  }
+};
+
+/// What was reached, for the pose of a capture.
+struct ReachedPose {
+  PanTilt joints;                   ///< as the robot reports them
+  int approaches = 1;               ///< made
+  std::optional<double> off_deg{};  ///< from the baseline's pose; empty where the images do not show it
+};
+
+/// Which approach is the last: one that came within `options.within_deg`, or the last of all; from half of
+/// them on, one that came as close as any before, since a pose that was left cannot be had again.
+[[nodiscard]] bool is_close_enough(const std::vector<double>& off_deg, const PoseReturnOptions& options);
+
+/// Called after each approach. @param last whether the capture is taken from there
+using OnApproach = std::function<void(const ReachedPose& reached, bool last)>;
+
+/// Approaches a waypoint from below in both joints until it is close enough to where a capture of the
+/// baseline was taken.
+/// @param baseline captures of the same waypoints
+/// @param capture  of the baseline, by position
+/// @param on_approach may be empty
+/// @throws UsageError, Error, Interrupted  as approach(); Error as Camera, or when an image cannot be read
+[[nodiscard]] ReachedPose return_to_pose(const Rig& rig, const PanTilt& waypoint, BaselinePoses& baseline,
+                                         std::size_t capture, std::size_t settling_frames,
+                                         const PoseReturnOptions& options, const OnApproach& on_approach);
+
+}  // namespace rva
