@@ -1,4 +1,4 @@
-// Time as the work sees it: the machine's, or one that a test turns by hand.
+// The clock that timed work uses: the machine's, or a simulated one that a test advances.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace rva {
 
-/// Both functions may be called from any thread.
+/// Both functions may be called from any thread, unless the function that makes the clock states otherwise.
 struct Clock {
-  std::function<double()> now_s;                 ///< never goes back; only differences mean something
+  std::function<double()> now_s;                 ///< never decreases; only differences are meaningful
   std::function<void(double duration_s)> sleep;  ///< returns when now_s() has advanced by about so much
 };
 
@@ -26,8 +26,8 @@ struct Clock {
           [](double duration_s) { std::this_thread::sleep_for(std::chrono::duration<double>(duration_s)); }};
 }
 
-/// A time of its own, from 0, that goes by as fast as it is waited for: for what is simulated and watched by
-/// nobody. For one thread.
+/// A simulated clock that starts at 0 and is advanced by sleep() alone, without waiting: for simulations that
+/// do not run in real time. Not for use by several threads.
 [[nodiscard]] inline Clock unhurried_clock() {
   const auto now_s = std::make_shared<double>(0.0);
   return {[now_s] { return *now_s; }, [now_s](double duration_s) { *now_s += duration_s; }};
@@ -35,7 +35,7 @@ struct Clock {
 
 /// Returns when the clock has reached the time, at once if it has. @throws Interrupted soon after a signal
 inline void wait_until(const Clock& clock, double time_s) {
-  constexpr double longest_sleep_s = 0.05;  // a person who pressed Ctrl-C should not notice it
+  constexpr double longest_sleep_s = 0.05;  // short enough for Ctrl-C to seem immediate
   for (double left_s = time_s - clock.now_s(); left_s > 0.0; left_s = time_s - clock.now_s()) {
     throw_if_interrupted();
     clock.sleep(std::min(left_s, longest_sleep_s));

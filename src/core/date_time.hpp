@@ -1,4 +1,4 @@
-// Moments as files and people write them.
+// Points in time as text.
 #pragma once
 
 #include <chrono>

@@ -23,21 +23,21 @@ void sync(const fs::path& path, int kind) {
   const bool synced = opened && ::fsync(descriptor) == 0;
   const int failure = errno;
   if (opened) ::close(descriptor);
-  // EINVAL: the file system knows no such thing for folders.
+  // EINVAL: the file system cannot sync folders.
   if (synced || (opened && failure == EINVAL)) return;
   throw Error(printable(path),
-              fmt::format("cannot be kept on the disk ({})", std::generic_category().message(failure)),
+              fmt::format("cannot be flushed to the disk ({})", std::generic_category().message(failure)),
               "check the disk and the permissions there");
 }
 
 Error cannot_be_placed(const fs::path& place, const std::error_code& failure) {
-  return {printable(place), fmt::format("cannot be put in place ({})", failure.message()),
-          "check the permissions there or choose another place"};
+  return {printable(place), fmt::format("cannot be moved into place ({})", failure.message()),
+          "check the permissions there or choose another location"};
 }
 
-// For file systems that cannot exchange two names: the earlier folder steps aside, and comes back if the new
-// one cannot take its place. A program that is killed in between leaves it under the name that
-// recover_remains() knows.
+// For file systems that cannot exchange two names: the earlier folder is moved aside, and moved back if the
+// new one cannot be renamed. A program that is killed in between leaves the earlier folder under a name that
+// recover_remains() recognises.
 void exchange_in_steps(const fs::path& complete, const fs::path& place) {
   const fs::path aside = complete.native() + "-replaced";
   std::error_code failure;
@@ -52,7 +52,7 @@ void exchange_in_steps(const fs::path& complete, const fs::path& place) {
 }  // namespace
 
 void sync_folder(const fs::path& folder) {
-  // A folder that the user named by a link is the one that the link leads to.
+  // A link that the user named as the folder stands for its target.
   std::error_code failure;
   const fs::path real = fs::canonical(folder, failure);
   sync(failure ? folder : real, O_DIRECTORY);
@@ -80,14 +80,14 @@ void make_folders(const fs::path& folder) {
     made.push_back(missing);
   fs::create_directories(folder, failure);
   if (failure)
-    throw Error(printable(folder), fmt::format("cannot be made ({})", failure.message()),
-                "check the permissions there or choose another place");
+    throw Error(printable(folder), fmt::format("cannot be created ({})", failure.message()),
+                "check the permissions there or choose another location");
   for (const fs::path& one : made) sync_folder(one.parent_path());
 }
 
 void move_into_place(const fs::path& complete, const fs::path& place) {
   std::error_code failure;
-  fs::rename(complete, place, failure);  // fails, rather than replaces, where somebody has put something
+  fs::rename(complete, place, failure);  // fails, rather than replaces, if the folder is not empty
   if (failure) throw cannot_be_placed(place, failure);
   sync_folder(place.parent_path());
 }

@@ -1,4 +1,4 @@
-// The one error type that leaves a function of this library: a sentence for a person.
+// The exceptions by which the library reports errors: each is a sentence for the user.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace rva {
 
-/// Something outside the program is not as it must be: a file, a device, an option's value.
+/// Something outside the program is wrong: a file, a device or the value of an option.
 ///
 /// Policy: a call that throws leaves its arguments and the disk as they were. Programming mistakes are
 /// assertions, not Errors. `what()` is one line, `place: problem; remedy`, fit for stderr as it is.
@@ -14,7 +14,7 @@ class Error : public std::runtime_error {
  public:
   /// @param place   where: a path (see printable()), an option, a device
   /// @param problem what is wrong there, without a full stop
-  /// @param remedy  what the person can do about it, as an instruction
+  /// @param remedy  what the user can do about it, as an instruction
   Error(std::string place, std::string problem, std::string remedy);
 
   [[nodiscard]] const std::string& place() const { return place_; }
@@ -27,7 +27,7 @@ class Error : public std::runtime_error {
   std::string remedy_;
 };
 
-/// The caller combined valid things in a way that makes no sense; `rva` exits with status 2 on it.
+/// An argument or option is out of range, or does not go with the others; `rva` exits with status 2 on it.
 class UsageError : public Error {
  public:
   using Error::Error;

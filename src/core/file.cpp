@@ -30,7 +30,7 @@ class FileDescriptor {
   }
   [[nodiscard]] int get() const { return descriptor_; }
   [[nodiscard]] int release() { return std::exchange(descriptor_, -1); }
-  // A full disk may show itself only here.
+  // A full disk may be reported only here.
   [[nodiscard]] bool close() {
     const int descriptor = descriptor_;
     descriptor_ = -1;
@@ -52,10 +52,11 @@ Error cannot_read(const std::filesystem::path& path) {
 Error cannot_write(const std::filesystem::path& path) {
   const bool full = errno == ENOSPC || errno == EDQUOT;
   return {printable(path), fmt::format("cannot be written ({})", reason()),
-          full ? "free some space or choose another place" : "check the permissions or choose another place"};
+          full ? "free some space or choose another location"
+               : "check the permissions or choose another location"};
 }
 
-// Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
+// Without O_NONBLOCK, opening a pipe that has no writer would wait for ever.
 int open_to_read(const std::filesystem::path& path) {
   return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 }
@@ -89,7 +90,8 @@ Bytes read_whole(const std::filesystem::path& path, std::uintmax_t max_bytes) {
   const FileDescriptor file(open_to_read(path));
   const std::uintmax_t size = size_of_regular(path, file);
   if (size > max_bytes) {
-    throw Error(printable(path), fmt::format("{} MB is more than a file of this kind can hold", size >> 20U),
+    throw Error(printable(path),
+                fmt::format("its size of {} MB is more than a file of this kind can have", size >> 20U),
                 "check the path");
   }
   Bytes bytes;

@@ -1,4 +1,4 @@
-// Whole files, in and out, with every failure reported.
+// Reading and writing files; every failure is reported.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +11,33 @@
 
 namespace rva {
 
-/// Larger files are refused: no file that RVA reads whole comes near it, and a mistaken path must not fill
+/// Limit of read_file(): no file that RVA reads whole comes near it, and a wrong path must not exhaust
 /// the memory.
 inline constexpr std::uintmax_t max_file_bytes = 512ULL << 20U;
 
 /// @throws Error when the file is missing, unreadable, not a regular file, or larger than max_file_bytes
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path);
 
-/// Descriptions and lists are small; a parser takes many times the memory of its text.
+/// Limit of read_text_file(): descriptions and lists are small, and a parser takes many times the memory of
+/// its text.
 inline constexpr std::uintmax_t max_text_bytes = 16ULL << 20U;
 
-/// As read_file(), as text, up to max_text_bytes.
+/// Reads a whole text file. @throws Error as read_file(), but when it is larger than max_text_bytes
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
 
 /// A file that may be too large to be read whole. Reading is const and may run on several threads.
 class OpenFile {
  public:
-  /// @throws Error as read_file(), but of any size
+  /// @throws Error when the file is missing, unreadable or not a regular file
   explicit OpenFile(const std::filesystem::path& path);
   ~OpenFile();
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
 
-  /// When it was opened.
+  /// The file's size when it was opened.
   [[nodiscard]] std::uint64_t size_bytes() const { return size_bytes_; }
 
-  /// As many bytes as there are from `at` on, at most `count`. @throws Error when the disk fails
+  /// Reads `count` bytes from byte `at` on, or fewer where the file ends. @throws Error when the disk fails
   [[nodiscard]] std::vector<std::byte> read(std::uint64_t at, std::size_t count) const;
 
  private:
@@ -51,19 +52,19 @@ class OpenFile {
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// The same by way of a file beside it that takes its place: it is there whole, or as it was before, and
-/// stays so through a power cut. Files beside it that killed programs left are removed.
+/// Writes a temporary file beside the target and renames it: whatever happens, also a power cut, the target
+/// is complete or unchanged. Temporary files that killed programs left beside it are removed.
 /// @throws Error when the disk is full or refuses
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
-/// Writes a file whole or not at all, as replace_file() does, but does not look for files that killed
-/// programs left: it is meant for the many files of an OutputFolder, which is removed or made durable as a
-/// whole.
+/// Writes a file whole or not at all, as replace_file() does, but neither looks for temporary files of killed
+/// programs nor syncs the folder: it is meant for the many files of an OutputFolder, which is removed or made
+/// durable as a whole.
 void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Adds to the end of a file, and makes the file where there is none. When it returns, the system has the
-/// text, the disk perhaps not yet.
+/// Appends to a file, which is created where there is none. When it returns, the operating system has the
+/// text, but the disk may not have it yet.
 /// @throws Error when the disk is full or refuses; part of the text may then be there
 void append_to_file(const std::filesystem::path& path, std::string_view text);
 

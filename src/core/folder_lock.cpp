@@ -38,7 +38,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : descriptor_(open_f
                 "give a folder that can be written");
   if (lock_at_once(descriptor_)) return;
   ::close(descriptor_);
-  throw Error(printable(folder), "is used by another rva", "end that one, or give another folder");
+  throw Error(printable(folder), "is used by another rva", "stop that one, or choose another folder");
 }
 
 std::unique_ptr<FolderLock> FolderLock::try_lock(const std::filesystem::path& folder) {

@@ -1,4 +1,4 @@
-// One program at a time in a folder.
+// A lock by which only one program at a time uses a folder.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,17 @@
 
 namespace rva {
 
-/// Held while it lives, and let go by the system if the program dies.
+/// Locks a folder for the lifetime of the object. The system releases the lock if the program dies.
 class FolderLock {
  public:
-  /// @param folder exists
-  /// @throws Error when another program holds it, or it cannot be opened
+  /// @param folder must exist
+  /// @throws Error when another program has locked it, or it cannot be opened
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  /// @return null when another program holds it, it cannot be opened, or it has been removed in the meantime
+  /// @return null when another program has locked it, it cannot be opened, or it has been removed meanwhile
   [[nodiscard]] static std::unique_ptr<FolderLock> try_lock(const std::filesystem::path& folder);
 
  private:

@@ -5,7 +5,7 @@
 
 namespace rva {
 
-/// The person asked the program to stop. Not an Error: nothing is wrong. `rva` exits with 128 + the signal.
+/// The user asked the program to stop. Not an Error: nothing is wrong. `rva` exits with 128 + the signal.
 class Interrupted : public std::exception {
  public:
   explicit Interrupted(int signal) : signal_(signal) {}
@@ -16,11 +16,11 @@ class Interrupted : public std::exception {
   int signal_;
 };
 
-/// From now on SIGINT and SIGTERM are noted for throw_if_interrupted(); a second one ends the process at
-/// once.
+/// From now on, SIGINT and SIGTERM are noted for throw_if_interrupted(). A second signal ends the process
+/// at once.
 void note_interrupts();
 
-/// Called between the steps of long work. @throws Interrupted
+/// To be called between the steps of long work. @throws Interrupted when a signal has been noted
 void throw_if_interrupted();
 
 }  // namespace rva

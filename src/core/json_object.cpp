@@ -26,7 +26,7 @@ nlohmann::json parse_json(const std::string& text, const std::string& place) {
     const auto line = 1 + std::count(text.begin(), end, '\n');
     throw Error(place, fmt::format("not JSON at line {}", line), mend);
   } catch (const nlohmann::json::out_of_range&) {
-    throw Error(place, "holds a number beyond what a double can hold", mend);
+    throw Error(place, "contains a number that does not fit a double", mend);
   }
 }
 
@@ -62,7 +62,7 @@ double JsonObject::number(const char* key) const {
 int JsonObject::integer(const char* key) const {
   const double value = number(key);
   const int whole = value > -2e9 && value < 2e9 ? static_cast<int>(value) : 0;
-  if (static_cast<double>(whole) != value) throw not_a(name_of(key), "a whole number of sensible size");
+  if (static_cast<double>(whole) != value) throw not_a(name_of(key), "a whole number in the possible range");
   return whole;
 }
 
@@ -74,7 +74,7 @@ bool JsonObject::boolean(const char* key) const {
 
 std::string JsonObject::string(const char* key) const {
   const auto& value = at(key);
-  if (!value.is_string()) throw not_a(name_of(key), "a text");
+  if (!value.is_string()) throw not_a(name_of(key), "a string");
   return value.get<std::string>();
 }
 

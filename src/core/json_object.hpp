@@ -1,4 +1,4 @@
-// Reading JSON that people wrote: every complaint names the file and the field.
+// Reading JSON that users may have written: every error names the file and the field.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,15 @@
 
 namespace rva {
 
-/// @throws Error naming the line where the text is not JSON, or holds bytes that are not UTF-8
+/// @param place the file's name, for errors
+/// @throws Error when the text is not JSON or not UTF-8, naming the line; when a number does not fit a double
 [[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& place);
 
-/// An object inside a JSON document that knows where it stands. Keys nobody asks for are ignored.
-/// Refers to the document: keep that alive.
+/// An object inside a JSON document, with its location there for errors. Keys that are not read are ignored.
+/// The document must outlive it.
 class JsonObject {
  public:
-  /// @param place the file
+  /// @param place the file's name, for errors
   /// @param field dotted name of this object in it, empty for the whole document
   /// @throws Error when the value is not an object
   JsonObject(const nlohmann::json& value, std::string place, std::string field = {});
@@ -24,8 +25,8 @@ class JsonObject {
   [[nodiscard]] bool has(const char* key) const;  ///< false also for null
   [[nodiscard]] std::vector<std::string> keys() const;
 
-  // Each throws an Error when the key is missing or holds another type; integer() also for a number that is
-  // fractional or does not fit.
+  // Each throws an Error when the key is missing or its value has another type; integer() also when the
+  // number is fractional or out of range.
   [[nodiscard]] double number(const char* key) const;
   [[nodiscard]] int integer(const char* key) const;
   [[nodiscard]] bool boolean(const char* key) const;
@@ -33,12 +34,12 @@ class JsonObject {
   [[nodiscard]] JsonObject object(const char* key) const;
   [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count) const;
 
-  /// As the above, empty where the key is missing.
+  /// Empty where the key is missing or null. @throws Error when the value has another type
   [[nodiscard]] std::optional<double> optional_number(const char* key) const;
   [[nodiscard]] std::optional<std::string> optional_string(const char* key) const;
   [[nodiscard]] std::optional<JsonObject> optional_object(const char* key) const;
 
-  /// "file: depth.fx", for errors about what was read.
+  /// "file: depth.fx", for errors about the value of a key.
   [[nodiscard]] std::string name_of(std::string_view key) const;
 
  private:

@@ -1,4 +1,5 @@
-// One description per option: from it come the command line, the files, the checks and the documentation.
+// One description per option, from which the command line, the files, the checks and the documentation
+// are made.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,10 +11,10 @@
 
 namespace rva {
 
-/// What a person needs to know of one field of an options struct.
+/// The description of one field of an options struct.
 ///
-/// An options struct holds plain fields with defaults and a static `describe(self, visit)` that calls
-/// `visit(self.field, OptionField{...})` for each, in the order people should read them.
+/// An options struct has plain fields with defaults and a static `describe(self, visit)` that calls
+/// `visit(self.field, OptionField{...})` for each, in the order of the documentation.
 struct OptionField {
   std::string_view name;  ///< as on the command line, without dashes: "min-blob"
   std::string_view unit;  ///< "m", "px", ""; files append it to the name: "threshold_m"

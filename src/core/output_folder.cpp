@@ -21,8 +21,8 @@ bool is_empty_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, failure)) && fs::is_empty(path, failure) && !failure;
 }
 
-// Of a file's path in a result, the folder that is as deep in it as another; empty where the file is not as
-// deep.
+// The folder of a file's path that is as deep in the result as the folder `other`; empty where the file is
+// not inside a folder of that depth.
 std::string folder_as_deep(const std::string& file, const std::string& other) {
   std::size_t end = 0;
   for (auto slashes = std::ranges::count(other, '/') + 1; slashes > 0; --slashes) {
@@ -47,13 +47,13 @@ void require_replaceable(const fs::path& target, const std::vector<std::string>&
   if (!fs::is_directory(fs::symlink_status(target, ignored)) ||
       !fs::exists(target / files.front(), ignored)) {
     throw Error(printable(target),
-                fmt::format("holds no earlier result (no {}), so it is not replaced", files.front()),
+                fmt::format("contains no earlier result (no {}), so it is not replaced", files.front()),
                 "choose another folder");
   }
   try {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(target)) {
       if (is_part(entry, target, files)) continue;
-      throw Error(printable(entry.path()), "is no part of an earlier result, so the folder is not replaced",
+      throw Error(printable(entry.path()), "is not part of an earlier result, so the folder is not replaced",
                   "move it away or choose another folder");
     }
   } catch (const fs::filesystem_error& error) {
@@ -66,13 +66,13 @@ void require_free_target(const fs::path& target, const std::vector<std::string>&
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(target, ignored)) || is_empty_folder(target)) return;
   if (existing == Existing::refuse) {
-    throw Error(printable(target), "is there already",
-                "choose another folder, or give --overwrite to replace an earlier result");
+    throw Error(printable(target), "already exists",
+                "choose another folder, or overwrite the earlier result");
   }
   require_replaceable(target, files);
 }
 
-// Of a folder and its parents, the highest that does not exist; empty where all do.
+// The topmost of a folder and its parents that does not exist; empty where all exist.
 fs::path highest_missing(fs::path folder) {
   std::error_code ignored;
   fs::path highest;
@@ -103,7 +103,7 @@ bool holds_only(const fs::path& folder, const std::vector<std::string>& files) {
 OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> files, Existing existing,
                            Remains remains)
     : files_(std::move(files)), existing_(existing) {
-  if (target.empty()) throw Error(printable(target), "no folder for the result", "name one");
+  if (target.empty()) throw Error(printable(target), "no folder was given for the result", "give one");
   require_utf8(target);
   std::error_code failure;
   target_ = fs::absolute(target, failure).lexically_normal();
@@ -116,8 +116,8 @@ OutputFolder::OutputFolder(const fs::path& target, std::vector<std::string> file
   fs::create_directories(target_.parent_path(), failure);
   if (failure) {
     remove_made_parents();
-    throw Error(printable(target_.parent_path()), fmt::format("cannot be made ({})", failure.message()),
-                "check the permissions there or choose another place");
+    throw Error(printable(target_.parent_path()), fmt::format("cannot be created ({})", failure.message()),
+                "check the permissions there or choose another location");
   }
   try {
     staging_.emplace(target_);
@@ -134,7 +134,7 @@ OutputFolder::~OutputFolder() {
   remove_made_parents();
 }
 
-// Only empty folders go; one that somebody else has begun to use stays, with all above it.
+// Removes empty folders only: one that another program has begun to use stays, with all of its parents.
 void OutputFolder::remove_made_parents() const {
   if (highest_made_.empty()) return;
   std::error_code failure;
@@ -160,7 +160,7 @@ void OutputFolder::commit() {
   }
   exchange(staging_->path(), target_);
   stays_ = true;
-  // The earlier result, unless somebody has put something of theirs there since.
+  // The staging folder now has the earlier result. It stays if other files have been put there meanwhile.
   if (holds_only(staging_->path(), files_)) fs::remove_all(staging_->path(), ignored);
 }
 

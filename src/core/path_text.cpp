@@ -19,8 +19,8 @@ struct Range {
 
 constexpr Range continuation{0x80, 0xBF};
 
-// A kind of well-formed sequence: what may lead it, what may follow first, how long it is. Bytes after the
-// second are continuations (The Unicode Standard 15, table 3-7).
+// One form of well-formed sequence: its first byte, its second byte and its length. Bytes after the second
+// are continuation bytes (The Unicode Standard 15, table 3-7).
 struct SequenceForm {
   Range lead;
   Range second;
@@ -90,7 +90,7 @@ std::string printable(const std::filesystem::path& path) {
 
 void require_utf8(const std::filesystem::path& path) {
   if (!is_utf8(path.native())) {
-    throw Error(printable(path), "the path is not UTF-8 text", "rename it, so that records can name it");
+    throw Error(printable(path), "the path is not UTF-8 text", "rename it in UTF-8");
   }
 }
 

@@ -1,4 +1,4 @@
-// Paths as text for people and for JSON.
+// Paths as text for messages and JSON.
 #pragma once
 
 #include <filesystem>

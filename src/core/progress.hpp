@@ -1,4 +1,4 @@
-// How far long work has come.
+// Progress reports of long work.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace rva {
 
-/// Called on the thread that asked for the work, after each piece: `step` says what is being done,
-/// `done` of `total` pieces are. An empty function is allowed and reports nothing.
+/// Called after each piece of work, on the thread that asked for the work: `step` names what is being done,
+/// and `done` of `total` pieces are complete. An empty function is allowed and reports nothing.
 using Progress = std::function<void(std::string_view step, std::size_t done, std::size_t total)>;
 
 }  // namespace rva

@@ -8,8 +8,9 @@
 
 namespace rva {
 
-/// The value that a share (0 to 1) of the values do not exceed, one of them, the lower where two would do.
-/// Reorders the values; there must be one at least, and none NaN.
+/// The quantile of the values at `share` (0 to 1): one of the values, the lower one where it lies
+/// between two.
+/// @param values at least one, none of them NaN; they are reordered
 template <typename Value>
 [[nodiscard]] Value quantile(std::vector<Value>& values, double share) {
   assert(!values.empty());
@@ -18,9 +19,9 @@ template <typename Value>
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Deviation by the median of the sizes of what is scattered about 0, as a normal distribution would have it:
-/// the larger half may be anything. As for quantile(), reorders the sizes, of which there must be one at
-/// least.
+/// Standard deviation of a quantity scattered about 0, estimated from the median of its absolute values on
+/// the assumption of a normal distribution, so that nearly half of the values may be outliers.
+/// @param sizes absolute values: at least one, none of them NaN; they are reordered
 template <typename Value>
 [[nodiscard]] Value robust_deviation(std::vector<Value>& sizes) {
   constexpr double normal_per_median = 1.4826;

@@ -10,7 +10,7 @@
 
 namespace rva {
 
-/// One number out of several, well mixed (the finaliser of splitmix64, Steele et al., OOPSLA 2014).
+/// Hashes several numbers to one (the finaliser of splitmix64, Steele et al., OOPSLA 2014).
 template <typename... Numbers>
 [[nodiscard]] constexpr std::uint64_t mix(Numbers... numbers) {
   std::uint64_t state = 0;
@@ -24,8 +24,8 @@ template <typename... Numbers>
   return state;
 }
 
-/// A stream of random numbers (splitmix64). Small and quick to seed, so that each row of each frame has its
-/// own.
+/// A stream of random numbers (splitmix64). It is small and quick to seed, so that each row of each frame can
+/// have a stream of its own.
 class Random {
  public:
   explicit constexpr Random(std::uint64_t seed) : state_(seed) {}

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::string_view replaced = "-replaced";
 
-// The name of a staging folder, or of a file under way (one number), and what moved aside for it.
+// The names of staging folders (two numbers), of temporary files (one number), and of earlier results that
+// were moved aside for either.
 const std::regex& pattern() {
   static const std::regex one(R"((.*)\.partial-([0-9]{1,9})(-[0-9]+)?(-replaced)?)");
   return one;
@@ -45,7 +46,8 @@ bool is_running(const std::string& process) {
   return ::kill(static_cast<::pid_t>(std::stol(process)), 0) == 0 || errno != ESRCH;
 }
 
-// A program that is still at work holds the lock of its staging folder. A file under way has none.
+// A running program has locked its staging folder. A temporary file has no lock, but its name has
+// the process.
 bool is_in_use(const fs::path& remains) {
   std::smatch parts;
   const std::string name = remains.filename();
@@ -65,9 +67,9 @@ StagingFolder::StagingFolder(const fs::path& target) {
     path_ = target.native() + fmt::format(".partial-{}-{}", ::getpid(), attempt);
     const bool made = fs::create_directory(path_, failure);
     if (failure)
-      throw Error(printable(target), fmt::format("cannot be made ({})", failure.message()),
-                  "check the permissions and the free space there, or choose another place");
-    // Until the lock is held, another program may take the folder for one that was left, and remove it.
+      throw Error(printable(target), fmt::format("cannot be created ({})", failure.message()),
+                  "check the permissions and the free space there, or choose another location");
+    // Until the folder is locked, another program may take it for an abandoned one and remove it.
     if (made) lock_ = FolderLock::try_lock(path_);
   }
 }

@@ -1,11 +1,11 @@
-// How long work takes, for those who read a result.
+// Measures how long work takes.
 #pragma once
 
 #include <chrono>
 
 namespace rva {
 
-/// Runs from when it is made.
+/// Starts when it is constructed.
 class Stopwatch {
  public:
   [[nodiscard]] double ms() const {

@@ -166,7 +166,7 @@ class Mapping(MapTest):
         ply = self.copy()
         mine = ply.with_suffix('.views') / 'notes.txt'
         mine.write_text('mine')
-        self.check_refused(*self.arguments(ply, '--overwrite'), names=['notes.txt', 'no part of an earlier result'])
+        self.check_refused(*self.arguments(ply, '--overwrite'), names=['notes.txt', 'not part of an earlier result'])
         shutil.rmtree(ply.with_suffix('.views'))
         ply.with_suffix('.views').symlink_to(self.folder)
         self.check_refused(*self.arguments(ply, '--overwrite'), names=['map.views', 'not replaced'])
@@ -274,7 +274,7 @@ class MapBadInput(MapTest):
     def test_names(self):
         self.check_refused(*self.arguments(self.folder / 'map.pcd'), names=['.ply'], status=2)
         self.written('file', 'x')
-        self.check_refused(*self.arguments(self.folder / 'file' / 'map.ply'), names=['map.views', 'another place'])
+        self.check_refused(*self.arguments(self.folder / 'file' / 'map.ply'), names=['map.views', 'another location'])
 
     def test_options(self):
         self.refused('--voxel', 0.1, names=['--voxel'], status=2)

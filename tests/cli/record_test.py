@@ -124,7 +124,7 @@ class FromSimulation(RecordTest):
     def test_existing_folder_is_kept_or_replaced(self):
         self.replay(self.recording)
         made = contents(self.out)
-        self.check_fails(*self.arguments(f'replay:{self.recording}', 1), names=[self.out, '--overwrite'])
+        self.check_fails(*self.arguments(f'replay:{self.recording}', 1), names=[self.out, 'already exists'])
         self.assertEqual(contents(self.out), made)
         self.replay(self.recording, 1, '--overwrite')
         self.assertEqual(len(frame_files(self.out)), 1)

@@ -231,7 +231,7 @@ class Running(SimulationTest):
     def test_existing_folder_is_kept_or_replaced(self):
         self.succeed(*self.arguments())
         made = contents(self.out)
-        self.check_fails(*self.arguments('--seed', 3), names=[self.out, '--overwrite'])
+        self.check_fails(*self.arguments('--seed', 3), names=[self.out, 'already exists'])
         self.assertEqual(contents(self.out), made)
         self.succeed('simulate', WALL, '--out', self.out, '--frames', 1, *CHEAP, '--seed', 3, '--overwrite')
         self.assertEqual(len(frame_files(self.out)), 1)
