@@ -43,7 +43,7 @@ Eigen::Vector2d inverse_brown(const Eigen::Vector2d& target, const std::array<do
 
 void require_within(double value, double low, double high, const char* field) {
   if (value >= low && value <= high) return;  // false for NaN
-  throw Error(field, fmt::format("{} is no {} of a camera (allowed: {} to {})", value, field, low, high),
+  throw Error(field, fmt::format("{} is out of range for {} (allowed: {} to {})", value, field, low, high),
               "give the camera's intrinsics");
 }
 
@@ -82,7 +82,7 @@ bool Intrinsics::contains(const Eigen::Vector2d& pixel) const {
 }
 
 void Intrinsics::check() const {
-  // Wide enough for any camera, narrow enough that nothing computed from them overflows.
+  // These limits admit any camera, and are narrow enough that nothing computed within them overflows.
   constexpr double max_px = 1e6;
   require_within(width, 1, max_px, "width");
   require_within(height, 1, max_px, "height");

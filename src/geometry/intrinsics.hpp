@@ -1,4 +1,4 @@
-// The pinhole camera: between pixels and points in front of the imager.
+// The pinhole camera model: projection between points in front of an imager and its pixels.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,18 +8,18 @@
 
 namespace rva {
 
-/// How a lens bends rays, by the names of librealsense (doc/projection.md). Coefficients k1 k2 p1 p2 k3.
+/// Lens distortion models, named as in librealsense (doc/projection.md). Coefficients: k1 k2 p1 p2 k3.
 enum class Distortion {
   none,
-  brown_conrady,          ///< coefficients distort: ideal to seen
-  inverse_brown_conrady,  ///< coefficients undistort: seen to ideal (the D400's colour imager)
+  brown_conrady,          ///< coefficients map undistorted to distorted points
+  inverse_brown_conrady,  ///< coefficients map distorted to undistorted points (D400 colour imager)
 };
 
-/// @return the model that files call by this name; empty for an unknown one
+/// @return the model that has this name in files; empty for an unknown name
 [[nodiscard]] std::optional<Distortion> distortion_from_name(std::string_view name);
 [[nodiscard]] std::string_view name_of(Distortion model);
 
-/// One imager's projection.
+/// The intrinsics of one imager.
 ///
 /// Pixel convention: u to the right, v down, the centre of the first pixel is (0, 0), so the image covers
 /// [-0.5, width - 0.5) x [-0.5, height - 0.5).
@@ -40,10 +40,11 @@ struct Intrinsics {
   /// @return the point in the camera frame, metres
   [[nodiscard]] Eigen::Vector3d deproject(const Eigen::Vector2d& pixel, double depth_m) const;
 
-  /// True where the pixel lies on the image.
+  /// Whether the pixel lies within the image.
   [[nodiscard]] bool contains(const Eigen::Vector2d& pixel) const;
 
-  /// @throws Error naming the field that no camera can have: not positive, not finite, absurdly large
+  /// @throws Error naming the first field whose value no camera can have: not finite, not positive where it
+  ///         must be, or absurdly large
   void check() const;
 
   bool operator==(const Intrinsics&) const = default;

@@ -10,7 +10,7 @@ Transform turned(const JointAxis& joint, double angle_deg) {
          Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180.0, joint.axis);
 }
 
-// The velocity of a frame that turns about an axis, both seen from that frame.
+// The twist of a frame that turns about an axis, with both given in that frame.
 Eigen::Matrix<double, 6, 1> twist_about(const JointAxis& joint) {
   Eigen::Matrix<double, 6, 1> twist;
   twist << joint.axis, joint.at_m.cross(joint.axis);

@@ -1,4 +1,4 @@
-// The robot's chain of joints: from its foot to the camera (thesis, equation 2.5).
+// Forward kinematics of the robot, from its foot to its camera (thesis, equation 2.5).
 #pragma once
 
 #include <Eigen/Core>
@@ -15,13 +15,14 @@ struct PanTilt {
   bool operator==(const PanTilt&) const = default;
 };
 
-/// A servo's axis, in the frame of what carries the servo. A positive angle is a right-handed turn about it.
+/// A servo's axis, in the frame of the part that carries the servo, given by a point on it and its direction.
+/// A positive angle is a right-handed turn about the axis.
 struct JointAxis {
   Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit length
 };
 
-/// Where the joints are. Each frame has the foot's axes when all angles are 0: x right, y forward, z up. The
+/// The robot's geometry. Each frame has the foot's axes when all angles are 0: x right, y forward, z up. The
 /// foot's origin is on the ground below the pan axis.
 struct PanTiltChain {
   JointAxis servo1{{0.0, 0.0, 0.180}, Eigen::Vector3d::UnitZ()};   ///< pan, in the foot's frame
@@ -29,15 +30,16 @@ struct PanTiltChain {
   /// The left imager sits beside the middle of the camera's body.
   Transform bracket_from_camera = looking_forward({-0.0175, 0.020, 0.010});
 
-  /// A camera at a place, with its own x right, y down, z forward along a frame's x right, y forward, z up.
+  /// The pose of a camera (x right, y down, z forward) at `at_m` in a frame with x right, y forward, z up,
+  /// when the camera looks level along that frame's +y.
   [[nodiscard]] static Transform looking_forward(const Eigen::Vector3d& at_m);
 };
 
 /// foot_from_servo1 * servo1_from_bracket * bracket_from_camera. The thesis' world is the foot's frame.
 [[nodiscard]] Transform foot_from_camera(const PanTiltChain& chain, const PanTilt& joints);
 
-/// How the camera moves, in its own frame, when a joint turns by 1 rad: a rotation vector and a translation
-/// of what is at the camera's origin.
+/// The camera's motion in its own frame per radian of each joint: the rotation vector (rad/rad), then the
+/// translation of the camera's origin (m/rad).
 struct JointTwists {
   Eigen::Matrix<double, 6, 1> pan;
   Eigen::Matrix<double, 6, 1> tilt;

@@ -28,19 +28,18 @@ Eigen::Vector3d place(const JsonObject& object) {
   Eigen::Vector3d at_m = vector(object, "at_m");
   if (at_m.norm() <= most_m) return at_m;
   throw Error(object.name_of("at_m"),
-              fmt::format("{:.3g} m away from what carries it, more than {} m", at_m.norm(), most_m),
+              fmt::format("lies {:.3g} m from the part that carries it, more than {} m", at_m.norm(), most_m),
               "give metres");
 }
 
 Eigen::Vector3d unit_vector(const JsonObject& object, const char* key) {
   const Eigen::Vector3d direction = vector(object, key);
   if (std::abs(direction.norm() - 1.0) <= tolerance) return direction.normalized();
-  throw Error(object.name_of(key),
-              fmt::format("has length {:.6g}, and an axis has length 1", direction.norm()),
+  throw Error(object.name_of(key), fmt::format("has length {:.6g} instead of 1", direction.norm()),
               "divide its numbers by its length");
 }
 
-// Angles mean the same with every robot (pan_tilt.hpp), so that limits and waypoints do, too.
+// Positive angles turn the same way on every robot (pan_tilt.hpp), so that limits and waypoints apply to all.
 JointAxis joint(const JsonObject& object, const Eigen::Vector3d& towards, const char* meaning) {
   JointAxis joint{place(object), unit_vector(object, "axis")};
   if (joint.axis.dot(towards) > 0.5) return joint;
@@ -73,9 +72,9 @@ PanTiltChain load_robot_geometry(const std::filesystem::path& path) {
   const nlohmann::json json = parse_json(read_text_file(path), file);
   const JsonObject object(json, file);
   if (object.optional_string("format") != "rva-robot-geometry")
-    throw Error(file, "is no robot's geometry", "give a file as rva calibrate writes it");
+    throw Error(file, "is not a robot geometry", "give a file that rva calibrate has written");
   if (object.integer("version") != 1)
-    throw Error(object.name_of("version"), "is not 1, the only one that is known", "use a newer rva");
+    throw Error(object.name_of("version"), "is not 1, the only supported version", "use a newer rva");
   return {
       joint(object.object("servo1"), Eigen::Vector3d::UnitZ(), "up, so that positive pan would not be left"),
       joint(object.object("bracket"), Eigen::Vector3d::UnitX(),

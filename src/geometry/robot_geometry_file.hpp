@@ -1,4 +1,4 @@
-// A robot's chain of joints as a settings file (docs/mapping.md).
+// A robot's geometry as a settings file (docs/mapping.md).
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,16 @@
 
 namespace rva {
 
-/// Axes are unit vectors to 1e-3, since files hold rounded numbers, and are exactly so in the result.
-/// @throws Error naming the file and the field: not a robot geometry, of another version, something missing
-/// or
-///         not a number, further than 2 m from what carries it, an axis without unit length, axes of a camera
-///         that are not at right angles or left-handed, a servo whose positive angle would turn the other way
-///         than geometry/pan_tilt.hpp says
+/// Reads a robot's geometry. Axes must be unit vectors to 1e-3, since files have rounded numbers; in the
+/// result they are normalised.
+/// @throws Error naming the file and the field when the file is not a robot geometry or has another version;
+///         when a value is missing or not a number; when a position is more than 2 m from the part that
+///         carries it; when an axis does not have unit length; when the camera's axes are not at right angles
+///         or are left-handed; when a servo's positive angle would turn against the direction that
+///         geometry/pan_tilt.hpp defines
 [[nodiscard]] PanTiltChain load_robot_geometry(const std::filesystem::path& path);
 
-/// The same text, of a chain. What it is read back to differs in the last digits only.
+/// The text of such a file. The chain that is read back from it differs in the last digits only.
 [[nodiscard]] std::string robot_geometry_json(const PanTiltChain& chain);
 
 }  // namespace rva

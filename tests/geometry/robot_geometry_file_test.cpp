@@ -81,7 +81,7 @@ TEST_F(RobotGeometryFile, MillimetresAreRefused) {
 }
 
 TEST_F(RobotGeometryFile, WhatIsNotAGeometryIsRefused) {
-  EXPECT_THAT(complaint("{}"), HasSubstr("no robot's geometry"));
+  EXPECT_THAT(complaint("{}"), HasSubstr("not a robot geometry"));
   EXPECT_THAT(complaint("servo1:"), HasSubstr("not JSON"));
   EXPECT_THAT(complaint("/version", 2), HasSubstr("version"));
   EXPECT_THAT(complaint("/camera/at_m", {0.0, 0.1}), HasSubstr("camera.at_m"));
