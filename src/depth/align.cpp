@@ -8,7 +8,7 @@
 namespace rva {
 namespace {
 
-// Pixels of an image, both corners among them.
+// A rectangle of pixels that includes both corners.
 struct PixelRectangle {
   int left = 0, top = 0, right = 0, bottom = 0;
 
@@ -17,13 +17,13 @@ struct PixelRectangle {
   }
 };
 
-// Where a place in the depth image, at a depth, lies in the colour image.
+// Projects a point of the depth image with its depth into the colour image.
 Eigen::Vector2d in_color(const CaptureInfo& info, const Eigen::Vector2d& pixel, double depth_m) {
   return info.color->project(*info.color_from_depth * info.depth.deproject(pixel, depth_m));
 }
 
 PixelRectangle seen_in_color(const CaptureInfo& info, int u, int v, double depth_m) {
-  const auto nearest_pixel = [](double at, int size) {  // beyond either edge is enough
+  const auto nearest_pixel = [](double at, int size) {  // how far beyond an edge does not matter
     return static_cast<int>(std::clamp(std::floor(at + 0.5), -1.0, static_cast<double>(size)));
   };
   const Eigen::Vector2d first = in_color(info, {u - 0.5, v - 0.5}, depth_m);
@@ -47,7 +47,8 @@ void keep_nearest(DepthImage& aligned, const PixelRectangle& pixels, std::uint16
 
 DepthImage align_to_color(const DepthImage& depth, const CaptureInfo& info) {
   if (!info.color || !info.color_from_depth)
-    throw Error("colour", "the capture does not say where its colour camera stands", "record it with colour");
+    throw Error("colour", "the capture does not state the extrinsics of its colour camera",
+                "record it with colour");
   DepthImage aligned(info.color->width, info.color->height);
   for (int v = 0; v < depth.height(); ++v) {
     for (int u = 0; u < depth.width(); ++u) {

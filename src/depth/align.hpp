@@ -1,4 +1,4 @@
-// Depth as the colour camera would see it.
+// Alignment of depth images to the colour image.
 #pragma once
 
 #include "depth/capture.hpp"
@@ -6,11 +6,12 @@
 
 namespace rva {
 
-/// Every depth pixel, as the rectangle that its corners cover in the colour image; the nearest wins where
-/// several do. As librealsense's `align` does it, which others' programs expect.
-/// @param info of the capture, with colour and where it stands
-/// @return of the size of colour, in the same unit; 0 where no depth pixel lies
-/// @throws Error when the capture states no colour intrinsics or not where colour stands
+/// Projects every depth pixel into the colour image, as the rectangle between its projected corners; where
+/// several overlap, the nearest depth is kept. This is what librealsense's `align` does, and other programs
+/// expect it.
+/// @param info of the capture, with colour intrinsics and extrinsics
+/// @return an image of the size of colour, in the same unit; 0 where no depth pixel projects to
+/// @throws Error when the capture states no colour intrinsics or no extrinsics (color_from_depth)
 [[nodiscard]] DepthImage align_to_color(const DepthImage& depth, const CaptureInfo& info);
 
 }  // namespace rva

@@ -25,9 +25,10 @@ std::vector<fs::path> bare_depth_files(const fs::path& folder) {
 std::unique_ptr<Capture> open_bare_folder(const fs::path& folder, const CaptureOptions& options) {
   FrameFiles files{bare_depth_files(folder), {}};
   if (!options.intrinsics)
-    throw Error(printable(folder),
-                fmt::format("holds {} images and no description of the camera", files.depth.size()),
-                "give the depth camera's --intrinsics FX,FY,CX,CY, and --depth-unit where it is not 1 mm");
+    throw Error(
+        printable(folder),
+        fmt::format("holds {} images and no description of the camera", files.depth.size()),
+        "give the intrinsics of the depth camera (fx, fy, cx, cy), and the depth unit if it is not 1 mm");
   CaptureInfo info;
   info.format = "images";
   info.depth = *options.intrinsics;

@@ -64,15 +64,15 @@ std::size_t lost_frames(const Capture& capture) {
 
 namespace {
 
-// Open3D's recorders, its tutorials and StrayVisualizer each have a name of their own.
+// Open3D's recorders, its tutorials and StrayVisualizer each use another name.
 constexpr std::array open3d_descriptions{"intrinsic.json", "camera_intrinsic.json", "camera_intrinsics.json"};
 
-// rosbag2 and people put a recording into a folder of its own.
+// rosbag2 puts a recording into a folder, and so do many users.
 std::unique_ptr<Capture> open_recording_in(const fs::path& folder, const std::vector<fs::path>& recordings,
                                            const CaptureOptions& options) {
   if (recordings.size() > 1)
     throw Error(printable(folder),
-                fmt::format("holds {} recordings, {} among them", recordings.size(),
+                fmt::format("holds {} recordings, such as {}", recordings.size(),
                             printable(recordings.front().filename())),
                 "give one of them");
   require_recording(recordings.front());
@@ -90,10 +90,11 @@ std::unique_ptr<Capture> open_folder(const fs::path& folder, const CaptureOption
   const std::vector<fs::path> recordings = image_files(folder, {".db3", ".mcap", ".bag"});
   if (!recordings.empty()) return open_recording_in(folder, recordings, options);
   if (!bare_depth_files(folder).empty()) return open_bare_folder(folder, options);
-  throw Error(printable(folder),
-              "no capture.json, no intrinsic.json of Open3D, no depth.txt of TUM, no recording and no depth "
-              "image in it",
-              "give the folder of a capture");
+  throw Error(
+      printable(folder),
+      "contains no capture.json, no intrinsic.json of Open3D, no depth.txt of TUM, no recording and no "
+      "depth image",
+      "give the folder of a capture");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Intrinsics parse_intrinsics(const JsonObject& object) {
     const auto model = distortion_from_name(*name);
     if (!model) {
       throw Error(object.name_of("distortion_model"),
-                  fmt::format("the model '{}' is not known", printable(*name)),
+                  fmt::format("the model '{}' is unknown", printable(*name)),
                   "use none, brown_conrady or inverse_brown_conrady");
     }
     camera.distortion = *model;
@@ -92,17 +92,18 @@ InfraredBurst parse_infrared(const JsonObject& object, double usual_scale) {
   burst.per_grey_level = object.optional_number("scale").value_or(usual_scale);
   const double frames = object.optional_number("frames").value_or(1.0);
   if (!(frames >= 1.0 && frames <= most_frames))
-    throw Error(object.name_of("frames"), "no number of frames from 1 to a million", "correct the file");
+    throw Error(object.name_of("frames"), "not a number of frames from 1 to a million", "correct the file");
   burst.frames = static_cast<int>(frames);
   if (!(burst.per_grey_level > 0.0 && burst.per_grey_level <= most_counts))
-    throw Error(object.name_of("scale"), "no number of counts above 0 and up to 65535", "correct the file");
+    throw Error(object.name_of("scale"), "not a number of counts above 0 and up to 65535",
+                "correct the file");
   burst.exposure_us = object.optional_number("exposure_us");
   burst.gain = object.optional_number("gain");
   burst.laser_power_mw = object.optional_number("laser_power_mw");
   return burst;
 }
 
-// Other images may lie beside those of the frames, such as what one imager saw last.
+// Keeps the images of frames: others may lie beside them, such as the last image of one imager.
 std::vector<fs::path> numbered(std::vector<fs::path> files) {
   const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
   std::erase_if(files,
@@ -110,17 +111,17 @@ std::vector<fs::path> numbered(std::vector<fs::path> files) {
   return files;
 }
 
-// Refused before memory is taken for a single image of that size.
+// Refuses impossible sizes before memory is allocated for an image.
 void require_possible_size(const std::string& place, const Intrinsics& camera, long most_pixels) {
   if (camera.width <= most_pixels / camera.height) return;
-  throw Error(place,
-              fmt::format("states images of {}x{} pixels, larger than any camera of ours gives", camera.width,
-                          camera.height),
-              "correct the description");
+  throw Error(
+      place,
+      fmt::format("states images of {}x{} pixels, larger than any camera gives", camera.width, camera.height),
+      "correct the description");
 }
 
-// A transposed matrix, or that of another image size. Lenses are made with square pixels, and imagers sit
-// near the middle behind them; images that were cut out of larger ones may be off by half of their size.
+// Detects a transposed matrix, or one of another image size. Imagers have nearly square pixels and sit nearly
+// centred behind their lenses; the principal point of a cropped image may be off by half of its size.
 void require_plausible(const std::string& place, const Intrinsics& camera) {
   constexpr double most_ratio = 2.0;
   const double ratio = camera.fx / camera.fy;
@@ -141,7 +142,7 @@ void require_format(const JsonObject& document, const std::string& place) {
     throw Error(place, "the format is not 'rva-capture'", "give the description of a capture");
   }
   if (const int version = document.integer("version"); version != 1) {
-    throw Error(place, fmt::format("version {} of the format is not known", version), "use a newer rva");
+    throw Error(place, fmt::format("version {} of the format is not supported", version), "use a newer rva");
   }
 }
 
@@ -151,7 +152,8 @@ std::vector<std::uint16_t> parse_no_depth(const nlohmann::json& list, const Json
     return value.is_number_integer() && value.get<std::int64_t>() >= 0 && value.get<std::int64_t>() <= 65535;
   };
   if (!list.is_array() || list.size() > most_values || !std::ranges::all_of(list, is_value))
-    throw Error(depth.name_of("no_depth"), fmt::format("no list of up to {} values of 16 bits", most_values),
+    throw Error(depth.name_of("no_depth"),
+                fmt::format("not a list of up to {} values of 16 bits", most_values),
                 "correct the file, as in [65535]");
   return list.get<std::vector<std::uint16_t>>();
 }
@@ -192,7 +194,7 @@ std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text, 
     const nlohmann::json json = parse_json(line, where);
     const JsonObject object(json, where);
     const int frame = object.integer("frame");
-    if (frame < 0) throw Error(object.name_of("frame"), "less than 0", "correct the file");
+    if (frame < 0) throw Error(object.name_of("frame"), "is negative", "correct the file");
     FrameMetadata& metadata = frames[static_cast<std::size_t>(frame)];
     if (const auto counter = object.optional_number("counter"); counter && *counter >= 0 && *counter < 1e18)
       metadata.counter = static_cast<std::uint64_t>(*counter);
@@ -244,12 +246,12 @@ void require_possible(const CaptureInfo& info, const std::string& place) {
   if (info.color) require_possible_size(place, *info.color, max_color_pixels);
   require_plausible(place, info.depth);
   if (!(info.depth_unit_m >= 1e-7 && info.depth_unit_m <= 1.0)) {
-    throw Error(place, fmt::format("a depth unit of {} m makes no sense", info.depth_unit_m),
+    throw Error(place, fmt::format("a depth unit of {} m is impossible", info.depth_unit_m),
                 "correct the description");
   }
   const auto baseline_m = info.camera ? info.camera->baseline_m : std::nullopt;
   if (baseline_m && !(*baseline_m >= 1e-4 && *baseline_m <= 100.0)) {
-    throw Error(place, fmt::format("a camera baseline of {} m makes no sense", *baseline_m),
+    throw Error(place, fmt::format("a camera baseline of {} m is impossible", *baseline_m),
                 "correct camera.baseline_m or leave it out");
   }
 }

@@ -1,4 +1,4 @@
-// A capture seen through another: what a derived class does not change is passed on.
+// A wrapper of a capture that passes on whatever a derived class does not override.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace rva {
 
-/// Passes on all of another capture, which must outlive it. Derived classes override what differs.
+/// Passes on everything of another capture, which must outlive it. Derived classes override what differs.
 class CaptureView : public Capture {
  public:
-  /// @param info instead of the other's
+  /// @param info in place of the other capture's
   CaptureView(const Capture& whole, CaptureInfo info) : Capture(std::move(info)), whole_(whole) {}
 
   [[nodiscard]] std::size_t depth_frames() const override { return whole_.depth_frames(); }
@@ -45,10 +45,10 @@ class CaptureView : public Capture {
   const Capture& whole_;
 };
 
-/// True when two depth units are the same but for how programs print them: within a part in a million.
+/// Whether two depth units are equal to within one part in a million, as programs round them differently.
 [[nodiscard]] bool is_same_unit(double a_m, double b_m);
 
-/// The capture with its depth in another unit, rounded; what does not fit into 16 bits then is no_depth.
+/// The capture with its depth rounded to another unit; depth that does not fit into 16 bits becomes no_depth.
 /// @param capture must outlive the result
 /// @param unit_m  metres, above 0
 [[nodiscard]] std::unique_ptr<Capture> in_unit(const Capture& capture, double unit_m);

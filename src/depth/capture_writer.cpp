@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Null stands for "not known": the merge in capture_json() takes such keys away (RFC 7396).
+// Null stands for an unknown value: the merge in capture_json() removes such keys (RFC 7396).
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 template <typename Value>
@@ -65,7 +65,7 @@ template <typename Pixel>
 void require_size(const fs::path& file, const Image<Pixel>& image, const Intrinsics& stated) {
   if (image.width() == stated.width && image.height() == stated.height) return;
   throw Error(printable(file),
-              fmt::format("an image of {}x{} pixels where the capture states {}x{}", image.width(),
+              fmt::format("the image has {}x{} pixels, but the capture states {}x{}", image.width(),
                           image.height(), stated.width, stated.height),
               "record the capture again");
 }
@@ -77,7 +77,7 @@ fs::path frame_file(const fs::path& folder, const fs::path& kind, std::size_t nu
 
 template <typename Pixel>
 void write_image(const fs::path& file, const Image<Pixel>& image) {
-  std::error_code ignored;  // where the folder is missing in the end, write_file() says why
+  std::error_code ignored;  // if the folder is missing, put_file() fails and reports why
   fs::create_directories(file.parent_path(), ignored);
   put_file(file, encode_png(image));
 }

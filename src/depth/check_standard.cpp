@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 enum class Limits { low, high, both };
 
-// How a quantity is taken from a check, and on which scale it is normal.
+// A quantity of a check, its limits, and whether its logarithm is the normally distributed value.
 struct Quantity {
   std::string_view name;
   double CameraCheck::*value;
@@ -48,7 +48,7 @@ Spread spread_of(const std::vector<double>& values) {
 }
 
 double on_scale(const Quantity& quantity, double value) {
-  constexpr double least = 1e-9;  // a camera that repeats itself to the last bit has no logarithm
+  constexpr double least = 1e-9;  // the noise of a camera that repeats itself exactly is 0
   return quantity.logarithmic ? std::log(std::max(least, value)) : value;
 }
 
@@ -61,7 +61,7 @@ CheckedQuantity judge(const Quantity& quantity, const CameraCheck& now, const st
   std::vector<double> values;
   for (const CameraCheck& check : sound) values.push_back(on_scale(quantity, check.*quantity.value));
   Spread spread = spread_of(values);
-  // On a logarithm's scale a share of the mean is a difference.
+  // On a logarithmic scale, a share of the mean is an absolute difference.
   const double least = options.least_spread * (quantity.logarithmic ? 1.0 : std::abs(spread.mean));
   spread.deviation = std::max(spread.deviation, least);
   const double n = static_cast<double>(values.size());

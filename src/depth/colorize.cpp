@@ -14,7 +14,7 @@
 namespace rva {
 namespace {
 
-// The least of 1, 2, 2.5, 5 and 10 times a power of ten that is not below the value.
+// The smallest of 1, 2, 2.5, 5 and 10 times a power of ten that is at least the value.
 float round_step(float value) {
   const float power = std::pow(10.0F, std::floor(std::log10(value)));
   for (const float factor : {1.0F, 2.0F, 2.5F, 5.0F}) {
@@ -23,7 +23,7 @@ float round_step(float value) {
   return 10.0F * power;
 }
 
-// Into how many parts labels divide the bar, so that they are round numbers.
+// The number of intervals between the labels of the bar, chosen so that the labels are round numbers.
 int bar_intervals(ColorScale scale) {
   for (const int intervals : {5, 4}) {
     const float step = (scale.high - scale.low) / static_cast<float>(intervals);
@@ -40,7 +40,7 @@ std::vector<float> finite_values(const Image<float>& values) {
   return finite;
 }
 
-// Position of a value on the colours, 0 to 255.
+// Index of a value in the colour map, 0 to 255.
 std::uint8_t level_of(float value, ColorScale scale) {
   const float share = (value - scale.low) / (scale.high - scale.low);
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
@@ -128,7 +128,7 @@ ColorScale scale_around(const Image<float>& values) {
   if (finite.empty()) return {};
   const float low = quantile(finite, 0.01);
   const float high = quantile(finite, 0.99);
-  // A thousandth of the value keeps the ends apart in single precision however far the values are.
+  // At least a thousandth of the value, so that the ends differ in single precision.
   const float step = round_step(std::max({high - low, 1e-3F, 1e-3F * std::abs(high)}) / 8.0F);
   return {std::floor(low / step) * step, std::floor(high / step + 1.0F) * step};
 }

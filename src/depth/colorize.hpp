@@ -1,4 +1,4 @@
-// Values as colours, for people.
+// Rendering of values as colours.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace rva {
 
-/// The range of values that the colours span; values beyond it take the end colours.
+/// The range of values that the colours span; values beyond it have the colour of the nearer end.
 struct ColorScale {
   float low = 0.0F;
   float high = 1.0F;
@@ -21,15 +21,15 @@ struct ColorScale {
 /// @param title what the values are, with their unit, written above the bar; ASCII
 [[nodiscard]] ColorImage with_scale_bar(const ColorImage& image, ColorScale scale, std::string_view title);
 
-/// The range from 0 to a round number that all but a twentieth of the values stay below: the few at depth
-/// edges are larger by so much that a scale for all would show nothing else.
+/// The range from 0 to the 95th percentile of the values, rounded up: the few values at depth edges are so
+/// much larger that a scale including them would show nothing else.
 [[nodiscard]] ColorScale scale_from_zero(const Image<float>& values);
 
-/// Of depths in metres: tenths of a metre that all but a fiftieth are farther than, and all but a tenth
-/// nearer: the few that lie far behind a bay would leave one colour to all that is in it.
+/// The range of depth from the 2nd to the 90th percentile, widened to whole tenths of a metre: with the few
+/// pixels far behind a bay included, everything in the bay would have the same colour.
 [[nodiscard]] ColorScale scale_of_depth(const Image<float>& depth_m);
 
-/// The range between round numbers that all but a hundredth at either end lie in.
+/// The range from the 1st to the 99th percentile of the values, widened to round numbers.
 [[nodiscard]] ColorScale scale_around(const Image<float>& values);
 
 }  // namespace rva

@@ -29,7 +29,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Pixels as they lie in the file, of another type than the image's, perhaps.
+// Copies pixels from the file's bytes and converts their type.
 template <typename Stored, typename Pixel>
 Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height, const std::string& place) {
   Image<Pixel> image(width, height);
@@ -42,7 +42,7 @@ Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height
   return image;
 }
 
-/// The header of a PGM: numbers between white space and comments.
+/// The header of a PGM file: numbers separated by white space and comments.
 class PgmHeader {
  public:
   PgmHeader(std::string_view text, const std::string& place) : text_(text), place_(place) {}
@@ -52,11 +52,11 @@ class PgmHeader {
     int value = 0;
     const char* const begin = text_.data() + at_;
     const auto [end, failure] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (failure != std::errc{}) throw damaged_image(place_, "its header has no number where one must be");
+    if (failure != std::errc{}) throw damaged_image(place_, "its header lacks a number");
     at_ += static_cast<std::size_t>(end - begin);
     return value;
   }
-  /// Behind the one character that ends the header.
+  /// Offset of the pixels, after the one character that ends the header.
   [[nodiscard]] std::size_t pixels_at() const { return at_ + 1; }
 
  private:
@@ -70,7 +70,7 @@ class PgmHeader {
 
   std::string_view text_;
   const std::string& place_;
-  std::size_t at_ = 2;  // behind "P5"
+  std::size_t at_ = 2;  // after "P5"
 };
 
 // The value of a key in NumPy's header: {'descr': '<u2', 'fortran_order': False, 'shape': (480, 848), }
@@ -93,7 +93,7 @@ NpyShape npy_shape(std::string_view header, const std::string& place) {
   std::vector<int> sides;
   const std::size_t end = text.find(')');
   if (!text.starts_with('(') || end == std::string_view::npos)
-    throw damaged_image(place, "its shape is no tuple");
+    throw damaged_image(place, "its shape is not a tuple");
   text = text.substr(1, end - 1);
   while (!text.empty()) {
     text.remove_prefix(std::min(text.find_first_of("0123456789"), text.size()));
@@ -105,8 +105,7 @@ NpyShape npy_shape(std::string_view header, const std::string& place) {
   }
   if (sides.size() == 3 && sides.back() == 1) sides.pop_back();
   if (sides.size() != 2)
-    throw other_content(place,
-                        fmt::format("an array of {} dimensions where a depth image has two", sides.size()));
+    throw other_content(place, fmt::format("has {} dimensions, but a depth image has two", sides.size()));
   require_reasonable_size(sides[1], sides[0], max_depth_pixels, place);
   return {sides[1], sides[0]};
 }
@@ -135,14 +134,14 @@ StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place
   constexpr int most = 65535;
   constexpr int one_byte = 255;
   const std::string_view text = as_text(file);
-  if (!text.starts_with("P5")) throw other_content(place, "no binary PGM (P5)");
+  if (!text.starts_with("P5")) throw other_content(place, "not a binary PGM (P5)");
   PgmHeader header(text, place);
   const int width = header.number();
   const int height = header.number();
   const int greatest = header.number();
   require_reasonable_size(width, height, max_depth_pixels, place);
   if (greatest <= one_byte || greatest > most)
-    throw other_content(place, fmt::format("grey levels up to {} where depth has 16 bits", greatest));
+    throw other_content(place, fmt::format("has grey levels up to {}, but depth needs 16 bits", greatest));
   const auto pixels = file.subspan(std::min(header.pixels_at(), file.size()));
   auto image = pixels_from<std::uint16_t, std::uint16_t>(pixels, width, height, place);
   for (std::uint16_t& value : image.pixels()) value = static_cast<std::uint16_t>(value << 8 | value >> 8);
@@ -150,11 +149,11 @@ StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place
 }
 
 StoredDepth decode_npy(std::span<const std::byte> file, const std::string& place) {
-  if (!as_text(file).starts_with("\x93NUMPY")) throw other_content(place, "no array of NumPy");
+  if (!as_text(file).starts_with("\x93NUMPY")) throw other_content(place, "not a NumPy array");
   const std::span<const std::byte> header = npy_header(file, place);
   const std::string_view text = as_text(header);
   if (npy_value(text, "fortran_order", place).starts_with("True"))
-    throw other_content(place, "an array whose columns come first");
+    throw other_content(place, "is stored in columns (fortran_order), but rows are needed");
   const NpyShape shape = npy_shape(text, place);
   const auto pixels = file.subspan(static_cast<std::size_t>(header.data() + header.size() - file.data()));
   const std::string_view type = npy_value(text, "descr", place);
@@ -162,7 +161,7 @@ StoredDepth decode_npy(std::span<const std::byte> file, const std::string& place
     return pixels_from<std::uint16_t, std::uint16_t>(pixels, shape.width, shape.height, place);
   if (type.starts_with("'<f4'")) return pixels_from<float, float>(pixels, shape.width, shape.height, place);
   if (type.starts_with("'<f8'")) return pixels_from<double, float>(pixels, shape.width, shape.height, place);
-  throw other_content(place, "an array of " + printable(type.substr(0, type.find(','))));
+  throw other_content(place, "has values of type " + printable(type.substr(0, type.find(','))));
 }
 
 std::vector<std::filesystem::path> depth_files(const std::filesystem::path& folder) {

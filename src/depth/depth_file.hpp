@@ -1,4 +1,4 @@
-// Depth images in any of the files that people keep them in: PNG, TIFF, PGM, NumPy's arrays.
+// Depth images in PNG, TIFF, PGM and NumPy files.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,29 @@
 
 namespace rva {
 
-/// The depth images of a folder, by name, as image_files() orders them. Some tools write each image as
-/// several files: where there are files of several kinds, those of the first kind count (PNG, TIFF, PGM,
-/// NumPy).
+/// The depth images of a folder, in the order of image_files(). Some tools write each image in several
+/// formats: only files of the first format that is present are returned (PNG, TIFF, PGM, NumPy).
 /// @throws Error when the folder cannot be read
 [[nodiscard]] std::vector<std::filesystem::path> depth_files(const std::filesystem::path& folder);
 
-/// Depth as a file holds it: whole units of 16 bits, or metres.
+/// Depth as stored in a file: 16-bit integers in depth units, or floating point in metres.
 using StoredDepth = std::variant<DepthImage, Image<float>>;
 
-/// A whole file: one sample a pixel, of 16 bits without sign or 32 bits of floating point, in strips.
-/// @throws Error when it is damaged, holds something else, or is too large; so do all below
+/// Decodes a TIFF file of one sample per pixel, unsigned 16-bit or 32-bit floating point, in strips.
+/// @param file  a whole file, here and below
+/// @param place the file's name, for errors, here and below
+/// @throws Error when it is damaged, has other contents, or is too large; so do all functions below
 [[nodiscard]] StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& place);
 
-/// Binary (P5), of up to 16 bits.
+/// Decodes a binary PGM file (P5) of more than 8 and up to 16 bits.
 [[nodiscard]] StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place);
 
-/// An array of two dimensions, rows first, little endian: of 16 bits without sign, or of 32 or 64 bits of
-/// floating point.
+/// Decodes a NumPy array of two dimensions in row-major order, little endian: unsigned 16-bit, or 32- or
+/// 64-bit floating point. A third dimension of length 1 is allowed.
 [[nodiscard]] StoredDepth decode_npy(std::span<const std::byte> file, const std::string& place);
 
-/// By the file's ending.
-/// @param unit_m of the result where the file holds metres; other files are taken as they are
+/// Reads a depth image; the ending of the file's name selects the format.
+/// @param unit_m depth unit of the result, metres, for files in metres; other files are read unchanged
 [[nodiscard]] DepthImage read_depth_file(const std::filesystem::path& file, double unit_m);
 
 }  // namespace rva

@@ -32,8 +32,8 @@ void add_pass_portable(const std::uint16_t* const* frames, std::size_t count, st
 
 namespace {
 
-// Pixels that are taken through all frames before the next: their sums, 16 bytes each, stay in the second
-// level cache, and each frame is read in runs long enough for the processor to fetch ahead.
+// Pixels that are processed in all frames before the next ones are: their sums, 16 bytes each, stay in the
+// second level cache, and each frame is read in runs long enough for the processor to prefetch.
 constexpr std::size_t tile_pixels = 4096;
 
 }  // namespace
@@ -43,9 +43,8 @@ DepthStatistics::DepthStatistics(int width, int height)
 
 void DepthStatistics::require_room_for(std::size_t frames) const {
   if (frames_ + frames > max_frames) {
-    throw Error("statistics",
-                fmt::format("{} frames are the most that one set of statistics holds", max_frames),
-                "start a new set");
+    throw Error("statistics", fmt::format("more than {} frames in one set of statistics", max_frames),
+                "use fewer frames");
   }
 }
 
@@ -64,7 +63,7 @@ void DepthStatistics::add(std::span<const DepthImage> frames) {
   for (const DepthImage& frame : frames) {
     if (frame.same_size(reference_)) continue;
     throw Error("statistics",
-                fmt::format("a frame of {}x{} pixels among frames of {}x{}", frame.width(), frame.height(),
+                fmt::format("a frame has {}x{} pixels, but others have {}x{}", frame.width(), frame.height(),
                             width(), height()),
                 "record all frames at one size");
   }

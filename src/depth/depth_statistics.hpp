@@ -10,15 +10,15 @@
 
 namespace rva {
 
-/// Streamed, exact statistics per pixel over the frames in which the pixel has a measurement
-/// (thesis chapter 3.2.3; there pixels without a measurement count as depth 0).
+/// Exact statistics per pixel over the frames in which the pixel has a measurement, updated frame by frame
+/// (thesis chapter 3.2.3; there, pixels without a measurement count as depth 0).
 ///
-/// Sums are kept as integers of the deviation from the pixel's first valid depth: 16 bytes a pixel however
-/// many frames are added, nothing rounded until somebody asks, the same result in any grouping of add()
+/// Sums are integers of the deviation from the pixel's first valid depth: they take 16 bytes per pixel for
+/// any number of frames, and are exact, so that results do not depend on how frames are grouped into add()
 /// calls. Depths and results are in the depth units of the frames. Not for use by several threads.
 class DepthStatistics {
  public:
-  /// Frames beyond these would overflow the sums: 18 minutes at 30 Hz. Start anew before.
+  /// More frames would overflow the sums: this is 18 minutes at 30 Hz.
   static constexpr std::size_t max_frames = 32767;
 
   DepthStatistics(int width, int height);
@@ -27,10 +27,10 @@ class DepthStatistics {
   /// @throws Error when its size differs or max_frames are reached; the statistics stay as they were
   void add(const DepthImage& frame);
 
-  /// Adds frames that lie in memory together; faster than one by one, since sums stay in the cache.
+  /// Adds several frames; faster than one by one, since the sums stay in the cache. @throws Error as above
   void add(std::span<const DepthImage> frames);
 
-  /// Starts anew in the memory that is there.
+  /// Removes all frames, without a new allocation.
   void clear();
 
   [[nodiscard]] int width() const { return reference_.width(); }
@@ -38,12 +38,12 @@ class DepthStatistics {
   [[nodiscard]] std::size_t size() const { return reference_.size(); }
   [[nodiscard]] std::size_t frames() const { return frames_; }
 
-  // Of pixel i, by its position in the rows laid end to end.
+  // In all functions below, i is the pixel's index in row-major order.
 
-  /// Frames in which the pixel was valid.
+  /// Number of frames in which the pixel was valid.
   [[nodiscard]] std::uint32_t count(std::size_t i) const { return count_[i]; }
 
-  /// Valid in at least half of the frames: enough to stand for what the camera saw there.
+  /// Whether the pixel was valid in at least half of the frames, so that its mean is taken as its depth.
   [[nodiscard]] bool seen(std::size_t i) const { return count_[i] > 0 && 2U * count_[i] >= frames_; }
 
   /// Sum of the valid depths.
@@ -56,14 +56,13 @@ class DepthStatistics {
     return count_[i] == 0 ? 0.0 : static_cast<double>(sum(i)) / static_cast<double>(count_[i]);
   }
 
-  /// count^2 times the population variance: an integer, exact.
+  /// count^2 times the population variance, which is an exact integer.
   [[nodiscard]] std::int64_t scaled_variance(std::size_t i) const {
     const std::int64_t deviation = sum_[i];
     return std::int64_t{count_[i]} * static_cast<std::int64_t>(sum_of_squares_[i]) - deviation * deviation;
   }
 
-  /// Population standard deviation (divided by count, as numpy's) of the valid depths; 0 where there are
-  /// none.
+  /// Population standard deviation of the valid depths (divided by count, as numpy's); 0 for none.
   [[nodiscard]] double standard_deviation(std::size_t i) const {
     return count_[i] == 0
                ? 0.0

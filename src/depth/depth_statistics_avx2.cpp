@@ -1,7 +1,7 @@
 // Eight frames of sixteen pixels at a time, in 16-bit deviations.
 //
-// Built with -mavx2 and entered only where the processor has it; it therefore includes nothing whose inline
-// functions the rest of the program might come to share.
+// This file is built with -mavx2 and used only where the processor has AVX2. It therefore includes nothing
+// whose inline functions the linker could merge with those of the rest of the program.
 #include "depth/depth_statistics_kernel.hpp"
 
 #if defined(__AVX2__)
@@ -19,8 +19,8 @@ __m256i load(const void* from) { return _mm256_loadu_si256(static_cast<const __m
 void store(void* to, __m256i value) { _mm256_storeu_si256(static_cast<__m256i*>(to), value); }
 bool any(__m256i bits) { return _mm256_testz_si256(bits, bits) == 0; }
 
-// Sixteen pixels of the frames of a pass, as deviations from the reference can be taken of them.
-// Slots is the number of frames, made even; the slot that is then too many holds the reference itself.
+// Sixteen pixels of the frames of a pass, prepared for taking deviations from the reference. Slots is the
+// number of frames, rounded up to an even number; a spare slot contains the reference itself.
 template <std::size_t Slots>
 struct Block {
   __m256i depths[Slots];
@@ -36,7 +36,7 @@ struct Block {
     find_range();
     const __m256i zero = _mm256_setzero_si256();
     const __m256i unmeasured = _mm256_cmpeq_epi16(_mm256_min_epu16(least, reference), zero);
-    // A fifth of all blocks of real recordings comes here.
+    // This is the case for a fifth of all blocks of real recordings.
     if (any(unmeasured)) fill_holes(count);
     if (count < Slots) depths[Slots - 1] = reference;
   }
@@ -49,8 +49,8 @@ struct Block {
     }
   }
 
-  // Where the reference has no depth yet, the first of these frames that has one gives it. Then holes take
-  // the reference's depth: no deviation, and one measurement less.
+  // Where the reference has no depth yet, it takes the first depth of these frames. Holes are then filled
+  // with the reference's depth, so that they have no deviation, and the count is reduced by one each.
   void fill_holes(std::size_t count) {
     const __m256i zero = _mm256_setzero_si256();
     for (std::size_t k = 0; k < Slots; ++k) {
@@ -77,8 +77,8 @@ void add_squares(std::uint64_t* to, __m128i squares) {
   store(to, _mm256_add_epi64(load(to), _mm256_cvtepu32_epi64(squares)));
 }
 
-// The multiply-and-add of pairs takes two frames at once: it sums a pixel's two deviations, or their squares.
-// "Low" and "high" are the halves that unpacking gives: pixels 0-3 and 8-11, pixels 4-7 and 12-15.
+// Processes two frames at once: multiply-and-add of pairs sums a pixel's two deviations, or their squares.
+// "Low" and "high" are the halves that unpacking gives: pixels 0-3 and 8-11, and pixels 4-7 and 12-15.
 template <std::size_t Slots>
 void add_to_sums(const Block<Slots>& block, const Sums& sums, std::size_t i) {
   const __m256i ones = _mm256_set1_epi16(1);

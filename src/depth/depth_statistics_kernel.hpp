@@ -1,4 +1,4 @@
-// The inner loops of DepthStatistics; not for other callers.
+// The inner loops of DepthStatistics, for it alone.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace rva::kernel {
 
-/// Frames that are added in one pass over the sums.
+/// The most frames that are added in one pass over the sums.
 inline constexpr std::size_t frames_per_pass = 8;
 
 /// The sums of a run of pixels.
@@ -26,7 +26,7 @@ void add_pass_portable(const std::uint16_t* const* frames, std::size_t count, st
 void add_pass_avx2(const std::uint16_t* const* frames, std::size_t count, std::size_t pixels,
                    const Sums& sums);
 
-/// True where this machine was built for and runs add_pass_avx2().
+/// Whether add_pass_avx2() was built with AVX2 and the processor has it.
 [[nodiscard]] bool has_avx2();
 
 }  // namespace rva::kernel

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Files of one kind have these bytes at this position.
+/// A kind of file, recognised by these bytes at this offset.
 struct FileKind {
   std::size_t at;
   std::string_view bytes;
@@ -23,28 +23,28 @@ struct FileKind {
   std::string_view remedy;
 };
 
-constexpr std::string_view unpack = "unpack it and give the capture in it";
+constexpr std::string_view unpack = "unpack it and give the capture that it contains";
 constexpr std::string_view give_depth =
-    "give the depth images that it was made of, as a capture or a recording";
+    "give the depth images that it was made from, as a capture or a recording";
 constexpr std::string_view give_folder = "give the folder of the capture that the image belongs to";
 constexpr std::string_view needs_depth = "give a recording of the camera's depth";
 
 constexpr std::array kinds{
     FileKind{0, "version https://git-lfs"sv, "a Git LFS pointer, not the file itself",
              "fetch it with git lfs pull"},
-    FileKind{0, "ply\n"sv, "a point cloud (PLY): depth images are compared, not points", give_depth},
-    FileKind{0, "ply\r\n"sv, "a point cloud (PLY): depth images are compared, not points", give_depth},
-    FileKind{0, "# .PCD"sv, "a point cloud (PCD): depth images are compared, not points", give_depth},
-    FileKind{0, "VERSION .7"sv, "a point cloud (PCD): depth images are compared, not points", give_depth},
+    FileKind{0, "ply\n"sv, "a point cloud (PLY), but depth images are needed", give_depth},
+    FileKind{0, "ply\r\n"sv, "a point cloud (PLY), but depth images are needed", give_depth},
+    FileKind{0, "# .PCD"sv, "a point cloud (PCD), but depth images are needed", give_depth},
+    FileKind{0, "VERSION .7"sv, "a point cloud (PCD), but depth images are needed", give_depth},
     FileKind{0, "PK\x03\x04"sv, "an archive (ZIP)", unpack},
     FileKind{0, "\x1f\x8b"sv, "a packed file (gzip)", unpack},
     FileKind{0, "BZh"sv, "a packed file (bzip2)", unpack},
     FileKind{0, "\xfd\x37zXZ\0"sv, "a packed file (xz)", unpack},
     FileKind{0, "7z\xbc\xaf\x27\x1c"sv, "an archive (7z)", unpack},
     FileKind{257, "ustar"sv, "an archive (tar)", unpack},
-    FileKind{4, "ftyp"sv, "a video, which holds no depth", needs_depth},
-    FileKind{0, "\x1a\x45\xdf\xa3"sv, "a video (Matroska), which holds no depth that is read", needs_depth},
-    FileKind{0, "RIFF"sv, "a video (AVI), which holds no depth", needs_depth},
+    FileKind{4, "ftyp"sv, "a video, which has no depth", needs_depth},
+    FileKind{0, "\x1a\x45\xdf\xa3"sv, "a video (Matroska), from which no depth is read", needs_depth},
+    FileKind{0, "RIFF"sv, "a video (AVI), which has no depth", needs_depth},
     FileKind{0, "\x89PNG\r\n\x1a\n"sv, "a single image", give_folder},
     FileKind{0, "\xff\xd8\xff"sv, "a single image (JPEG)", give_folder},
     FileKind{0, "II*\0"sv, "a single image (TIFF)", give_folder},

@@ -20,11 +20,12 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-using Companions = std::vector<std::optional<std::size_t>>;  ///< of each depth file, the other's position
+using Companions = std::vector<std::optional<std::size_t>>;  ///< by depth file, its companion's index
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
-// "color_007" has the number "7", "rs-42-left" has "42"; empty where there is none.
+// The last number in a file's name, without leading zeros: "7" in "color_007", "42" in "rs-42-left"; empty
+// where there is none.
 std::string number_in(const fs::path& file) {
   const std::string name = file.stem();
   const auto last = std::ranges::find_if(name.rbegin(), name.rend(), is_digit);
@@ -34,7 +35,7 @@ std::string number_in(const fs::path& file) {
   return digits;
 }
 
-// Files with equal keys; nothing where a key is that of two other files.
+// Pairs files with equal keys; pairs none if two of the other files have the same key.
 Companions with_equal(const std::vector<fs::path>& depth, const std::vector<fs::path>& others,
                       const std::function<std::string(const fs::path&)>& key_of) {
   std::map<std::string, std::size_t> by_key;
@@ -54,8 +55,8 @@ bool pairs_any(const Companions& companions) {
   return std::ranges::any_of(companions, [](const auto& other) { return other.has_value(); });
 }
 
-// Files of one name go together, or else those of one number: never those of one position in their lists,
-// since a camera's two streams seldom begin with the same frame.
+// Pairs files by name, or else by number, but never by their position in the two lists, since the streams of
+// a camera seldom begin with the same frame.
 Companions companions(const std::vector<fs::path>& depth, const std::vector<fs::path>& others) {
   for (const auto& key_of : {std::function<std::string(const fs::path&)>(
                                  [](const fs::path& file) { return file.stem().string(); }),
@@ -66,7 +67,7 @@ Companions companions(const std::vector<fs::path>& depth, const std::vector<fs::
   return Companions(depth.size());
 }
 
-// A digit run counts by its value: "frame2" comes before "frame10". Equal values fall back to the letters.
+// Compares runs of digits by value: "frame2" comes before "frame10". With equal values, characters decide.
 bool comes_before(const fs::path& a, const fs::path& b) {
   const std::string& one = a.native();
   const std::string& other = b.native();
@@ -102,7 +103,7 @@ template <typename Pixel>
 Image<Pixel> of_size(Image<Pixel> image, const fs::path& file, const Intrinsics& stated) {
   if (image.width() == stated.width && image.height() == stated.height) return image;
   throw Error(printable(file),
-              fmt::format("{}x{} pixels where the capture states {}x{}", image.width(), image.height(),
+              fmt::format("has {}x{} pixels, but the capture states {}x{}", image.width(), image.height(),
                           stated.width, stated.height),
               "record the capture again");
 }
@@ -113,9 +114,10 @@ Error without_depth(const fs::path& place) {
        entry.increment(failure)) {
     if (entry->is_regular_file())
       return {printable(place),
-              fmt::format("holds no depth frame that is read: depth/ has {}, and PNG, TIFF, PGM and NumPy's "
-                          "files are read",
-                          printable(entry->path().filename())),
+              fmt::format(
+                  "holds no depth frame in a supported format: depth/ has {}, but PNG, TIFF, PGM or NumPy "
+                  "files are needed",
+                  printable(entry->path().filename())),
               "convert its images"};
   }
   return {printable(place), "holds no depth frame", "record the capture again"};
@@ -132,7 +134,7 @@ std::vector<fs::path> image_files(const fs::path& folder, const std::vector<std:
     const fs::path& path = entry->path();
     std::string ending = path.extension().native();
     std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
-    const bool hidden = path.filename().native().starts_with('.');  // other systems leave such beside images
+    const bool hidden = path.filename().native().starts_with('.');  // other systems leave such files
     if (!hidden && std::ranges::find(endings, ending) != endings.end()) files.push_back(path);
   }
   if (failure) {
@@ -197,7 +199,7 @@ bool FolderCapture::has_infrared(Imager imager, Light light) const {
   return found != files_.infrared.end() && !found->second.empty();
 }
 
-// Images under the lamp count as those under the projector where nothing else is stated.
+// Images under the lamp have the scale of those under the projector where no scale is stated.
 Image<float> FolderCapture::read_infrared_of(const fs::path& file, Light light) const {
   const std::optional<InfraredBurst>& burst =
       light == Light::lamp && info().lamp ? info().lamp : info().infrared;

@@ -13,8 +13,8 @@ namespace rva {
 void for_each_depth_frame(const Capture& capture, std::size_t count, const Progress& progress,
                           const std::function<void(const DepthImage&)>& use) {
   assert(count <= capture.depth_frames());
-  // A decoding thread for each frame in flight. Twice as many as cores keeps them busy while the first of the
-  // queue is waited for.
+  // Each frame in flight has a decoding thread. With twice as many threads as cores, the cores stay busy
+  // while the first frame of the queue is awaited.
   const std::size_t in_flight = 2UL * std::max(1U, std::thread::hardware_concurrency());
   std::deque<std::future<DepthImage>> queue;
   std::size_t started = 0;

@@ -1,4 +1,4 @@
-// Depth frames in order, decoded ahead on all cores.
+// Reads depth frames in order, decoding ahead on all cores.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace rva {
 
 /// Calls `use` on the calling thread with the first `count` depth frames of the capture, in order, while
-/// other threads decode the next ones. Memory holds two frames a core, however many there are.
+/// other threads decode the next ones. At most two frames per core are in memory, however many there are.
 ///
 /// @param count at most capture.depth_frames()
 /// @throws Error of the first frame that cannot be read; Interrupted

@@ -1,4 +1,4 @@
-// Pixels in rows.
+// Images in memory.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class Image {
 
   [[nodiscard]] Pixel& operator()(int u, int v) { return pixels_[index(u, v)]; }
   [[nodiscard]] const Pixel& operator()(int u, int v) const { return pixels_[index(u, v)]; }
-  /// Pixel by its position in the rows laid end to end.
+  /// Pixel by its index in row-major order.
   [[nodiscard]] Pixel& operator[](std::size_t i) { return pixels_[i]; }
   [[nodiscard]] const Pixel& operator[](std::size_t i) const { return pixels_[i]; }
 
@@ -58,10 +58,10 @@ class Image {
 
 /// Depth along z of the depth imager, in the capture's depth units.
 using DepthImage = Image<std::uint16_t>;
-/// The value of a DepthImage's pixel that has no measurement.
+/// The value of pixels without a measurement in a DepthImage.
 inline constexpr std::uint16_t no_depth = 0;
 
-/// 0: no; 255: yes.
+/// 255 where the pixel belongs to the mask, otherwise 0.
 using Mask = Image<std::uint8_t>;
 inline constexpr std::uint8_t mask_set = 255;
 
@@ -72,7 +72,8 @@ using GrayImage = Image<std::uint8_t>;
 using FineGrayImage = Image<std::uint16_t>;
 inline constexpr int fine_steps_per_grey_level = 256;
 
-/// @param levels of 8 bits, with or without fractions; above 255 is 255
+/// Converts grey levels to 256ths, rounded.
+/// @param levels grey levels, with or without fractions; clamped to 0 to 255
 template <typename Level>
 [[nodiscard]] FineGrayImage fine_gray(const Image<Level>& levels) {
   constexpr float white = 255.0F;

@@ -25,7 +25,7 @@ struct TurboJpegDelete {
 };
 using TurboJpeg = std::unique_ptr<void, TurboJpegDelete>;
 
-// A decoder with the header read and judged, ready for spng_decode_image().
+// Returns a decoder whose header has been read and checked, ready for spng_decode_image().
 Spng open_png(std::span<const std::byte> png, long most_pixels, const std::string& place, spng_ihdr& header) {
   if (png.empty()) throw damaged_image(place, "the file is empty");
   Spng decoder(spng_ctx_new(0), spng_ctx_free);
@@ -39,7 +39,7 @@ Spng open_png(std::span<const std::byte> png, long most_pixels, const std::strin
 
 void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, const std::string& place) {
   int error = spng_decode_image(decoder, out, size, format, 0);
-  // On to the end mark: a file that lacks it was cut off, even where all pixels happen to be there.
+  // Read on to the end mark: a file without it was truncated, even if all pixels happen to be there.
   if (error == 0) error = spng_decode_chunks(decoder);
   if (error != 0) throw damaged_image(place, spng_strerror(error));
 }
@@ -65,7 +65,7 @@ ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place
   }
   require_reasonable_size(width, height, max_color_pixels, place);
   ColorImage image(width, height);
-  // TJFLAG_STOPONWARNING: a JPEG that ends early is otherwise filled with grey and called sound.
+  // Without TJFLAG_STOPONWARNING, a truncated JPEG is filled with grey and decoded without an error.
   if (tjDecompress2(decoder.get(), bytes, jpeg.size(), reinterpret_cast<unsigned char*>(image.data()), width,
                     0, height, TJPF_RGB, TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
     throw damaged_image(place, tjGetErrorStr2(decoder.get()));
@@ -77,9 +77,9 @@ std::vector<std::byte> encode(int width, int height, std::uint8_t color_type, st
                               const void* pixels, std::size_t size) {
   const Spng encoder(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
   spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1);
-  // A person waits for the result; its size on the disk matters less.
+  // Speed matters more than the size on the disk, since the user waits for the result.
   spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, 1);
-  // Half of the time goes into trying every filter on every row; on depth images this one is as small.
+  // Trying every filter on every row takes half of the time; on depth images this one compresses as well.
   spng_set_option(encoder.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_UP);
   spng_ihdr header{};
   header.width = static_cast<std::uint32_t>(width);
@@ -116,13 +116,12 @@ std::vector<std::byte> encode_jpeg(const unsigned char* pixels, int width, int h
 
 void require_reasonable_size(long width, long height, long most_pixels, const std::string& place) {
   if (width > 0 && height > 0 && width <= most_pixels / height) return;
-  throw Error(place,
-              fmt::format("an image of {}x{} pixels is larger than any camera of ours gives", width, height),
-              "check that the file is what it should be");
+  throw Error(place, fmt::format("an image of {}x{} pixels is larger than any camera gives", width, height),
+              "check that it is the right file");
 }
 
 Error damaged_image(const std::string& place, std::string_view reason) {
-  return {place, fmt::format("not a sound image ({})", reason), copy_again};
+  return {place, fmt::format("damaged image ({})", reason), copy_again};
 }
 
 DepthImage decode_depth(std::span<const std::byte> png, const std::string& place) {
@@ -131,12 +130,12 @@ DepthImage decode_depth(std::span<const std::byte> png, const std::string& place
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 16) {
     throw Error(
         place,
-        fmt::format("{} channel(s) of {} bits where depth has one of 16",
+        fmt::format("has {} channel(s) of {} bits, but depth needs one of 16 bits",
                     header.color_type == SPNG_COLOR_TYPE_GRAYSCALE ? "one" : "several", header.bit_depth),
         "record depth as 16-bit grey PNG");
   }
   DepthImage image(static_cast<int>(header.width), static_cast<int>(header.height));
-  // SPNG_FMT_PNG leaves one channel of 16 bits, in the byte order of this machine.
+  // SPNG_FMT_PNG gives one channel of 16 bits in the byte order of this machine.
   decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size() * sizeof(std::uint16_t), place);
   return image;
 }

@@ -13,35 +13,35 @@
 
 namespace rva {
 
-/// Images with more pixels are refused before any memory is taken for them. The largest depth cameras give 5
+/// Images with more pixels are refused before memory is allocated for them. The largest depth cameras give 5
 /// million pixels, and a comparison takes about 50 bytes for each.
 inline constexpr long max_depth_pixels = 8L << 20;
 inline constexpr long max_color_pixels = 32L << 20;
 
-/// Refuses an image with no pixel or more than `most_pixels`. @throws Error
+/// Refuses an image without pixels or with more than `most_pixels`. @throws Error
 void require_reasonable_size(long width, long height, long most_pixels, const std::string& place);
 
-/// An image file that is damaged. @param reason completes "not a sound image"
+/// The error for a damaged image file. @param reason is put in brackets after "damaged image"
 [[nodiscard]] Error damaged_image(const std::string& place, std::string_view reason);
 
-/// @param png    a whole PNG file: one channel of 16 bits
-/// @param place  what to call it in an error
-/// @throws Error when it is damaged, ends early, has other channels or bits, or is too large
+/// @param png    a whole PNG file of one 16-bit channel
+/// @param place  the file's name, for errors
+/// @throws Error when it is damaged, ends early, has other channels or another bit depth, or is too large
 [[nodiscard]] DepthImage decode_depth(std::span<const std::byte> png, const std::string& place);
 
-/// @param file   a whole PNG or JPEG file, grey or colour; of 16 bits the upper 8 are taken
+/// @param file   a whole PNG or JPEG file, grey or colour; of 16-bit values, the upper 8 bits are used
 /// @throws Error as decode_depth()
 [[nodiscard]] ColorImage decode_color(std::span<const std::byte> file, const std::string& place);
 
-/// As above, from the disk; `place` in errors is the path.
+/// The same for a file on the disk, whose path errors name.
 [[nodiscard]] DepthImage read_depth(const std::filesystem::path& path);
 [[nodiscard]] ColorImage read_color(const std::filesystem::path& path);
 
-/// A PNG of one channel of 8 bits.
+/// Reads a PNG of one 8-bit channel. @throws Error as decode_depth()
 [[nodiscard]] GrayImage read_gray(const std::filesystem::path& path);
 
-/// A PNG of one channel of 8 bits, or of 16 bits, which count `counts_per_grey_level` for a level of 8 bits.
-/// @return levels of 8 bits, with fractions
+/// Reads a PNG of one channel of 8 bits, or of 16 bits with `counts_per_grey_level` counts per grey level.
+/// @return grey levels, 0 to 255, with fractions
 /// @throws Error as decode_depth()
 [[nodiscard]] Image<float> read_infrared(const std::filesystem::path& path, double counts_per_grey_level);
 
@@ -49,7 +49,7 @@ void require_reasonable_size(long width, long height, long most_pixels, const st
 [[nodiscard]] std::vector<std::byte> encode_png(const Mask& image);
 [[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);
 
-/// For people to look at: what it shows is not quite what it was given.
+/// For display only, since JPEG is lossy.
 /// @param quality 1 to 100
 [[nodiscard]] std::vector<std::byte> encode_jpeg(const ColorImage& image, int quality);
 [[nodiscard]] std::vector<std::byte> encode_jpeg(const GrayImage& image, int quality);

@@ -1,4 +1,4 @@
-// One imager's projection as JSON, wherever we write it.
+// The intrinsics of an imager as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 
 namespace rva {
 
-/// The keys of capture.json's `depth` and `color` (docs/captures.md), but for the depth unit.
+/// The keys of `depth` and `color` in capture.json (docs/captures.md), except the depth unit.
 [[nodiscard]] inline nlohmann::ordered_json intrinsics_json(const Intrinsics& camera) {
   return {{"width", camera.width},
           {"height", camera.height},

@@ -1,4 +1,4 @@
-// Our images as OpenCV sees them: views, never copies.
+// Images as OpenCV matrices that share their pixels.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -21,19 +21,19 @@ template <>
 struct MatType<float> {
   static constexpr int value = CV_32FC1;
 };
-/// Red first, where OpenCV's own files and colour maps have blue first.
+/// The channels are RGB, whereas OpenCV's files and colour maps are BGR.
 template <>
 struct MatType<Rgb> {
   static constexpr int value = CV_8UC3;
 };
 
-/// Shares the image's pixels; do not let it outlive the image.
+/// The matrix shares the image's pixels and must not outlive it.
 template <typename Pixel>
 cv::Mat as_mat(Image<Pixel>& image) {
   return {image.height(), image.width(), MatType<Pixel>::value, image.data()};
 }
 
-/// As above, to be read only: OpenCV has no matrix of constant pixels.
+/// The same for a constant image. The matrix must only be read: OpenCV has no type for constant pixels.
 template <typename Pixel>
 cv::Mat as_mat(const Image<Pixel>& image) {
   return {image.height(), image.width(), MatType<Pixel>::value, const_cast<Pixel*>(image.data())};

@@ -10,8 +10,8 @@ namespace rva {
 namespace {
 
 constexpr std::uint16_t all_bits = 65535;
-// The ends of what 10 to 16 bits hold, and round numbers; among them negative ones that were read as
-// positive.
+// Values that tools use for no measurement: the ends of the ranges of 10 to 16 bits, and round numbers,
+// including negative ones that were read as unsigned.
 constexpr std::array<std::uint16_t, 20> usual{1023,  2047,  4095,  8191,  9999,  10000, 16383,
                                               20000, 30000, 32767, 32768, 40000, 50000, 55537,
                                               60000, 65000, 65500, 65532, 65533, 65534};
@@ -33,7 +33,7 @@ std::uint16_t largest_below(const Histogram& histogram, std::uint16_t value) {
   return largest;
 }
 
-// The values of the first frame that mean nothing, from the largest down.
+// The values of the first frame that mean no measurement, from the largest down.
 std::vector<std::uint16_t> recognised(const Histogram& histogram, std::size_t pixels, double unit_m) {
   constexpr double far_m = 4.0;
   constexpr double far_beyond = 1.5;
@@ -95,7 +95,6 @@ DepthImage depth_from_metres(const Image<float>& depth_m, double unit_m) {
   DepthImage depth(depth_m.width(), depth_m.height());
   std::ranges::transform(depth_m.pixels(), depth.pixels().begin(), [&](float value_m) {
     const double units = std::round(static_cast<double>(value_m) / unit_m);
-    // False for NaN.
     return units >= 1.0 && units < all_bits ? static_cast<std::uint16_t>(units) : no_depth;
   });
   return depth;

@@ -1,4 +1,4 @@
-// Values of a depth image that stand for "no measurement", as other tools write them.
+// Depth values that mean "no measurement" in files of other tools.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,29 @@
 
 namespace rva {
 
-/// 0 and 65535 always mean that nothing was measured. Others are stated by a capture's description or by a
-/// person, or are recognised in the first frame: a value such as 10000 or 4095 that is the largest of the
-/// image, at 4 m and more, in many pixels, far beyond all others.
+/// The depth values that mean no measurement. 0 and 65535 always do. Others are stated by the capture's
+/// description or by the user, or are recognised in the first frame: the largest value of the image, if it is
+/// a usual one such as 10000 or 4095, corresponds to 4 m or more, occurs in many pixels, and is far beyond
+/// all others.
 ///
 /// Reading is const and may run on several threads.
 class NoDepthValues {
  public:
   /// @param stated values besides 0 and 65535
-  /// @param unit_m metres of one step of the depth images
+  /// @param unit_m depth of one step of the depth images, metres
   NoDepthValues(std::vector<std::uint16_t> stated, double unit_m);
 
   /// Sets pixels without a measurement to no_depth.
-  /// @param first_frame is called once, before the first use, to recognise values in; what it throws is
-  /// passed on
+  /// @param first_frame gives the frame in which values are recognised. It is called once, on the first use
+  ///                    of any of these functions; what it throws is passed on
   void clear(DepthImage& frame, const std::function<DepthImage()>& first_frame) const;
 
-  /// False where the first frame has other such values and no 0.
-  /// @param first_frame as of clear()
+  /// False when the first frame has other values that mean no measurement, and no 0.
+  /// @param first_frame as for clear()
   [[nodiscard]] bool are_zero(const std::function<DepthImage()>& first_frame) const;
 
-  /// Which values were found in the first frame and how often, a sentence each without a full stop. Reads
-  /// that frame, as clear() does.
+  /// The values that were found in the first frame and how often: one sentence each, without a full stop.
+  /// @param first_frame as for clear()
   [[nodiscard]] std::vector<std::string> notes(const std::function<DepthImage()>& first_frame) const;
 
  private:
@@ -45,8 +46,8 @@ class NoDepthValues {
   mutable bool are_zero_ = true;
 };
 
-/// Depth in metres as images of 32 bit floating point hold it, in whole units. NaN, infinity, what is not
-/// above 0 and what does not fit are no_depth.
+/// Converts depth in metres to whole units, rounded. NaN, infinity, values that round to less than one unit,
+/// and values that do not fit into 16 bits become no_depth.
 [[nodiscard]] DepthImage depth_from_metres(const Image<float>& depth_m, double unit_m);
 
 }  // namespace rva

@@ -18,13 +18,13 @@ namespace {
 constexpr double mm_per_m = 1000.0;
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-// Unbiased variance of the mean: s^2 / n.
+// Unbiased variance of the mean: s^2 / n. scaled_variance() is n^2 times the population variance.
 double variance_of_mean(const DepthStatistics& statistics, std::size_t i) {
   const double n = statistics.count(i);
   return static_cast<double>(statistics.scaled_variance(i)) / (n * n * (n - 1.0));
 }
 
-// What one class of distances gathers before its figures are taken.
+// The deviations of the pixels in one range of distances.
 struct Sample {
   std::vector<float> std_mm;
   double sum_of_squared_disparity_std = 0.0;
@@ -57,7 +57,7 @@ void measure_deviation(const DepthStatistics& all, const CaptureInfo& info, doub
     if (all.count(i) < 2) continue;
     const double z_m = all.mean(i) * info.depth_unit_m;
     const double std_m = all.standard_deviation(i) * info.depth_unit_m;
-    // dz = z^2 / (f B) dd: a deviation in depth, seen in disparity.
+    // dz = z^2 / (f B) dd: the deviation of depth, converted to disparity.
     const double disparity_std_px = baseline_m ? std_m * info.depth.fx * *baseline_m / (z_m * z_m) : 0.0;
     const auto std_mm = static_cast<float>(std_m * mm_per_m);
     noise.std_mm[i] = std_mm;
@@ -114,8 +114,8 @@ Noise measure_noise(const Capture& capture, const NoiseOptions& options, const P
   const std::size_t frames =
       options.frames == 0 ? available : std::min(available, static_cast<std::size_t>(options.frames));
   if (frames < 4) {
-    throw Error("noise", fmt::format("{} frame(s) where four are needed at least", frames),
-                "record more frames or raise --frames; 100 make a good picture");
+    throw Error("noise", fmt::format("{} frame(s), but at least four are needed", frames),
+                "record or use more frames; 100 give a good estimate");
   }
   const std::size_t welch_frames = std::min(static_cast<std::size_t>(options.welch_frames), frames / 2);
   const Intrinsics& camera = capture.info().depth;

@@ -1,4 +1,4 @@
-// How much the depth of a still scene varies, and whether it drifts (thesis chapters 3.2.3 and 4.2.3).
+// Temporal noise and drift of the depth of a still scene (thesis chapters 3.2.3 and 4.2.3).
 #pragma once
 
 #include <cstddef>
@@ -31,26 +31,26 @@ struct NoiseOptions {
   }
 };
 
-/// Figures over the pixels of one range of distances.
+/// Noise of the pixels in one range of distances.
 struct NoiseBin {
   double from_m = 0.0;
   double to_m = 0.0;
   std::size_t pixels = 0;
   double median_std_mm = 0.0;
   double p95_std_mm = 0.0;
-  std::optional<double> subpixel_rms_px;  ///< where the camera's baseline is known
+  std::optional<double> subpixel_rms_px;  ///< disparity noise, where the baseline is known
 };
 
 struct NoiseReport {
   std::size_t frames = 0;
-  double fill_rate = 0.0;  ///< share of pixels of all frames that hold a measurement
-  NoiseBin overall;        ///< over every pixel with two measurements and more
+  double fill_rate = 0.0;  ///< share of all pixels of all frames that have a measurement
+  NoiseBin overall;        ///< over all pixels with two or more measurements
   std::vector<NoiseBin> bins;
   std::size_t welch_frames = 0;
   double alpha = 0.0;
   std::size_t welch_tested_px = 0;
-  double welch_rejected =
-      0.0;  ///< share of the tested pixels with p < alpha; alpha of them if nothing drifted
+  /// Share of the tested pixels with p < alpha; about alpha if nothing drifted.
+  double welch_rejected = 0.0;
 };
 
 struct Noise {
@@ -59,7 +59,8 @@ struct Noise {
   NoiseReport report;
 };
 
-/// @throws Error when the capture has fewer than four frames (Welch's test needs two at either end)
+/// @throws Error when there are fewer than four frames (Welch's test needs two at either end), or one cannot
+///         be read; UsageError when an option is out of range; Interrupted
 [[nodiscard]] Noise measure_noise(const Capture& capture, const NoiseOptions& options,
                                   const Progress& progress);
 

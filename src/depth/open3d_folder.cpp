@@ -20,13 +20,14 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
   CaptureInfo info;
   info.format = "open3d";
   info.source_json = text;
-  // Open3D stores the matrix column by column: fx 0 0, 0 fy 0, cx cy 1. ROS and people write it row by row.
+  // Open3D stores the matrix column by column: fx 0 0, 0 fy 0, cx cy 1. ROS and many users write rows.
   std::vector<double> matrix = document.numbers("intrinsic_matrix", 9);
   const bool by_rows = matrix[6] == 0.0 && matrix[7] == 0.0 && matrix[2] != 0.0 && matrix[5] != 0.0;
   if (by_rows) {
     std::swap(matrix[2], matrix[6]);
     std::swap(matrix[5], matrix[7]);
-    info.notes.emplace_back("the intrinsic matrix stands row by row, where Open3D has it column by column");
+    info.notes.emplace_back(
+        "the intrinsic matrix is written row by row, although Open3D writes it column by column");
   }
   info.depth.width = document.integer("width");
   info.depth.height = document.integer("height");
@@ -41,7 +42,7 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
   }
   const double units_per_m = document.optional_number("depth_scale").value_or(1000.0);
   if (!(units_per_m >= 1.0))
-    throw Error(document.name_of("depth_scale"), "not 1 or more", "correct the file");
+    throw Error(document.name_of("depth_scale"), "must be 1 or more", "correct the file");
   info.depth_unit_m = 1.0 / units_per_m;
   info.unit_is_assumed = !document.has("depth_scale");
   info.color = info.depth;

@@ -31,13 +31,14 @@ std::string intrinsic_json(const CaptureInfo& info) {
 
 void require_straight_color(const CaptureInfo& info) {
   if (!info.color)
-    throw Error("capture", "has no colour camera to align depth to", "export it as --to ply or pcd");
+    throw Error("capture", "has no colour camera to align depth to",
+                "export it as a point cloud (ply or pcd)");
   if (!info.color_from_depth)
-    throw Error("capture", "does not state where its colour camera stands (color_from_depth)",
-                "export it as --to ply or pcd");
+    throw Error("capture", "does not state the extrinsics of its colour camera (color_from_depth)",
+                "export it as a point cloud (ply or pcd)");
   if (info.color->distortion != Distortion::none)
-    throw Error("capture", "its colour lens bends rays, which an Open3D folder cannot say",
-                "export it as --to ply or pcd");
+    throw Error("capture", "its colour images have lens distortion, which an Open3D folder cannot describe",
+                "export it as a point cloud (ply or pcd)");
 }
 
 }  // namespace
@@ -51,8 +52,8 @@ void write_open3d_folder(const Capture& capture, const fs::path& folder, const P
   const CaptureInfo& info = capture.info();
   require_straight_color(info);
   if (capture.color_frames() == 0)
-    throw Error("capture", "holds no colour image", "export it as --to ply or pcd");
-  std::error_code ignored;  // where a folder is missing in the end, write_file() says why
+    throw Error("capture", "contains no colour image", "export it as a point cloud (ply or pcd)");
+  std::error_code ignored;  // if a folder is missing, write_file() fails and reports why
   fs::create_directory(folder / "depth", ignored);
   fs::create_directory(folder / "color", ignored);
   write_file(folder / "intrinsic.json", intrinsic_json(info));

@@ -1,4 +1,4 @@
-// Writing what Open3D's recorder writes.
+// Writes folders in the format of Open3D's recorder.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace rva {
 
-/// What such a folder may hold, for an OutputFolder.
+/// The files that such a folder may contain, for an OutputFolder.
 [[nodiscard]] std::vector<std::string> open3d_files();
 
-/// intrinsic.json, depth/00000.png, color/00000.jpg, ...: every depth frame, aligned to colour, with the
-/// colour image that was taken last.
-/// @param folder exists
-/// @throws Error when the capture has no colour, or colour through a lens that bends rays, which such a
-/// folder
-///         cannot say; when a frame cannot be read or a file not be written; Interrupted
+/// Writes intrinsic.json, depth/00000.png, color/00000.jpg, ...: every depth frame, aligned to colour, with
+/// its colour image, or else the last one before it (the first of the capture, where there is none before).
+/// @param folder must exist
+/// @throws Error when the capture has no colour, or states no extrinsics for it; when its colour images have
+///         lens distortion, which the format cannot describe; when a frame cannot be read or a file cannot be
+///         written; Interrupted
 void write_open3d_folder(const Capture& capture, const std::filesystem::path& folder,
                          const Progress& progress);
 

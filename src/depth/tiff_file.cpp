@@ -14,7 +14,7 @@
 namespace rva {
 namespace {
 
-/// Bytes that libtiff reads like a file.
+/// A file in memory, for libtiff.
 struct Bytes {
   std::span<const std::byte> all;
   std::size_t at = 0;
@@ -44,13 +44,13 @@ toff_t size_of(thandle_t handle) { return static_cast<Bytes*>(handle)->all.size(
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
 Tiff open_tiff(Bytes& bytes, const std::string& place) {
-  // libtiff writes its messages to stderr; errors are found by what its calls return.
+  // libtiff would write messages to stderr; errors are detected by the results of its calls.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   Tiff tiff(TIFFClientOpen("depth", "rm", &bytes, read_bytes, write_nothing, seek, close_nothing, size_of,
                            nullptr, nullptr),
             TIFFClose);
-  if (!tiff) throw damaged_image(place, "no TIFF");
+  if (!tiff) throw damaged_image(place, "not a TIFF");
   return tiff;
 }
 
@@ -58,7 +58,7 @@ template <typename Pixel>
 Image<Pixel> rows_of(TIFF* tiff, int width, int height, const std::string& place) {
   Image<Pixel> image(width, height);
   if (TIFFScanlineSize64(tiff) != static_cast<std::uint64_t>(width) * sizeof(Pixel))
-    throw damaged_image(place, "its rows have another length than its width");
+    throw damaged_image(place, "the length of its rows does not match its width");
   for (int v = 0; v < height; ++v) {
     if (TIFFReadScanline(tiff, &image(0, v), static_cast<std::uint32_t>(v)) != 1)
       throw damaged_image(place, fmt::format("row {} cannot be read", v));
@@ -87,7 +87,8 @@ StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& plac
   if (samples != 1 || !(whole || real) || TIFFIsTiled(tiff.get()) != 0)
     throw Error(
         place,
-        fmt::format("{} channel(s) of {} bits where depth has one of 16, or of 32 as metres", samples, bits),
+        fmt::format("has {} channel(s) of {} bits, but depth needs one of 16 bits, or of 32 in metres",
+                    samples, bits),
         "give depth of 16 bits in one channel, or floating point in metres");
   const int columns = static_cast<int>(width);
   const int rows = static_cast<int>(height);

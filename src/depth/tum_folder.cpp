@@ -20,7 +20,7 @@ namespace {
 constexpr double tum_unit_m = 1.0 / 5000.0;
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-// A list names files inside its folder; one that leads out of it was not written by the benchmark's tools.
+// A list may only name files inside its folder, as the benchmark's tools write it.
 fs::path inside(const fs::path& folder, const TumEntry& entry, const std::string& list) {
   const fs::path relative = fs::path(entry.file).lexically_normal();
   if (relative.is_absolute() || *relative.begin() == "..") {
@@ -29,8 +29,8 @@ fs::path inside(const fs::path& folder, const TumEntry& entry, const std::string
   return folder / relative;
 }
 
-// The colour image nearest in time to each depth frame would repeat images; what overlays need is the one
-// nearest to the first depth frame.
+// Pairing each depth frame with the nearest colour image would repeat images. Overlays need only the one
+// nearest in time to the first depth frame.
 std::vector<fs::path> nearest_color(const fs::path& folder, double time_s) {
   const fs::path list = folder / "rgb.txt";
   std::error_code ignored;
@@ -60,10 +60,10 @@ std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string&
     if (line.empty() || line[0] == '#') continue;
     std::istringstream words(line);
     TumEntry entry;
-    // The rest of the line is the file: names may have spaces.
+    // The rest of the line is the file's name, which may have spaces.
     if (!(words >> entry.time_s >> std::ws) || !std::getline(words, entry.file) ||
         !std::isfinite(entry.time_s)) {
-      throw Error(fmt::format("{}:{}", place, number), "not 'seconds file'", "correct the list");
+      throw Error(fmt::format("{}:{}", place, number), "is not 'seconds file'", "correct the list");
     }
     entries.push_back(std::move(entry));
   }
@@ -72,8 +72,8 @@ std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string&
 
 std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOptions& options) {
   if (!options.intrinsics) {
-    throw Error(printable(folder), "a TUM folder carries no intrinsics",
-                "give them with --intrinsics FX,FY,CX,CY");
+    throw Error(printable(folder), "a TUM folder states no intrinsics",
+                "give the intrinsics of the depth camera (fx, fy, cx, cy)");
   }
   const fs::path list = folder / "depth.txt";
   const std::vector<TumEntry> entries = parse_tum_list(read_text_file(list), printable(list));
@@ -93,7 +93,7 @@ std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOp
   info.depth.width = first.width();
   info.depth.height = first.height();
   info.depth.check();
-  // The benchmark publishes depth already registered to colour.
+  // The benchmark's depth images are registered to colour.
   info.color = info.depth;
   info.color_from_depth = Transform::Identity();
   FrameFiles files{std::move(depth_files), nearest_color(folder, entries.front().time_s)};

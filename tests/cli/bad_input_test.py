@@ -108,7 +108,7 @@ class BadDescription(BadInputTest):
         self.check_refused(self.bad, 'capture.json')
         self.bad.rmdir()
         self.bad.write_text('a file')
-        self.check_refused(self.bad, 'no ROS bag')
+        self.check_refused(self.bad, 'not a ROS bag')
 
     def test_capture_json_gone(self):
         self.spoil('capture.json', None)
@@ -188,7 +188,7 @@ class BadDescription(BadInputTest):
 
     def test_tum_needs_intrinsics(self):
         write_tum(self.bad, frames() * 5)
-        self.check_refused(self.bad, '--intrinsics')
+        self.check_refused(self.bad, 'intrinsics')
 
     def test_tum_lists(self):
         picture = self.picture()

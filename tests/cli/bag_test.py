@@ -165,7 +165,7 @@ class Refused(BagTest):
 
     def test_other_recorders(self):
         self.one_topic('/camera/depth/image_rect_raw', 'sensor_msgs/Image', image_message(self.frames[0], '16UC1', 0, 0))
-        self.check('/camera/depth/camera_info', '--intrinsics')
+        self.check('/camera/depth/camera_info', 'intrinsics')
         self.one_topic('/camera/color/image_raw/compressed', 'sensor_msgs/CompressedImage', bytes(100))
         self.check('sensor_msgs/CompressedImage')
         Bag(self.bag).finish()

@@ -161,7 +161,7 @@ class Refused(Db3Test):
         db3 = Db3(self.db3)
         db3.add('/camera/depth/image_rect_raw', 0, image_message(self.frames[0], '16UC1'), 'sensor_msgs/msg/Image')
         db3.finish()
-        self.check('/camera/depth/camera_info', '--intrinsics')
+        self.check('/camera/depth/camera_info', 'intrinsics')
 
     def test_colour_only(self):
         db3 = Db3(self.db3)
@@ -177,9 +177,9 @@ class Refused(Db3Test):
                 (sound, None, 'camera_info'), (sound[:-10], info, 'early'), (too_wide, info, 'side'),
                 (image_message(self.frames[0], '32FC1'), info, 'fewer bytes'),
                 (image_message(self.frames[0], '64FC1'), info, '64FC1'),
-                (image_message(self.frames[0], 'mono16', big_endian=1), info, 'high byte'),
-                (b'\x00\x00' + sound[2:], info, 'little endian'), (b'', info, 'little endian'),
-                (zstd(sound)[:-50], info, 'packed'), (b'\x28\xb5\x2f\xfd\xa0\xff\xff\xff\xff', info, 'packed'),
+                (image_message(self.frames[0], 'mono16', big_endian=1), info, 'big-endian'),
+                (b'\x00\x00' + sound[2:], info, 'little-endian'), (b'', info, 'little-endian'),
+                (zstd(sound)[:-50], info, 'decompressed'), (b'\x28\xb5\x2f\xfd\xa0\xff\xff\xff\xff', info, 'decompressed'),
                 (image_message(self.frames[0][:-1], 'mono16'), info, '64x47'),
                 (sound, camera_info(CAMERA, 'Kannala Brandt4', (0.1,) * 5), 'kannala_brandt4'),
                 (sound, camera_info(CAMERA, fx=None), 'fx'), (sound, camera_info(CAMERA, fx='nan'), 'fx'),

@@ -125,7 +125,7 @@ class OpenedInputsTest(program.ProgramTest):
         self.write(write_capture)
         for side in self.frames:
             (self.folder / side / 'capture.json').unlink()
-        self.check_fails('info', self.folder / 'before', names=['holds 5 images', '--intrinsics'])
+        self.check_fails('info', self.folder / 'before', names=['holds 5 images', 'intrinsics'])
         self.assertIn('steps of 1 mm are assumed', self.check_box(*TUM_INTRINSICS))
         for side in self.frames:
             for file in (self.folder / side / 'depth').iterdir():
@@ -201,7 +201,7 @@ class OpenedInputsTest(program.ProgramTest):
     def test_without_camera_info_intrinsics_are_asked_for(self):
         for write, ending in WRITERS:
             recording = write(self.folder / f'bare.{ending}', [(DEPTH, '16UC1', self.frames['before'])], infos=False)
-            self.check_fails('info', recording, names=['/camera/depth/camera_info', '--intrinsics'])
+            self.check_fails('info', recording, names=['/camera/depth/camera_info', 'intrinsics'])
             self.assertEqual(self.info(recording, *TUM_INTRINSICS)['depth']['width'], CAMERA.width)
 
     def test_a_recording_of_ros_without_depth_is_refused_with_what_it_has(self):

@@ -78,7 +78,7 @@ class FromReplay(RecordTest):
     def test_tum_becomes_ours(self):
         frames = noisy(CAMERA.plane(5000), FRAMES, 1.0, seed=2)
         source = write_tum(self.folder / 'source', frames)
-        self.check_fails(*self.arguments(f'replay:{source}'), names=[source, '--intrinsics'])
+        self.check_fails(*self.arguments(f'replay:{source}'), names=[source, 'intrinsics'])
         self.replay(source, FRAMES, *TUM_INTRINSICS)
         np.testing.assert_array_equal(depth_frames(self.out), frames)
         self.assertEqual(description(self.out)['depth']['fy'], CAMERA.fy)

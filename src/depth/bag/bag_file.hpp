@@ -13,8 +13,8 @@
 
 namespace rva {
 
-/// Memory holds where messages are, and the few chunks that were read last. Const members may be called from
-/// several threads.
+/// Keeps the positions of messages and the few chunks that were read last in memory. Const members may be
+/// called from several threads.
 class BagFile {
  public:
   /// @throws Error as read_bag_index(), or when the file cannot be read; Interrupted
@@ -22,10 +22,10 @@ class BagFile {
 
   [[nodiscard]] const BagIndex& index() const { return index_; }
 
-  /// What to call it in an error.
+  /// The file's name, for errors.
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// A message's bytes. @throws Error when the file is damaged there
+  /// Reads a message's bytes. @throws Error when the file is damaged there
   [[nodiscard]] std::vector<std::byte> read(const RecordedMessage& message) const;
 
  private:

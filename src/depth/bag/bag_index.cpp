@@ -17,7 +17,7 @@ Error damaged(const std::string& place) {
   return {place, "the recording is damaged", "copy it again, or record anew"};
 }
 
-/// Gathers connections and messages in whatever order they come.
+/// Collects connections and messages in any order.
 class Gathering {
  public:
   void connect(std::uint32_t connection, std::string_view topic, std::string_view type) {
@@ -46,7 +46,7 @@ class Gathering {
   std::map<std::uint32_t, std::vector<RecordedMessage>> messages_;
 };
 
-// The data of a connection's record are fields, too, of which only the type says something to us.
+// The data of a connection record are fields as well, of which only the type is needed.
 void add_connection(const BagRecordHeader& header, std::span<const std::byte> data, const std::string& place,
                     Gathering& found) {
   constexpr std::string_view type = "type=";
@@ -63,7 +63,7 @@ void add_connection(const OpenFile& file, const BagRecordPlace& record, const st
   add_connection(record.header, file.read(record.data_at, record.data_bytes), place, found);
 }
 
-// Behind a chunk stand its index records, one for each connection.
+// A chunk is followed by its index records, one for each connection.
 void add_indexed_chunk(const OpenFile& file, std::uint64_t chunk_at, const std::string& place,
                        Gathering& found) {
   BagRecordPlace record = find_record(file, chunk_at, place);
@@ -128,7 +128,7 @@ BagIndex scan(const OpenFile& file, std::uint64_t at, const std::string& place) 
       at = record.end();
     }
   } catch (const Error&) {
-    // What follows is no record: the recorder was stopped here.
+    // What follows is not a record: the recorder was interrupted here.
   }
   index.topics = std::move(found).by_topic();
   return index;
@@ -160,7 +160,7 @@ std::vector<std::byte> read_chunk(const OpenFile& file, std::uint64_t at, const 
 BagIndex read_bag_index(const OpenFile& file, const std::string& place) {
   const std::vector<std::byte> line = file.read(0, version_line.size());
   if (!std::ranges::equal(line, std::as_bytes(std::span(version_line)))) {
-    throw Error(place, "no ROS bag of version 2.0",
+    throw Error(place, "not a ROS bag of version 2.0",
                 "give a recording of realsense-viewer, or the folder of a capture");
   }
   const BagRecordPlace bag = find_record(file, version_line.size(), place);
@@ -169,7 +169,7 @@ BagIndex read_bag_index(const OpenFile& file, const std::string& place) {
     try {
       return read_index(file, bag.header, place);
     } catch (const Error&) {
-      // Cut short or damaged: what the chunks themselves say is read instead.
+      // The index is truncated or damaged: the chunks are scanned instead.
     }
   }
   return scan(file, bag.end(), place);

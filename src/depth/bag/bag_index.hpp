@@ -1,4 +1,4 @@
-// Where the messages of a ROS bag lie.
+// Finds the messages of a ROS bag.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@
 
 namespace rva {
 
-/// A record on the disk: its header, and where its data is.
+/// A record in the file: its header, and the position of its data.
 struct BagRecordPlace {
-  std::vector<std::byte> fields;  ///< what the texts of `header` lie in
+  std::vector<std::byte> fields;  ///< storage of the texts of `header`
   BagRecordHeader header;
   std::uint64_t data_at = 0;
   std::uint32_t data_bytes = 0;
@@ -24,22 +24,24 @@ struct BagRecordPlace {
   [[nodiscard]] std::uint64_t end() const { return data_at + data_bytes; }
 };
 
-/// The record at this byte; its data is not read.
-/// @throws Error when there is no whole header of a record there
+/// Reads the header of the record at byte `at` of the file; its data is not read.
+/// @param place the file's name, for errors, here and below
+/// @throws Error when there is no complete header there
 [[nodiscard]] BagRecordPlace find_record(const OpenFile& file, std::uint64_t at, const std::string& place);
 
-/// The records of the chunk at this byte. @throws Error when there is none, or it is damaged
+/// Reads and decompresses the records of the chunk at byte `at`. @throws Error when there is none, or it
+/// is damaged
 [[nodiscard]] std::vector<std::byte> read_chunk(const OpenFile& file, std::uint64_t at,
                                                 const std::string& place);
 
 struct BagIndex {
   RecordedTopics topics;
-  bool finished = true;            ///< false: the recorder did not end the file, or it was cut
-  std::size_t damaged_chunks = 0;  ///< left out; only looked for where the file is not finished
+  bool finished = true;            ///< false: the recorder did not finish the file, or it was truncated
+  std::size_t damaged_chunks = 0;  ///< chunks left out; always 0 where the index was read
 };
 
-/// Reads the index that the recorder left at the end. Where there is none, or it is damaged, every chunk is
-/// unpacked once and forgotten, and what stands in whole chunks is found.
+/// Reads the index that the recorder wrote at the end. Where there is none, or it is damaged, every chunk is
+/// decompressed once to find the messages in complete chunks.
 /// @throws Error when the file is no bag of version 2.0; Interrupted
 [[nodiscard]] BagIndex read_bag_index(const OpenFile& file, const std::string& place);
 

@@ -23,7 +23,7 @@ struct Header {
   std::string_view frame_id;
 };
 
-// 0.001, not 0.0010000000475.
+// The shortest decimal number that rounds to the value: 0.001, not 0.0010000000475.
 double shortest_decimal(float value) {
   std::array<char, 64> text{};
   const auto written = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -50,7 +50,8 @@ ImageMessage parse_image_message(std::vector<std::byte> message, std::string_vie
   const auto height = bytes.number<std::uint32_t>();
   set_size(image, bytes.number<std::uint32_t>(), height, place);
   image.encoding = bytes.text();
-  if (bytes.number<std::uint8_t>() != 0) throw unsound(place, "an image with the high byte first");
+  if (bytes.number<std::uint8_t>() != 0)
+    throw unsound(place, "an image is big-endian, which is not supported");
   image.row_bytes = std::max<std::uint32_t>(1, bytes.number<std::uint32_t>());
   image.pixels = bytes.list_of_bytes();
   if (header.frame_id == "1" && bytes.left() >= sizeof(float))
@@ -71,7 +72,7 @@ Transform parse_transform_message(std::span<const std::byte> message, std::strin
   const Eigen::Quaterniond rotation(numbers[6], numbers[3], numbers[4], numbers[5]);
   const bool finite = std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
   if (!finite || std::abs(rotation.norm() - 1.0) > 1e-3)
-    throw unsound(place, "a transform between its imagers is no rotation and translation");
+    throw unsound(place, "a transform between its imagers is not a rotation and translation");
   Transform transform = Transform::Identity();
   transform.linear() = rotation.normalized().toRotationMatrix();
   transform.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);

@@ -14,21 +14,24 @@
 
 namespace rva {
 
-/// sensor_msgs/Image, and what librealsense appends to it: the unit, in files of version 4 and later.
-/// @throws Error when the message ends early, or its image is larger than any camera's; so do all below
+/// Parses sensor_msgs/Image and the depth unit that librealsense appends to it in files of version 4
+/// and later.
+/// @param place the file's name, for errors, here and below
+/// @throws Error when the message ends early (so do all functions below), or its image is larger than
+///         any camera's
 [[nodiscard]] ImageMessage parse_image_message(std::vector<std::byte> message, std::string_view place);
 
-/// sensor_msgs/CameraInfo. @throws Error also as with_lens()
+/// Parses sensor_msgs/CameraInfo. @throws Error also as with_lens()
 [[nodiscard]] Intrinsics parse_camera_info(std::span<const std::byte> message, std::string_view place);
 
-/// geometry_msgs/Transform: this stream's frame from that of its group. @throws Error also for no rotation
+/// Parses geometry_msgs/Transform: stream from group. @throws Error also when it is not a rigid transform
 [[nodiscard]] Transform parse_transform_message(std::span<const std::byte> message, std::string_view place);
 
-/// diagnostic_msgs/KeyValue
+/// Parses diagnostic_msgs/KeyValue.
 [[nodiscard]] std::pair<std::string, std::string> parse_key_value(std::span<const std::byte> message,
                                                                   std::string_view place);
 
-/// std_msgs/Float32, as the shortest decimal number that reads back as the same: 0.001, not 0.0010000000475.
+/// Parses std_msgs/Float32, as the shortest decimal number that rounds to it: 0.001, not 0.0010000000475.
 [[nodiscard]] double parse_float(std::span<const std::byte> message, std::string_view place);
 
 }  // namespace rva

@@ -23,7 +23,8 @@ struct Lz4Deleter {
 
 std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t size,
                                   std::string_view place) {
-  // LZ4 packs 255 bytes into one at best; whoever states more asks for memory that nothing will fill.
+  // LZ4 compresses by a factor of 255 at most: a larger stated size is wrong, and no memory is allocated
+  // for it.
   if (size / 255 > packed.size()) throw damaged(place, "a chunk is damaged");
   LZ4F_dctx* raw = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&raw, LZ4F_VERSION)) != 0) throw std::bad_alloc();
@@ -43,7 +44,7 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t
   return unpacked;
 }
 
-// What each field of a header fills; fields that are not here are not needed.
+// The members that the fields of a header set; other fields are not needed.
 struct Field {
   std::string_view name;
   void (*take)(RosBytes& value, BagRecordHeader& header);
@@ -91,8 +92,8 @@ std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view pla
   if (chunk.header.compression == "lz4") return unpack_lz4(chunk.data, size, place);
   if (chunk.header.compression != "none") {
     throw Error(std::string(place),
-                fmt::format("its chunks are packed with '{}'", printable(chunk.header.compression)),
-                "unpack it with `rosbag decompress`");
+                fmt::format("its chunks are compressed with '{}'", printable(chunk.header.compression)),
+                "decompress it with `rosbag decompress`");
   }
   if (chunk.data.size() != size) throw damaged(place, "a chunk is damaged");
   return {chunk.data.begin(), chunk.data.end()};

@@ -14,21 +14,21 @@ namespace rva {
 enum class BagOp : std::uint8_t {
   message = 2,
   file_header = 3,
-  index = 4,  ///< where one connection's messages lie in the chunk before
+  index = 4,  ///< positions of one connection's messages in the chunk before
   chunk = 5,
   chunk_info = 6,
   connection = 7,
 };
 
-/// What the header of a record says; a field that is not there is 0 or empty. Texts lie in the bytes read.
+/// The header of a record; missing fields are 0 or empty. Texts refer to the bytes that were parsed.
 struct BagRecordHeader {
   BagOp op{};
   std::uint32_t connection = 0;
   std::uint32_t count = 0;
   std::uint32_t connection_count = 0;
   std::uint32_t chunk_count = 0;
-  std::uint32_t size_bytes = 0;  ///< of a chunk, unpacked
-  std::uint64_t index_at = 0;    ///< byte of the file where the index begins; 0 until the recorder ends it
+  std::uint32_t size_bytes = 0;  ///< of a chunk when decompressed
+  std::uint64_t index_at = 0;    ///< byte of the file where the index begins; 0 if it is unfinished
   std::uint64_t chunk_at = 0;    ///< byte of the file where a chunk's record begins
   std::uint64_t time_ns = 0;
   std::string_view topic;
@@ -41,20 +41,20 @@ struct BagRecord {
   std::span<const std::byte> data;
 };
 
-/// Takes a whole record off the front.
-/// @throws Error when it is not all there, or is no record
+/// Takes a record from the front of the bytes.
+/// @throws Error when it is incomplete or malformed
 [[nodiscard]] BagRecord take_record(RosBytes& bytes, std::string_view place);
 
-/// The fields of a record's header: `name=value`, each behind its length.
+/// Parses the fields of a record's header: `name=value`, each preceded by its length.
 /// @throws Error when they are malformed
 [[nodiscard]] BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view place);
 
-/// Larger chunks are refused before memory is taken for them: recorders close one at about 1 MB, or behind
-/// the message that passes it.
+/// Larger chunks are refused before memory is allocated for them: recorders end a chunk at about 1 MB, or
+/// after the message that exceeds this.
 inline constexpr std::uint32_t max_chunk_bytes = 256U << 20U;
 
-/// The records of a chunk.
-/// @throws Error when they are damaged, or packed in a way other than LZ4
+/// Decompresses the records of a chunk.
+/// @throws Error when they are damaged, or compressed by anything but LZ4
 [[nodiscard]] std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view place);
 
 }  // namespace rva

@@ -22,8 +22,8 @@ class BagRecording : public Recording {
     std::vector<std::string> notes;
     if (!bag_.index().finished)
       notes.emplace_back(
-          "the recorder was stopped before it ended the file, or the file is cut short; what is whole was "
-          "read");
+          "the recorder was stopped before it finished the file, or the file is cut short; what is complete "
+          "was read");
     if (const std::size_t chunks = bag_.index().damaged_chunks; chunks > 0)
       notes.push_back(fmt::format("{} damaged part(s) of the file were left out", chunks));
     return notes;

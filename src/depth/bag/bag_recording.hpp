@@ -1,4 +1,4 @@
-// A ROS bag as librealsense up to version 2.57 records it.
+// ROS bags, as librealsense up to version 2.57 and ROS 1 record them.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace rva {
 
-/// @throws Error when it is no bag of version 2.0, or cannot be read; Interrupted
+/// @throws Error when it is not a bag of version 2.0, or cannot be read; Interrupted
 [[nodiscard]] std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& file);
 
 }  // namespace rva

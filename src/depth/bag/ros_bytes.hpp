@@ -1,4 +1,4 @@
-// Values as ROS 1 lays them out in bytes (wiki.ros.org/Bags/Format/2.0, wiki.ros.org/msg).
+// Deserialises values of ROS 1 (wiki.ros.org/Bags/Format/2.0, wiki.ros.org/msg).
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace rva {
 
-/// Takes values off the front of bytes: little endian, no padding, texts and lists behind a length of 32
-/// bits. The bytes must outlive it and what it gives.
+/// Takes values from the front of bytes: little endian, no padding, texts and lists preceded by a length of
+/// 32 bits. The bytes must outlive this object and the texts and spans that it returns.
 class RosBytes {
  public:
-  /// @param place what to call the bytes in an error
+  /// @param place the file's name, for errors
   RosBytes(std::span<const std::byte> bytes, std::string_view place) : rest_(bytes), place_(place) {}
 
-  /// @throws Error when fewer bytes are left, and so do all below
+  /// @throws Error when fewer bytes are left; so do all functions below
   [[nodiscard]] std::span<const std::byte> take(std::size_t count) {
     if (count > rest_.size()) throw Error(std::string(place_), "a message ends early", "record it again");
     const auto taken = rest_.first(count);
@@ -38,10 +38,10 @@ class RosBytes {
 
   [[nodiscard]] std::string_view text() { return as_text(list_of_bytes()); }
 
-  /// All that is left, as a text.
+  /// All remaining bytes as a text.
   [[nodiscard]] std::string_view rest() { return as_text(take(left())); }
 
-  /// A time: seconds and nanoseconds, 32 bits each.
+  /// A time, stored as seconds and nanoseconds of 32 bits each.
   [[nodiscard]] std::uint64_t time_ns() {
     const std::uint64_t seconds = number<std::uint32_t>();
     return seconds * 1'000'000'000ULL + number<std::uint32_t>();

@@ -1,4 +1,4 @@
-// Values as ROS 2 lays them out in bytes: CDR (OMG DDS-XTypes 7.4.1, as Fast-CDR 1.0 writes it).
+// Deserialises values of ROS 2: CDR (OMG DDS-XTypes 7.4.1, as Fast-CDR 1.0 writes it).
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace rva {
 
-/// Takes values off the front of a message: little endian, numbers aligned to their size behind the four
-/// bytes that name the encoding, texts and lists behind a length of 32 bits. The bytes must outlive it and
-/// what it gives.
+/// Takes values from the front of a message: little endian, numbers aligned to their size (counted from the
+/// end of the four bytes that state the encoding), texts and lists preceded by a length of 32 bits. The bytes
+/// must outlive this object and the texts and spans that it returns.
 class CdrBytes {
  public:
-  /// @param place what to call the bytes in an error
-  /// @throws Error when they are encoded otherwise
+  /// @param place the file's name, for errors
+  /// @throws Error when the message has another encoding
   CdrBytes(std::span<const std::byte> message, std::string_view place) : place_(place) {
     constexpr std::size_t encapsulation_bytes = 4;
     constexpr std::byte plain_little_endian{1};
     if (message.size() < encapsulation_bytes || message[0] != std::byte{0} ||
         message[1] != plain_little_endian)
-      throw Error(std::string(place), "a message is not encoded as CDR, little endian", "record it again");
+      throw Error(std::string(place), "a message is not encoded as little-endian CDR", "record it again");
     bytes_ = message.subspan(encapsulation_bytes);
   }
 
-  /// @throws Error when fewer bytes are left, and so do all below
+  /// @throws Error when fewer bytes are left; so do all functions below
   template <typename Number>
   [[nodiscard]] Number number() {
     at_ = (at_ + sizeof(Number) - 1) / sizeof(Number) * sizeof(Number);
@@ -39,7 +39,7 @@ class CdrBytes {
 
   [[nodiscard]] std::span<const std::byte> list_of_bytes() { return take(number<std::uint32_t>()); }
 
-  /// Without the zero that ends it.
+  /// A text without its terminating zero.
   [[nodiscard]] std::string_view text() {
     const auto bytes = list_of_bytes();
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

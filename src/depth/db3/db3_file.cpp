@@ -21,7 +21,7 @@
 namespace rva {
 namespace {
 
-// No message of a camera is larger, packed or not.
+// The messages of cameras are smaller than this, compressed or not.
 constexpr int max_message_bytes = 128 << 20;
 
 Error damaged(const std::string& place, const std::string& how) {
@@ -34,14 +34,14 @@ bool is_beside(const std::filesystem::path& path, std::string_view ending) {
   return !absent && bytes > 0;
 }
 
-// What a recorder that was killed had not yet moved into the file. SQLite reads both as one.
+// The write-ahead log of a killed recorder: what was not yet moved into the file. SQLite reads both as one.
 bool has_a_log(const std::filesystem::path& path) { return is_beside(path, "-wal"); }
 
-// A change that was begun and not ended: only a writer could take it back.
+// The rollback journal of an unfinished change, which only a writer could undo.
 bool has_a_journal(const std::filesystem::path& path) { return is_beside(path, "-journal"); }
 
-// Without a log, immutable: SQLite then neither locks the file nor writes anything beside it. With one, it
-// writes the log's index, and nothing else.
+// A file without a write-ahead log is opened as immutable: SQLite then neither locks it nor writes anything
+// beside it. With a log, SQLite writes the log's index and nothing else.
 std::string address_of(const std::filesystem::path& path) {
   std::string address = "file:";
   for (const char letter : path.string()) {
@@ -57,31 +57,31 @@ std::string address_of(const std::filesystem::path& path) {
 SQLite::Database open(const std::filesystem::path& path) {
   try {
     SQLite::Database database(address_of(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
-    // The file may come from anywhere.
+    // The file may come from an untrusted source.
     sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_limit(database.getHandle(), SQLITE_LIMIT_LENGTH, max_message_bytes);
     return database;
   } catch (const SQLite::Exception& failure) {
     throw Error(printable(path), fmt::format("cannot be read: {}", printable(failure.what())),
-                "look at its rights");
+                "check its permissions");
   }
 }
 
-// SQLite reads what is missing of the last page as zeros.
+// Whether the last page is incomplete: SQLite would read the missing part as zeros.
 bool ends_within_a_page(SQLite::Database& database, const std::filesystem::path& path) {
   SQLite::Statement page(database, "pragma page_size");
   page.executeStep();
   return std::filesystem::file_size(path) % page.getColumn(0).getUInt() != 0;
 }
 
-// Real tables, not views that reckon for ever.
+// Requires tables, since a view in a malicious file could compute for ever.
 void require_tables(SQLite::Database& database, const std::string& place) {
   SQLite::Statement tables(database,
                            "select count(*) from sqlite_master where type = 'table' and rootpage > 0 and "
                            "name in ('topics', 'messages')");
   tables.executeStep();
   if (tables.getColumn(0).getInt() != 2)
-    throw Error(place, "a database, but no recording of rosbag2: it has no tables topics and messages",
+    throw Error(place, "a database, but not a rosbag2 recording: it has no tables topics and messages",
                 "give a .db3 that realsense-viewer recorded");
 }
 
@@ -92,12 +92,12 @@ bool is_packed(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> unpack(std::span<const std::byte> packed, const std::string& place) {
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  // What is not known and what is malformed are the largest numbers.
-  if (size > max_message_bytes) throw damaged(place, "a message is not packed as it says");
+  // The largest values are error codes: unknown size and malformed data.
+  if (size > max_message_bytes) throw damaged(place, "a message cannot be decompressed");
   std::vector<std::byte> unpacked(size);
   const std::size_t done = ZSTD_decompress(unpacked.data(), unpacked.size(), packed.data(), packed.size());
   if (ZSTD_isError(done) != 0 || done != unpacked.size())
-    throw damaged(place, "a message is not packed as it says");
+    throw damaged(place, "a message cannot be decompressed");
   return unpacked;
 }
 
@@ -132,7 +132,7 @@ void Db3File::find_messages() {
       throw_if_interrupted();
       const auto topic = by_number.find(messages.getColumn(1).getInt64());
       if (topic == by_number.end()) continue;
-      // What was so before the recording began has the least number there is.
+      // Messages from before the start of the recording have the lowest possible time.
       const std::int64_t time_ns = std::max<std::int64_t>(0, messages.getColumn(2).getInt64());
       topic->second->messages.push_back({.time_ns = static_cast<std::uint64_t>(time_ns),
                                          .at = static_cast<std::uint64_t>(messages.getColumn(0).getInt64())});
@@ -149,7 +149,7 @@ std::vector<std::byte> Db3File::read(const RecordedMessage& message) const {
     const std::lock_guard lock(mutex_);
     SQLite::Statement query(database_, "select data from messages where id = ?");
     query.bind(1, static_cast<std::int64_t>(message.at));
-    if (!query.executeStep()) throw damaged(place_, "a message has gone");
+    if (!query.executeStep()) throw damaged(place_, "a message is missing");
     const SQLite::Column data = query.getColumn(0);
     const auto* first = static_cast<const std::byte*>(data.getBlob());
     bytes.assign(first, first + data.getBytes());

@@ -13,25 +13,26 @@
 
 namespace rva {
 
-/// Whether there is a file that begins as SQLite's databases do.
+/// Whether a regular file begins as SQLite databases do.
 [[nodiscard]] bool is_db3_file(const std::filesystem::path& path);
 
-/// Tables `topics` and `messages` as rosbag2_storage_default_plugins creates them. The file is neither
-/// written nor locked, and nothing is written beside it. Const members may be called from several threads.
+/// Reads the tables `topics` and `messages` as rosbag2_storage_default_plugins creates them. The file is
+/// neither written nor locked. Nothing is written beside it, except SQLite's index of a write-ahead log that
+/// a killed recorder left. Const members may be called from several threads.
 class Db3File {
  public:
-  /// @throws Error when it is no such database, or cannot be read; Interrupted
+  /// @throws Error when it is not such a database, or cannot be read; Interrupted
   explicit Db3File(const std::filesystem::path& path);
 
   [[nodiscard]] const RecordedTopics& topics() const { return topics_; }
 
-  /// What to call it in an error.
+  /// The file's name, for errors.
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// false: the recorder did not end the file, or it was cut; messages are missing.
+  /// False when the recorder did not finish the file, or it was truncated: messages may be missing.
   [[nodiscard]] bool whole() const { return whole_; }
 
-  /// A message's bytes, unpacked where Zstandard packs them. @throws Error when the file is damaged there
+  /// Reads a message's bytes and decompresses them if needed. @throws Error when the file is damaged there
   [[nodiscard]] std::vector<std::byte> read(const RecordedMessage& message) const;
 
  private:

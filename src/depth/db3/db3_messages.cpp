@@ -18,7 +18,7 @@ Error unsound(std::string_view place, const std::string& problem) {
   return {std::string(place), problem, "record it again"};
 }
 
-// Calls `use` with what stands between separators.
+// Calls `use` with each part between separators.
 template <typename Use>
 void for_each_part(std::string_view text, char separator, const Use& use) {
   while (!text.empty()) {
@@ -28,14 +28,14 @@ void for_each_part(std::string_view text, char separator, const Use& use) {
   }
 }
 
-// Numbers with commas between them.
+// The comma-separated numbers of a key.
 std::vector<double> numbers(const KeyValues& values, const char* key, std::string_view place) {
   const auto found = values.find(key);
   if (found == values.end()) throw unsound(place, fmt::format("lacks {}", key));
   std::vector<double> numbers;
   for_each_part(found->second, ',', [&](std::string_view part) {
     const auto number = decimal_number(part);
-    if (!number) throw unsound(place, fmt::format("states a {} that is no number", key));
+    if (!number) throw unsound(place, fmt::format("states a {} that is not a number", key));
     numbers.push_back(*number);
   });
   return numbers;
@@ -69,7 +69,8 @@ ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view pl
   const auto height = bytes.number<std::uint32_t>();
   set_size(image, bytes.number<std::uint32_t>(), height, place);
   image.encoding = bytes.text();
-  if (bytes.number<std::uint8_t>() != 0) throw unsound(place, "an image with the high byte first");
+  if (bytes.number<std::uint8_t>() != 0)
+    throw unsound(place, "an image is big-endian, which is not supported");
   image.row_bytes = std::max<std::uint32_t>(1, bytes.number<std::uint32_t>());
   image.pixels = bytes.list_of_bytes();
   return image;
@@ -115,9 +116,9 @@ Transform transform_from(const KeyValues& values, std::string_view place) {
   const Eigen::Matrix3d stated = Eigen::Map<const Eigen::Matrix3d>(rotation.data());
   const bool turns =
       (stated.transpose() * stated - Eigen::Matrix3d::Identity()).norm() < 1e-3 && stated.determinant() > 0.0;
-  if (!turns) throw unsound(place, "a transform between its imagers is no rotation and translation");
+  if (!turns) throw unsound(place, "a transform between its imagers is not a rotation and translation");
   Transform transform = Transform::Identity();
-  // Six decimals are stated, so it is a rotation only nearly.
+  // The rotation is stated with six decimals, and hence not exactly orthonormal.
   transform.linear() = Eigen::Quaterniond(stated).normalized().toRotationMatrix();
   transform.translation() = Eigen::Map<const Eigen::Vector3d>(translation.data());
   return transform;

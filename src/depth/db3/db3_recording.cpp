@@ -18,7 +18,7 @@ class Db3Recording : public Recording {
   [[nodiscard]] std::vector<std::string> notes() const override {
     if (file_.whole()) return {};
     return {
-        "the recorder was stopped before it ended the file, or the file is cut short or damaged; what "
+        "the recorder was stopped before it finished the file, or the file is cut short or damaged; what "
         "could be read was read"};
   }
 

@@ -1,4 +1,4 @@
-// A database of rosbag2 as librealsense from version 2.58 on records it.
+// Databases of rosbag2, as librealsense from version 2.58 on and ROS 2 record them.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace rva {
 
-/// @throws Error when it is no database of rosbag2, or cannot be read; Interrupted
+/// @throws Error when it is not a database of rosbag2, or cannot be read; Interrupted
 [[nodiscard]] std::unique_ptr<Recording> open_db3_recording(const std::filesystem::path& file);
 
 }  // namespace rva

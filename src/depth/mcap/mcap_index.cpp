@@ -21,7 +21,7 @@ bool is_magic(std::span<const std::byte> bytes) {
 struct ChunkPlace {
   std::uint64_t at = 0;
   std::uint64_t bytes = 0;
-  std::uint64_t index_bytes = 0;  ///< of the indices of its messages, which follow it
+  std::uint64_t index_bytes = 0;  ///< of the message indices that follow it
 };
 
 ChunkPlace parse_chunk_index(std::span<const std::byte> content, const std::string& place) {
@@ -36,12 +36,13 @@ ChunkPlace parse_chunk_index(std::span<const std::byte> content, const std::stri
   return chunk;
 }
 
-/// Schemas, channels and messages as they are met.
+/// Collects schemas, channels and messages in the order of the file.
 class Builder {
  public:
   Builder(const OpenFile& file, const std::string& place) : file_(file), place_(place) {}
 
-  // @param at byte of the file, and offset in the chunk that begins there
+  // @param at byte of the file where the chunk, or a record outside chunks, begins
+  // @param offset of the record in the decompressed chunk
   void add(const McapRecord& record, std::uint64_t at, std::size_t offset) {
     if (record.op == McapOp::schema) add_schema(record.content);
     if (record.op == McapOp::channel) add_channel(record.content);
@@ -51,7 +52,7 @@ class Builder {
     }
   }
 
-  // What a damaged chunk holds is left out, and it is counted.
+  // If the chunk is damaged, the records that could not be read are left out, and the chunk is counted.
   void add_chunk(std::span<const std::byte> content, std::uint64_t at) {
     try {
       const std::vector<std::byte> records = unpack_mcap_chunk(content, place_);
@@ -65,7 +66,7 @@ class Builder {
     }
   }
 
-  // Where a chunk's messages have no index, it is unpacked.
+  // A chunk without message indices is decompressed instead.
   void add_indexed(const ChunkPlace& chunk) {
     throw_if_interrupted();
     if (chunk.index_bytes == 0) {
@@ -120,7 +121,7 @@ class Builder {
     RosBytes bytes(content, place_);
     const auto channel = bytes.number<std::uint16_t>();
     if (!topics_.contains(channel))
-      throw damaged_index();  // not every recorder repeats what channels there are
+      throw damaged_index();  // not every recorder repeats channels in the summary
     RosBytes entries(bytes.list_of_bytes(), place_);
     while (entries.left() > 0) {
       const auto time_ns = entries.number<std::uint64_t>();
@@ -136,7 +137,7 @@ class Builder {
   std::map<std::uint16_t, RecordedTopic*> topics_;
 };
 
-// The bytes between the data and the footer; empty where the recorder left none.
+// The summary section, between the data and the footer; empty where the recorder wrote none.
 std::vector<std::byte> read_summary(const OpenFile& file, const std::string& place) {
   constexpr std::uint64_t most_summary_bytes = 512ULL << 20U;
   const std::uint64_t tail_bytes = footer_bytes + mcap_magic.size();
@@ -152,7 +153,7 @@ std::vector<std::byte> read_summary(const OpenFile& file, const std::string& pla
   return file.read(summary_at, static_cast<std::size_t>(footer_at - summary_at));
 }
 
-// Empty where the summary has no chunks: then messages may lie in none.
+// Empty when the summary lists no chunks: messages may then be outside chunks.
 std::optional<McapIndex> from_summary(const OpenFile& file, const std::string& place) {
   const std::vector<std::byte> summary = read_summary(file, place);
   Builder builder(file, place);
@@ -208,10 +209,10 @@ std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at, 
 }
 
 McapIndex read_mcap_index(const OpenFile& file, const std::string& place) {
-  if (!is_magic(file.read(0, mcap_magic.size()))) throw Error(place, "no MCAP file", "give a recording");
+  if (!is_magic(file.read(0, mcap_magic.size()))) throw Error(place, "not an MCAP file", "give a recording");
   try {
     if (auto index = from_summary(file, place)) return std::move(*index);
-  } catch (const Error&) {  // a damaged index: what is whole is found without it
+  } catch (const Error&) {  // the index is damaged: messages are found without it
   }
   return from_records(file, place);
 }

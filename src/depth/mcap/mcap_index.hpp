@@ -1,4 +1,4 @@
-// Where the messages of an MCAP file lie.
+// Finds the messages of an MCAP file.
 #pragma once
 
 #include <cstddef>
@@ -16,17 +16,17 @@ namespace rva {
 struct McapIndex {
   RecordedTopics topics;
   std::map<std::string, std::string, std::less<>> encodings;  ///< of messages, by topic: "cdr", "ros1"
-  bool finished = true;            ///< false: the recorder did not end the file, or it was cut
-  std::size_t damaged_chunks = 0;  ///< left out
+  bool finished = true;            ///< false: the recorder did not finish the file, or it was truncated
+  std::size_t damaged_chunks = 0;  ///< chunks left out
 };
 
-/// The whole record at this byte, its head included. @throws Error when the file ends before it does
+/// Reads the record at byte `at`, including its head. @throws Error when the file ends before the record does
 [[nodiscard]] std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at,
                                                       const std::string& place);
 
-/// Reads the index that the recorder left at the end. Where there is none, all records are gone through, and
-/// every chunk is unpacked once and forgotten.
-/// @throws Error when the file is no MCAP file; Interrupted
+/// Reads the index that the recorder wrote at the end. Where there is none, or it is damaged, all records are
+/// read, and every chunk is decompressed once.
+/// @throws Error when the file is not an MCAP file; Interrupted
 [[nodiscard]] McapIndex read_mcap_index(const OpenFile& file, const std::string& place);
 
 }  // namespace rva

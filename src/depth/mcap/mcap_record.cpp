@@ -13,7 +13,7 @@
 namespace rva {
 namespace {
 
-// No recorder makes larger chunks; one that says so is damaged.
+// No recorder makes larger chunks: one that states a larger size is damaged.
 constexpr std::uint64_t most_chunk_bytes = 128ULL << 20U;
 
 Error damaged(std::string_view place, const std::string& how) {
@@ -24,7 +24,7 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t
                                   std::string_view place) {
   LZ4F_dctx* context = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0)
-    throw Error(std::string(place), "cannot be unpacked", "free some memory");
+    throw Error(std::string(place), "cannot be decompressed", "free some memory");
   const std::unique_ptr<LZ4F_dctx, decltype(&LZ4F_freeDecompressionContext)> owned(
       context, &LZ4F_freeDecompressionContext);
   std::vector<std::byte> unpacked(size);
@@ -36,7 +36,7 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t
     const std::size_t more =
         LZ4F_decompress(context, unpacked.data() + made, &room, packed.data() + taken, &given, nullptr);
     if (LZ4F_isError(more) != 0 || (room == 0 && given == 0))
-      throw damaged(place, "a chunk is not packed as it says");
+      throw damaged(place, "a chunk cannot be decompressed");
     made += room;
     taken += given;
   }
@@ -47,7 +47,7 @@ std::vector<std::byte> unpack_zstd(std::span<const std::byte> packed, std::size_
                                    std::string_view place) {
   std::vector<std::byte> unpacked(size);
   const std::size_t made = ZSTD_decompress(unpacked.data(), size, packed.data(), packed.size());
-  if (ZSTD_isError(made) != 0 || made != size) throw damaged(place, "a chunk is not packed as it says");
+  if (ZSTD_isError(made) != 0 || made != size) throw damaged(place, "a chunk cannot be decompressed");
   return unpacked;
 }
 
@@ -56,9 +56,10 @@ std::vector<std::byte> unpacked(std::string_view compression, std::span<const st
   if (compression == "lz4") return unpack_lz4(packed, size, place);
   if (compression == "zstd") return unpack_zstd(packed, size, place);
   if (!compression.empty())
-    throw Error(std::string(place), fmt::format("its chunks are packed by '{}'", printable(compression)),
-                "pack them by lz4 or zstd, or not at all");
-  if (packed.size() != size) throw damaged(place, "a chunk has another length than it says");
+    throw Error(std::string(place),
+                fmt::format("its chunks are compressed with '{}'", printable(compression)),
+                "compress them with lz4 or zstd, or not at all");
+  if (packed.size() != size) throw damaged(place, "a chunk does not have its stated length");
   return {packed.begin(), packed.end()};
 }
 
@@ -101,13 +102,13 @@ std::vector<std::byte> unpack_mcap_chunk(std::span<const std::byte> content, std
   const std::string_view compression = bytes.text();
   const auto length = bytes.number<std::uint64_t>();
   if (size > most_chunk_bytes || length > bytes.left())
-    throw damaged(place, "a chunk has no possible length");
+    throw damaged(place, "a chunk states an impossible length");
   std::vector<std::byte> records = unpacked(compression, bytes.take(static_cast<std::size_t>(length)),
                                             static_cast<std::size_t>(size), place);
   if (check_sum != 0) {
     boost::crc_32_type crc;
     crc.process_bytes(records.data(), records.size());
-    if (crc.checksum() != check_sum) throw damaged(place, "a chunk is not what its check sum says");
+    if (crc.checksum() != check_sum) throw damaged(place, "the checksum of a chunk does not match");
   }
   return records;
 }

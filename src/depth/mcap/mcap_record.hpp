@@ -25,7 +25,7 @@ enum class McapOp : std::uint8_t {
 
 inline constexpr std::string_view mcap_magic = "\x89MCAP0\r\n";
 
-/// Bytes of a record before its content: what it is, and how long.
+/// Bytes of a record before its content: the opcode (1) and the length (8).
 inline constexpr std::size_t mcap_head_bytes = 9;
 
 struct McapRecord {
@@ -33,7 +33,7 @@ struct McapRecord {
   std::span<const std::byte> content;
 };
 
-/// @throws Error when fewer bytes are left than the record says
+/// Takes a record from the front of the bytes. @throws Error when fewer bytes are left than it states
 [[nodiscard]] McapRecord take_mcap_record(RosBytes& bytes, std::string_view place);
 
 struct McapChannel {
@@ -43,7 +43,7 @@ struct McapChannel {
   std::string encoding;  ///< of its messages: "cdr" (ROS 2), "ros1"
 };
 
-/// @throws Error when the record ends early; so do all below
+/// @throws Error when the record ends early; so do all functions below
 [[nodiscard]] McapChannel parse_mcap_channel(std::span<const std::byte> content, std::string_view place);
 
 struct McapMessage {
@@ -54,8 +54,8 @@ struct McapMessage {
 
 [[nodiscard]] McapMessage parse_mcap_message(std::span<const std::byte> content, std::string_view place);
 
-/// The records in a chunk, unpacked from LZ4, Zstandard or nothing.
-/// @throws Error also when they are packed otherwise, or are not what their check sum says
+/// Decompresses the records of a chunk (LZ4, Zstandard or uncompressed).
+/// @throws Error also when the compression is unknown, or the checksum does not match
 [[nodiscard]] std::vector<std::byte> unpack_mcap_chunk(std::span<const std::byte> content,
                                                        std::string_view place);
 

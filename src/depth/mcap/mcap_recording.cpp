@@ -28,8 +28,8 @@ class McapRecording : public Recording {
     std::vector<std::string> notes;
     if (!index_.finished)
       notes.emplace_back(
-          "the recorder was stopped before it ended the file, or the file is cut short; what is whole was "
-          "read");
+          "the recorder was stopped before it finished the file, or the file is cut short; what is complete "
+          "was read");
     if (index_.damaged_chunks > 0)
       notes.push_back(fmt::format("{} damaged part(s) of the file were left out", index_.damaged_chunks));
     return notes;
@@ -50,7 +50,7 @@ class McapRecording : public Recording {
                              : parse_db3_camera_info(read(stated.front()), where);
   }
 
-  // Only librealsense's recordings say more.
+  // Only librealsense's recordings have metadata, device information, settings and transforms.
   [[nodiscard]] KeyValues metadata(const RecordedStream& /*stream*/,
                                    const RecordedMessage& /*image*/) const override {
     return {};
@@ -81,7 +81,7 @@ class McapRecording : public Recording {
     return {content.data.begin(), content.data.end()};
   }
 
-  // The records of the chunk at this byte, or the one message that stands there in no chunk.
+  // The records of the chunk at this byte, or the single message there that is outside chunks.
   [[nodiscard]] std::vector<std::byte> records_at(std::uint64_t at) const {
     std::vector<std::byte> record = read_mcap_record(file_, at, place_);
     if (static_cast<McapOp>(record.front()) != McapOp::chunk) return record;

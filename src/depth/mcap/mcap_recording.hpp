@@ -1,4 +1,4 @@
-// MCAP files with messages of ROS.
+// MCAP files with ROS messages.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace rva {
 
-/// True when the file begins as an MCAP file does.
+/// Whether the file begins as an MCAP file does.
 [[nodiscard]] bool is_mcap_file(const std::filesystem::path& path);
 
-/// Frames are read when they are asked for.
-/// @throws Error when the file is no MCAP file or cannot be read; Interrupted
+/// Opens a recording, whose frames are read on request.
+/// @throws Error when the file is not an MCAP file or cannot be read; Interrupted
 [[nodiscard]] std::unique_ptr<Recording> open_mcap_recording(const std::filesystem::path& file);
 
 }  // namespace rva

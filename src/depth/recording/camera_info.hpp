@@ -1,4 +1,4 @@
-// Intrinsics as ROS states them, whichever way its messages are laid out in bytes.
+// Intrinsics in ROS messages, independent of the serialisation.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace rva {
 
-/// The part of a sensor_msgs/CameraInfo that follows its header.
-/// @param bytes RosBytes or CdrBytes, behind the header
+/// Parses the part of a sensor_msgs/CameraInfo that follows its header.
+/// @param bytes RosBytes or CdrBytes, after the header
 /// @throws Error when the message ends early; as with_lens()
 [[nodiscard]] Intrinsics take_camera_info(auto& bytes, std::string_view place) {
   Intrinsics camera;

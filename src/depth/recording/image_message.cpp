@@ -21,7 +21,7 @@ Error unsound(std::string_view place, const std::string& problem) {
 }
 
 Error unknown_encoding(const ImageMessage& image, const char* kind, std::string_view place) {
-  return unsound(place, fmt::format("a {} image is encoded as '{}', which is not known", kind,
+  return unsound(place, fmt::format("a {} image has the encoding '{}', which is not supported", kind,
                                     printable(image.encoding)));
 }
 
@@ -31,7 +31,7 @@ Image<Pixel> copy_rows(const ImageMessage& image, std::string_view place) {
   const std::size_t used = static_cast<std::size_t>(image.width) * sizeof(Pixel);
   const auto rows = static_cast<std::size_t>(image.height);
   if (image.row_bytes < used || image.pixels.size() / image.row_bytes < rows)
-    throw unsound(place, "an image has fewer bytes than its size asks for");
+    throw unsound(place, "an image has fewer bytes than its size requires");
   Image<Pixel> copy(image.width, image.height);
   for (std::size_t v = 0; v < rows; ++v) {
     std::memcpy(copy.data() + v * static_cast<std::size_t>(image.width),
@@ -65,14 +65,14 @@ void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, st
   image.width = possible_side(width, place);
   image.height = possible_side(height, place);
   if (image.width > max_color_pixels / image.height) {
-    throw unsound(place, fmt::format("an image of {}x{} pixels, larger than any camera of ours gives",
-                                     image.width, image.height));
+    throw unsound(place, fmt::format("an image of {}x{} pixels is larger than any camera gives", image.width,
+                                     image.height));
   }
 }
 
 DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view place) {
   if (image.width > max_depth_pixels / image.height)
-    throw unsound(place, fmt::format("a depth image of {}x{} pixels, larger than any camera of ours gives",
+    throw unsound(place, fmt::format("a depth image of {}x{} pixels is larger than any camera gives",
                                      image.width, image.height));
   if (image.encoding == "32FC1") return depth_from_metres(copy_rows<float>(image, place), unit_m);
   if (image.encoding != "mono16" && image.encoding != "16UC1") throw unknown_encoding(image, "depth", place);

@@ -1,4 +1,4 @@
-// The chunks of a recording that were unpacked last.
+// A cache of decompressed chunks of a recording.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace rva {
 
-/// May be used by several threads at once.
+/// Keeps the chunks that were decompressed last. May be used by several threads at once.
 class RecentChunks {
  public:
   using Chunk = std::shared_ptr<const std::vector<std::byte>>;
 
-  /// @param at     where the chunk lies in the file
-  /// @param unpack gives its bytes where they are not known any more; what it throws is passed on
+  /// @param at     the chunk's position in the file
+  /// @param unpack returns its bytes; called when they are not in the cache. What it throws is passed on
   [[nodiscard]] Chunk get(std::uint64_t at, auto&& unpack) {
     {
       const std::lock_guard lock(mutex_);
@@ -33,7 +33,7 @@ class RecentChunks {
   }
 
  private:
-  // A frame, its metadata and its neighbour's lie in one or two.
+  // A frame, its metadata and its neighbours are in one or two chunks.
   static constexpr std::size_t most_chunks = 8;
 
   std::mutex mutex_;  // guards the next

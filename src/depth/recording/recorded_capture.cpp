@@ -1,4 +1,4 @@
-// A recording of realsense-viewer or of librealsense's recorder, without librealsense.
+// A recording as a Capture, read without librealsense and without ROS.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 namespace rva {
 namespace {
 
-/// Where each depth frame's companion lies among `others`: the one nearest in time, if that depth frame is in
-/// turn the nearest to it.
+/// The companion of each depth frame among `others`: the message nearest in time, if the depth frame is in
+/// turn the nearest to that message.
 std::vector<std::optional<RecordedMessage>> companions(const std::vector<RecordedMessage>& depth,
                                                        const std::vector<RecordedMessage>& others) {
   const auto nearest = [](const std::vector<RecordedMessage>& among, std::uint64_t time_ns) {
@@ -43,7 +43,7 @@ std::vector<std::optional<RecordedMessage>> companions(const std::vector<Recorde
 
 class RecordedCapture : public Capture {
  public:
-  /// @param stated_unit_m of the first frame
+  /// @param stated_unit_m depth unit that the recording states, metres: every frame must have it
   RecordedCapture(std::unique_ptr<Recording> recording, CaptureInfo info, RecordedStreams streams,
                   double stated_unit_m)
       : Capture(std::move(info)),
@@ -94,7 +94,7 @@ class RecordedCapture : public Capture {
     const std::string where = place("infrared of depth", depth_frame);
     const GrayImage image = gray_of(recording_->image(stream->second, *message, where), where);
     if (image.width() != info().depth.width || image.height() != info().depth.height)
-      throw Error(where, "its size is not that of the depth images", "record it again");
+      throw Error(where, "its size differs from that of the depth images", "record it again");
     return fine_gray(image);
   }
 
@@ -112,12 +112,12 @@ class RecordedCapture : public Capture {
     const ImageMessage image = recording_->image(streams_.depth, depth_.at(i), where);
     if (image.width != info().depth.width || image.height != info().depth.height) {
       throw Error(where,
-                  fmt::format("{}x{} pixels where the file states {}x{}", image.width, image.height,
+                  fmt::format("has {}x{} pixels, but the file states {}x{}", image.width, image.height,
                               info().depth.width, info().depth.height),
                   "record it again");
     }
     if (image.unit_m && *image.unit_m != stated_unit_m_)
-      throw Error(where, "its unit is not that of the first frame", "record it again");
+      throw Error(where, "its depth unit differs from that of the first frame", "record it again");
     return rva::depth_of(image, info().depth_unit_m, where);
   }
 

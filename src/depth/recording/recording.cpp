@@ -50,7 +50,7 @@ std::optional<std::string> setting_of(std::string_view below_options) {
 }
 
 Error lacks_intrinsics(const std::string& place, const std::string& topic) {
-  return {place, "lacks " + printable(topic), "record it, too, or give --intrinsics FX,FY,CX,CY"};
+  return {place, "lacks " + printable(topic), "record it, too, or give the intrinsics (fx, fy, cx, cy)"};
 }
 
 Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vector<double>& coefficients,
@@ -61,11 +61,11 @@ Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vecto
            : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
                                             : letter;
   });
-  if (name == "plumb_bob") name = name_of(Distortion::brown_conrady);  // as ROS calls it
+  if (name == "plumb_bob") name = name_of(Distortion::brown_conrady);  // its name in ROS
   const bool straight = std::ranges::all_of(coefficients, [](double number) { return number == 0.0; });
   const auto known = distortion_from_name(name);
   if (!known && !straight) {
-    throw Error(std::string(place), fmt::format("the lens model '{}' is not known", printable(name)),
+    throw Error(std::string(place), fmt::format("the distortion model '{}' is unknown", printable(name)),
                 "record it again");
   }
   camera.distortion = straight ? Distortion::none : *known;

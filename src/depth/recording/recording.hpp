@@ -1,4 +1,4 @@
-// What librealsense's recorders keep of a camera, whichever kind of file holds it.
+// Recordings of a camera by librealsense or ROS, independent of the file format.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,26 @@
 
 namespace rva {
 
-/// Where a message lies, and when it was recorded.
+/// The position of a message, and when it was recorded.
 struct RecordedMessage {
-  std::uint64_t time_ns = 0;  ///< since the recording began; 0 also for what was so before
+  std::uint64_t time_ns = 0;  ///< recording time; 0 for what was recorded before the start
   std::uint64_t at = 0;       ///< byte of the file where its chunk begins, or row of the database
-  std::uint32_t offset = 0;   ///< in the chunk as it is unpacked
+  std::uint32_t offset = 0;   ///< in the decompressed chunk
 };
 
 /// One stream of messages.
 struct RecordedTopic {
   std::string type;                       ///< "sensor_msgs/Image"
-  std::vector<RecordedMessage> messages;  ///< in the order of their times
+  std::vector<RecordedMessage> messages;  ///< in order of time
 };
 
-/// By name: "/device_0/sensor_0/Depth_0/image/data".
+/// Topics by name: "/device_0/sensor_0/Depth_0/image/data".
 using RecordedTopics = std::map<std::string, RecordedTopic, std::less<>>;
 
 using KeyValues = std::map<std::string, std::string>;
 
-/// The topics of one imager begin with these, as librealsense records them; ROS states each by itself.
+/// The topics of one imager. In recordings of librealsense they have a common beginning; ROS names
+/// each separately.
 struct RecordedStream {
   std::string sensor;             ///< "/device_0/sensor_0/"
   std::string name;               ///< "/device_0/sensor_0/Depth_0"
@@ -46,8 +47,8 @@ struct RecordedStream {
   [[nodiscard]] std::string metadata() const { return name + "/image/metadata"; }
 };
 
-/// A file of a recorder. Memory holds where messages are, not the messages. Const members may be called from
-/// several threads; all throw Error where the file is damaged.
+/// A recording in a file. The positions of messages are kept in memory, not the messages. Const members may
+/// be called from several threads. All members throw Error where the file is damaged.
 class Recording {
  public:
   Recording() = default;
@@ -57,64 +58,66 @@ class Recording {
   Recording(Recording&&) = delete;
   Recording& operator=(Recording&&) = delete;
 
-  /// "bag", "db3"
+  /// "bag", "db3" or "mcap".
   [[nodiscard]] virtual std::string_view format() const = 0;
 
-  /// What to call it in an error.
+  /// The file's name, for errors.
   [[nodiscard]] virtual const std::string& place() const = 0;
 
   [[nodiscard]] virtual const RecordedTopics& topics() const = 0;
 
-  /// What a person should know of the file; sentences without full stop.
+  /// Remarks on the file for the user; sentences without a full stop.
   [[nodiscard]] virtual std::vector<std::string> notes() const = 0;
 
+  /// Reads and parses an image.
   /// @param message of stream.images()
-  /// @param place   what to call it in an error
+  /// @param place   name of the image, for errors
   [[nodiscard]] virtual ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
                                            std::string_view place) const = 0;
 
-  /// What the camera says of an image, by librealsense's names: "Actual Exposure".
+  /// Metadata of an image, by librealsense's names: "Actual Exposure".
   [[nodiscard]] virtual KeyValues metadata(const RecordedStream& stream,
                                            const RecordedMessage& image) const = 0;
 
-  /// What a device or a sensor says of itself: "Name", "Serial Number". Empty where it says nothing.
+  /// Information on a device or a sensor: "Name", "Serial Number". Empty where there is none.
   /// @param topic "/device_0/info"
   [[nodiscard]] virtual KeyValues info(const std::string& topic) const = 0;
 
-  /// As they were when the recording began, by librealsense's names: "Laser Power".
+  /// Settings at the start of the recording, by librealsense's names: "Laser Power".
   /// @param sensor "/device_0/sensor_0/"
   [[nodiscard]] virtual std::map<std::string, double> settings(const std::string& sensor) const = 0;
 
   [[nodiscard]] virtual Intrinsics intrinsics(const RecordedStream& stream) const = 0;
 
-  /// This stream's frame from those that it shares with others, by what these are called.
+  /// Transforms from the frames that the stream shares with others to its own frame, by the names of
+  /// the former.
   [[nodiscard]] virtual std::map<std::string, Transform> stream_from_groups(
       const RecordedStream& stream) const = 0;
 
-  /// The messages of a topic; none where there is no such topic.
+  /// The messages of a topic; empty where there is no such topic.
   [[nodiscard]] const std::vector<RecordedMessage>& messages(std::string_view topic) const;
 
-  /// Those that a topic has at the very time of an image: they are about it.
+  /// The messages of a topic with exactly the time of an image, and hence about that image.
   [[nodiscard]] std::vector<RecordedMessage> messages_at(std::string_view topic, std::uint64_t time_ns) const;
 
-  /// The first message of each topic that begins so, and the rest of its name: "option/" gives
-  /// "Laser_Power/value".
+  /// Calls `use` with each topic whose name has this beginning: with the rest of the name
+  /// ("Laser_Power/value" for a beginning that ends in "option/") and its first message.
   void for_each_below(const std::string& beginning,
                       const std::function<void(std::string_view, const RecordedMessage&)>& use) const;
 };
 
-/// A recording without the topic that has an imager's intrinsics.
+/// The error for a recording without the topic that has an imager's intrinsics.
 [[nodiscard]] Error lacks_intrinsics(const std::string& place, const std::string& topic);
 
-/// A finite number, written as decimals; none for anything else.
+/// Parses a finite decimal number; empty for anything else.
 [[nodiscard]] std::optional<double> decimal_number(std::string_view text);
 
-/// A setting's name from the end of its topic: "Laser_Power/value" gives "Laser Power"; none for others.
+/// A setting's name from the end of its topic: "Laser Power" from "Laser_Power/value"; empty for others.
 [[nodiscard]] std::optional<std::string> setting_of(std::string_view below_options);
 
-/// Completes intrinsics by the lens model as librealsense names it. One that we do not know is none where its
-/// coefficients are 0.
-/// @throws Error when no camera can have these, or the model is not known
+/// Completes intrinsics by the distortion model, as librealsense or ROS name it. An unknown model is accepted
+/// as no distortion if its coefficients are all 0.
+/// @throws Error when the intrinsics are impossible, or the model is unknown
 [[nodiscard]] Intrinsics with_lens(Intrinsics camera, std::string_view model,
                                    const std::vector<double>& coefficients, std::string_view place);
 

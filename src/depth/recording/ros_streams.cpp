@@ -31,7 +31,7 @@ bool names(std::string_view topic, std::string_view word) {
   return topic.find(word) != std::string_view::npos;
 }
 
-// "/camera/depth/" of "/camera/depth/image_rect_raw".
+// "/camera/depth/" for "/camera/depth/image_rect_raw".
 std::string_view namespace_of(std::string_view topic) { return topic.substr(0, topic.rfind('/') + 1); }
 
 RecordedStream stream_of(const std::string& topic) {
@@ -39,7 +39,7 @@ RecordedStream stream_of(const std::string& topic) {
   return {beginning, beginning, topic, beginning + "camera_info"};
 }
 
-/// A topic of images, by what the first of them is.
+/// A topic of images, with the encoding of the first one.
 struct ImageTopic {
   std::string name;
   std::string encoding;
@@ -57,8 +57,8 @@ std::vector<ImageTopic> image_topics(const Recording& recording) {
   return topics;
 }
 
-// Depth as the camera sees it comes before depth that was aligned to another imager, and what calls itself
-// depth before other images of 16 bits.
+// Prefers topics named depth to other images of 16 bits, then depth in the camera's own view to depth aligned
+// to another imager, then the topic with more messages.
 std::optional<std::string> depth_among(const std::vector<ImageTopic>& topics) {
   const ImageTopic* best = nullptr;
   const auto rank = [](const ImageTopic& topic) {
@@ -75,7 +75,7 @@ std::string stated_depth(const Recording& recording, const std::vector<ImageTopi
                          const std::string& wanted) {
   const auto found = std::ranges::find(topics, wanted, &ImageTopic::name);
   if (found != topics.end() && is_depth(found->encoding)) return wanted;
-  throw Error(recording.place(), fmt::format("the topic {} holds no depth image", printable(wanted)),
+  throw Error(recording.place(), fmt::format("the topic {} has no depth image", printable(wanted)),
               "give one of 16UC1 or 32FC1 images");
 }
 
@@ -83,7 +83,7 @@ bool has_intrinsics(const Recording& recording, const std::string& topic) {
   return !recording.messages(stream_of(topic).ros_camera_info).empty();
 }
 
-// The first letters of both names that are the same: topics of one camera share more of them.
+// The length of the common beginning of two names, which is longest for topics of the same camera.
 std::size_t shared(std::string_view a, std::string_view b) {
   return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
 }

@@ -1,4 +1,4 @@
-// Streams of a camera's node in ROS, told by what its topics hold.
+// The streams of a camera's ROS node, recognised by the contents of its topics.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace rva {
 
-/// The depth images are those of 16 bits or floating point in one channel (REP 118: millimetres or metres),
-/// if there are several not those that were aligned to colour; colour and infrared images are those of the
-/// same camera. Each has its intrinsics beside it, in `camera_info`.
-/// @param depth_topic instead of the one that would be chosen
-/// @return empty when no topic holds depth
-/// @throws Error when `depth_topic` holds no depth
+/// Finds the topics of a camera's images. Depth images have one channel of 16 bits or floating point (REP
+/// 118: millimetres or metres); where there are several, those not aligned to colour are preferred. Colour
+/// and infrared images are those of the same camera. The intrinsics of each are in `camera_info` beside it.
+/// @param depth_topic the topic of depth images, instead of the one chosen automatically
+/// @return empty when no topic has depth images
+/// @throws Error when `depth_topic` has no depth images
 [[nodiscard]] std::optional<RecordedStreams> find_ros_streams(const Recording& recording,
                                                               const std::optional<std::string>& depth_topic);
 

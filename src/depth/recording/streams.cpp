@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view image_data = "/image/data";
 
-// The first stream of the first device that has images.
+// The first stream of this kind on the first device that has images.
 std::optional<RecordedStream> find_stream(const Recording& recording, std::string_view kind) {
   constexpr std::string_view device = "/device_0/";
   for (const auto& [topic, content] : recording.topics()) {
@@ -30,7 +30,7 @@ std::optional<RecordedStream> find_stream(const Recording& recording, std::strin
   return std::nullopt;
 }
 
-// Each stream states its transform from a frame that it shares with the others of its group.
+// Each stream states its transform from the frame of a group. Streams of the same group can be related.
 std::optional<Transform> color_from_depth(const Recording& recording, const RecordedStream& color,
                                           const RecordedStream& depth) {
   const std::map<std::string, Transform> color_from_group = recording.stream_from_groups(color);
@@ -41,7 +41,7 @@ std::optional<Transform> color_from_depth(const Recording& recording, const Reco
   return std::nullopt;
 }
 
-// The node aligns depth to colour on demand, under a topic that says so.
+// Depth that the ROS node has aligned to colour is published under a topic with this name.
 std::optional<Transform> color_from_aligned_depth(const RecordedStream& depth) {
   return depth.ros_images.find("aligned_depth_to_color") == std::string::npos
              ? std::nullopt
@@ -80,8 +80,8 @@ CameraInfo camera_of(const Recording& recording, const RecordedStream& depth,
   return camera;
 }
 
-// Depth is in millimetres, or metres of floating point (REP 118). Those are kept in tenths of a millimetre
-// where what they show is near enough for 16 bits.
+// ROS depth is in millimetres, or in metres as floating point (REP 118). The latter is converted to tenths of
+// a millimetre where nearly all of it fits into 16 bits, else to millimetres.
 double unit_of_ros(const ImageMessage& first, const std::string& place) {
   constexpr double mm = 0.001;
   constexpr double tenth_of_a_mm = 0.0001;
@@ -95,7 +95,7 @@ double unit_of_ros(const ImageMessage& first, const std::string& place) {
   return measured(tenth_of_a_mm) >= (1.0 - most_lost) * measured(mm) ? tenth_of_a_mm : mm;
 }
 
-// The unit that goes with the first image, or, in older files, what the camera was set to.
+// The unit stated with the first image, or, in older files, the camera's setting.
 double depth_unit_m(const Recording& recording, const RecordedStream& depth, CaptureInfo& info) {
   const RecordedMessage& first = recording.messages(depth.images()).front();
   const ImageMessage image = recording.image(depth, first, recording.place());
@@ -116,7 +116,7 @@ Intrinsics of_first_image(const Recording& recording, const RecordedStream& dept
   return camera;
 }
 
-// When the first image came, by the clock of the computer.
+// The arrival time of the first image, by the clock of the computer.
 std::string captured_at(const Recording& recording, const RecordedStream& depth) {
   const KeyValues values = recording.metadata(depth, recording.messages(depth.images()).front());
   const auto since_1970_ms = number_of(values, "Time Of Arrival");
@@ -131,7 +131,7 @@ void note_what_is_missing(const Recording& recording, CaptureInfo& info) {
   info.notes.insert(info.notes.end(), notes.begin(), notes.end());
   const auto other = recording.topics().lower_bound("/device_1/");
   if (other != recording.topics().end() && other->first.starts_with("/device_1/"))
-    info.notes.emplace_back("the file holds other cameras, too, which are left out");
+    info.notes.emplace_back("the file has recordings of further cameras, which are left out");
 }
 
 Error without_depth(const Recording& recording) {
@@ -143,11 +143,11 @@ Error without_depth(const Recording& recording) {
       seen += fmt::format("{}{} ({})", seen.empty() ? "" : ", ", printable(name), printable(topic.type));
   }
   if (seen.empty() && !recording.notes().empty())
-    return {recording.place(), "the file is cut short or was never ended, and no image in it is whole",
+    return {recording.place(), "the file is cut short or was never finished, and no image in it is complete",
             "copy it again, or record anew"};
   const std::string instead =
       seen.empty() ? ", and no other image" : fmt::format(", but {}{}", seen, more > 3 ? ", ..." : "");
-  return {recording.place(), "no depth in it" + instead, "record with the depth stream on"};
+  return {recording.place(), "contains no depth" + instead, "record with the depth stream on"};
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ RecordedStreams find_streams(const Recording& recording, const std::optional<std
     throw without_depth(recording);
   }
   RecordedStreams streams{*depth, find_stream(recording, "Color_"), {}};
-  // Infrared 1 is the left imager, whose view is the depth's.
+  // Infrared 1 is the left imager, which has the view of the depth images.
   for (const auto& [imager, name] : {std::pair(Imager::left, "Infrared_1"), {Imager::right, "Infrared_2"}}) {
     if (const auto stream = find_stream(recording, name)) streams.infrared.emplace(imager, *stream);
   }

@@ -1,4 +1,4 @@
-// Which imagers a recording is of, and what it says of the camera.
+// The imagers of a recording, and the description of its camera.
 #pragma once
 
 #include <map>
@@ -16,19 +16,21 @@ struct RecordedStreams {
   std::map<Imager, RecordedStream> infrared;  ///< of the imagers that were recorded
 };
 
-/// Those of the first device that have images, or of a camera's node in ROS.
-/// @param depth_topic of ROS, instead of the one that would be chosen
-/// @throws Error that says what is there instead, where there is no depth
+/// Finds the streams with images of the first device, or of a camera's ROS node.
+/// @param depth_topic the ROS topic of depth images, instead of the one chosen automatically
+/// @throws Error naming what the recording has instead, when there is no depth
 [[nodiscard]] RecordedStreams find_streams(const Recording& recording,
                                            const std::optional<std::string>& depth_topic = {});
 
-/// @param intrinsics of the depth images, whatever the recording states of them; their size is that of the
+/// The description of a recording as a capture.
+/// @param intrinsics of the depth images, in place of what the recording states; the size is that of the
 ///                   first image
-/// @throws Error when the description is incomplete, or one that no camera can have
+/// @throws Error when the description is incomplete or impossible
 [[nodiscard]] CaptureInfo describe(const Recording& recording, const RecordedStreams& streams,
                                    const std::optional<Intrinsics>& intrinsics = {});
 
-/// @param image of the stream
+/// The metadata of an image.
+/// @param image a message of stream.images()
 /// @throws Error when the file is damaged there
 [[nodiscard]] FrameMetadata metadata_of(const Recording& recording, const RecordedStream& stream,
                                         const RecordedMessage& image);
