@@ -33,10 +33,10 @@ CameraCheck check_camera(Camera& camera, std::size_t frames, const Progress& pro
     std::optional<CameraFrame> frame = camera.wait_for_frame();
     if (!frame)
       throw Error("camera", fmt::format("the recording ended after {} of {} frames", seen.size(), frames),
-                  "ask for fewer --frames");
+                  "use fewer frames");
     if (frame->metadata.temperature_c) check.temperature_c = frame->metadata.temperature_c;
     seen.push_back({std::move(frame->depth)});
-    if (progress) progress("looking", seen.size(), frames);
+    if (progress) progress("checking", seen.size(), frames);
   }
   const CaptureInfo info = camera.info();
   check.taken_at = iso_8601_now();

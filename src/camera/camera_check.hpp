@@ -1,4 +1,4 @@
-// How a camera does today, before work with it.
+// Checks a camera before work with it.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace rva {
 
-/// Looks at a still scene for as many frames and measures what judge() compares.
-/// @param frames 4 at least
-/// @throws Error of the camera, or when a recording ends before; Interrupted
+/// Records frames of a still scene and measures the quantities that judge() compares.
+/// @param frames number of frames, at least 4
+/// @throws Error when the camera fails, or a recording ends too early; Interrupted
 [[nodiscard]] CameraCheck check_camera(Camera& camera, std::size_t frames, const Progress& progress);
 
 }  // namespace rva

@@ -9,10 +9,10 @@
 
 namespace rva {
 
-/// Adds up what the frames of one view have in infrared.
+/// Sums the infrared images of the frames of one view, by imager.
 class InfraredSum {
  public:
-  /// @param frame its infrared images, if any, are of the size of its depth image
+  /// @param frame its infrared images, if any, must have the size of its depth image
   void add(const CameraFrame& frame);
 
   [[nodiscard]] bool empty() const { return sums_.empty(); }
@@ -23,7 +23,7 @@ class InfraredSum {
 
  private:
   struct Sum {
-    Image<std::uint64_t> brightness;  // of FineGrayImages
+    Image<std::uint64_t> brightness;  // in the unit of FineGrayImage
     int frames = 0;
   };
   std::map<Imager, Sum> sums_;

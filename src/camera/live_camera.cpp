@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds between_questions{100};
 
 }  // namespace
 
-/// What one recorder has not taken yet; guarded by the camera's mutex.
+/// The frames that one recorder has not taken yet; guarded by the mutex of the LiveCamera.
 class LiveCamera::Reader : public Camera {
  public:
   Reader(LiveCamera& live, std::function<void()> while_waiting)
@@ -62,7 +62,7 @@ class LiveCamera::Reader : public Camera {
     return last_->frame;
   }
 
-  // The frame that is under way may have begun before.
+  // The next frame may have been exposed before this call, and is dropped as well.
   void drop_waiting() override {
     const std::lock_guard lock(live_.mutex_);
     waiting_.clear();
@@ -80,7 +80,7 @@ class LiveCamera::Reader : public Camera {
   [[nodiscard]] Light light() const { return light_; }
 
  private:
-  // @return whether it came true before the camera counts as silent
+  // @return whether the condition became true within longest_silence
   template <typename Condition>
   [[nodiscard]] bool wait(std::unique_lock<std::mutex>& lock, const Condition& condition) const {
     const auto end = std::chrono::steady_clock::now() + longest_silence;
@@ -141,7 +141,7 @@ void LiveCamera::run(const std::stop_token& stop) {
   }
 }
 
-// The lamp, while a recorder wants it.
+// The lamp is on while at least one recorder asks for it.
 Light LiveCamera::wanted_light() const {
   const std::lock_guard lock(mutex_);
   const bool lamp =

@@ -1,4 +1,4 @@
-// One camera for all who look through it.
+// Shares one camera among viewers and recorders.
 #pragma once
 
 #include <chrono>
@@ -17,48 +17,48 @@
 
 namespace rva {
 
-/// A frame, and the view that it had.
+/// A frame, and the description of the camera when it was taken.
 struct LiveFrame {
   CameraFrame frame;
   CaptureInfo info;
-  std::chrono::system_clock::time_point taken_at;  ///< when it came out of the camera
+  std::chrono::system_clock::time_point taken_at;  ///< when the camera delivered it
 };
 
-/// How the camera is doing.
+/// The state of a camera.
 struct CameraHealth {
-  std::uint64_t frames = 0;  ///< that came
-  std::uint64_t lost = 0;    ///< gaps in the camera's numbers
-  double rate_hz = 0.0;      ///< of the last second or so
-  std::string problem;       ///< a sentence for a person; empty while frames come
+  std::uint64_t frames = 0;  ///< number of frames received
+  std::uint64_t lost = 0;    ///< number of frames missing, by gaps in their numbers
+  double rate_hz = 0.0;      ///< average over about the last second
+  std::string problem;       ///< a sentence for the user; empty while frames arrive
 };
 
-/// Reads a camera on a thread of its own. Whoever shows pictures takes the newest frame and may miss any;
-/// whoever records takes every frame, as a camera of his own. Neither holds up the other, nor the camera.
+/// Reads a camera on a thread of its own. Viewers take the newest frame and may miss frames; recorders take
+/// every frame, through a Camera of their own. Neither delays the other or the camera.
 ///
-/// A recorder may switch to the lamp. The frames under it go to the recorders that asked for it, and nobody
-/// else sees them: they have no depth to show.
+/// A recorder may switch to the lamp. Frames under the lamp are passed only to the recorders that asked for
+/// it, since they have no depth to show.
 ///
-/// A camera that fails is asked again until it answers. Every member may be called from any thread.
+/// After a failure, the camera is tried again until it works. Every member may be called from any thread.
 class LiveCamera {
  public:
-  /// @param most_hz frames a second at most, for cameras that give them as fast as they are asked
+  /// @param most_hz highest frame rate, for cameras that deliver frames as fast as they are requested
   explicit LiveCamera(std::unique_ptr<Camera> camera, double most_hz = 30.0);
   ~LiveCamera();
   LiveCamera(const LiveCamera&) = delete;
   LiveCamera& operator=(const LiveCamera&) = delete;
 
-  /// Null before the first frame. The frame is shared and constant.
+  /// The newest frame under the projector, shared; null before the first one.
   [[nodiscard]] std::shared_ptr<const LiveFrame> newest() const;
 
-  /// Waits for a frame that is not `seen`, for so long; null when none came.
+  /// Waits up to `limit` for a frame other than `seen`. @return null when none arrived
   [[nodiscard]] std::shared_ptr<const LiveFrame> wait_for_other(const LiveFrame* seen,
                                                                 std::chrono::milliseconds limit) const;
 
-  /// The frames from now on, each once. A signal that ends the program ends a wait (Interrupted). The frames
-  /// of the last second are kept until they are read; older ones are dropped, which leaves a gap in the frame
-  /// numbers, as with a device. It fails when the camera fails or gives no frame for five seconds. It must be
-  /// closed before this object.
-  /// @param while_waiting called ten times a second while a frame is waited for; what it throws ends the wait
+  /// A camera that gives each frame from now on once. Up to 30 frames are kept until they are read; older
+  /// ones are dropped, which leaves a gap in the frame numbers, as with a device. Its calls throw Error when
+  /// the camera fails or gives no frame for five seconds, and Interrupted when a signal is to end the
+  /// program. It must be destroyed before this object.
+  /// @param while_waiting called ten times a second while waiting for a frame; what it throws ends the wait
   [[nodiscard]] std::unique_ptr<Camera> every_frame(std::function<void()> while_waiting = {});
 
   [[nodiscard]] CameraHealth health() const;
@@ -76,7 +76,7 @@ class LiveCamera {
 
   std::unique_ptr<Camera> camera_;
   double most_hz_;
-  mutable std::mutex mutex_;  // guards all below
+  mutable std::mutex mutex_;  // guards everything below
   mutable std::condition_variable changed_;
   std::shared_ptr<const LiveFrame> newest_;
   std::optional<std::uint64_t> last_number_;
@@ -85,7 +85,7 @@ class LiveCamera {
   std::uint64_t problems_ = 0;
   double last_frame_s_ = 0.0;
   std::list<Reader*> readers_;
-  std::jthread thread_;  // last: it uses all above
+  std::jthread thread_;  // last, since it uses everything above
 };
 
 }  // namespace rva

@@ -12,7 +12,7 @@
 
 namespace rva {
 
-/// A depth frame, and what goes with it.
+/// A depth frame, with the images and metadata that belong to it.
 struct MemoryFrame {
   DepthImage depth;
   std::optional<ColorImage> color{};
@@ -20,10 +20,10 @@ struct MemoryFrame {
   FrameMetadata metadata{};
 };
 
-/// For a recording that is seen again and again: decoding takes longer than showing.
+/// A capture in memory, for a recording that is replayed in a loop: decoding takes longer than showing.
 class MemoryCapture : public Capture {
  public:
-  /// @param frames at least one, of the sizes that `info` states
+  /// @param frames at least one, with the image sizes that `info` states
   MemoryCapture(CaptureInfo info, std::vector<MemoryFrame> frames);
 
   [[nodiscard]] std::size_t depth_frames() const override { return frames_.size(); }
@@ -47,8 +47,9 @@ class MemoryCapture : public Capture {
   std::vector<std::size_t> with_color_;
 };
 
-/// The first frames of a capture, as many as fit.
-/// @param most_bytes room for one frame is always taken
+/// Loads the first frames of a capture, as many as fit into memory.
+/// @param most_bytes loading ends at the frame that reaches this size, so that it may be exceeded by
+///                   one frame
 /// @throws Error when a frame cannot be read; Interrupted
 [[nodiscard]] std::unique_ptr<Capture> load_to_memory(const Capture& capture, std::size_t most_bytes,
                                                       const Progress& progress);

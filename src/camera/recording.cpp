@@ -20,7 +20,7 @@ CameraFrame next_frame(Camera& camera, std::size_t done, std::size_t frames) {
   std::optional<CameraFrame> frame = camera.wait_for_frame();
   if (frame) return std::move(*frame);
   throw Error("camera", fmt::format("the recording ended after {} of {} frames", done, frames),
-              "ask for fewer frames");
+              "use fewer frames");
 }
 
 void write(const CaptureWriter& writer, std::size_t number, const CameraFrame& frame) {
@@ -42,7 +42,7 @@ void require_frames(std::size_t frames) {
 Recorded record_frames(Camera& camera, std::size_t frames, const CaptureWriter& writer, InfraredSum& infrared,
                        const Progress& progress) {
   const std::size_t in_flight = 2UL * std::max(1U, std::thread::hardware_concurrency());
-  // Its destructor waits for all, so that none outlives the writer when something throws.
+  // Its destructor waits for all tasks, so that none outlives the writer after an exception.
   std::deque<std::future<void>> queue;
   Recorded recorded;
   std::uint64_t next_number = 0;
@@ -65,7 +65,7 @@ Recorded record_frames(Camera& camera, std::size_t frames, const CaptureWriter& 
   return recorded;
 }
 
-/// Turns the projector on again at its end.
+/// Switches to the lamp, and back to the projector on destruction.
 class UnderLamp {
  public:
   explicit UnderLamp(Camera& camera) : camera_(camera) { camera_.set_light(Light::lamp); }
@@ -102,7 +102,7 @@ void record_lamp(Camera& camera, std::size_t frames, CaptureWriter& writer, cons
     if (progress) progress("recording under the lamp", number + 1, frames);
   }
   if (infrared.empty())
-    throw Error("camera", "gives no infrared images, which the lamp is for", "record without the lamp");
+    throw Error("camera", "gives no infrared images, for which the lamp is meant", "record without the lamp");
   infrared.write(Light::lamp, writer);
 }
 

@@ -1,4 +1,4 @@
-// From a camera to a capture folder.
+// Records a camera into a capture folder.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,29 @@
 
 namespace rva {
 
-/// What was recorded.
+/// The extent of a recording.
 struct Recorded {
   std::size_t frames = 0;
-  std::size_t lost = 0;  ///< that the camera dropped between them, by its numbers
+  std::size_t lost = 0;  ///< dropped by the camera between them, by the frame numbers
 };
 
-/// Writes the camera's next `frames` frames, from number 0, each with colour where it has that, and of the
-/// infrared images of each imager the mean, also of the frames until something failed.
-/// Other threads encode and write while the camera goes on; memory holds two frames a core, and where the
-/// disk is slower than the camera, it is the camera that waits or drops. The writer is made of the camera's
-/// info(), and may describe a folder that a failure leaves half full.
+/// Writes the camera's next `frames` frames, numbered from 0, with their colour images if any, and the mean
+/// infrared image of each imager. After a failure, the folder has the frames written until then, and their
+/// mean infrared images.
 ///
-/// @throws Error       of the camera or the disk; when a recording ends before it gave so many frames
+/// Other threads encode and write the frames. At most two frames per core are in memory: if the disk is
+/// slower than the camera, a device drops frames and other cameras wait.
+///
+/// @param writer       constructed with the camera's info()
+/// @throws Error       when the camera or the disk fails, or a recording has too few frames
 /// @throws UsageError  when frames is 0
 /// @throws Interrupted between two frames
 Recorded record(Camera& camera, std::size_t frames, CaptureWriter& writer, const Progress& progress);
 
-/// Writes the mean of the infrared images that the camera's next `frames` frames have under its lamp. The
-/// projector is on again afterwards, whatever happens.
-/// @param camera has_lamp()
-/// @throws as record(); Error when the frames have no infrared images
+/// Writes the mean infrared image of each imager over the camera's next `frames` frames under its lamp. The
+/// projector is switched on again afterwards, also after a failure.
+/// @param camera must have a lamp (has_lamp())
+/// @throws Error, UsageError, Interrupted as record(); Error also when the frames have no infrared images
 void record_lamp(Camera& camera, std::size_t frames, CaptureWriter& writer, const Progress& progress);
 
 }  // namespace rva

@@ -9,7 +9,8 @@ ReplayCamera::ReplayCamera(std::unique_ptr<Capture> capture, const ReplayOptions
   check_options(options_);
 }
 
-// By the schedule, so that short delays do not add up; after a long one, from now.
+// Counted from the previous due time, so that short delays do not add up; after a delay of more than a
+// period, from now.
 double ReplayCamera::next_due_s() const {
   const double period_s = 1.0 / options_.rate_hz;
   const double now_s = clock_.now_s();

@@ -1,4 +1,4 @@
-// A recording in the place of a camera.
+// A camera that replays a capture.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,10 @@ struct ReplayOptions {
   }
 };
 
-/// Gives the frames of a capture in their order, none left out: one that is asked for late comes at once, and
-/// later ones at the rate from there. Each has what the capture has with it: colour, infrared, metadata.
-/// A frame under the lamp is the mean of what the capture has under it, as often as it is asked for. Numbers
-/// and times go on when the recording starts again; times are number / rate.
+/// Gives all frames of a capture in their order, with their colour and infrared images and metadata. A frame
+/// that is requested late is returned at once, and the following ones at the rate from then on. Under the
+/// lamp, every request returns the mean of the capture's images under the lamp. Numbers and times continue
+/// when the recording starts again; times are number / rate.
 class ReplayCamera : public Camera {
  public:
   /// @param capture as open_capture() gives it
@@ -51,7 +51,7 @@ class ReplayCamera : public Camera {
   Clock clock_;
   std::uint64_t next_ = 0;
   Light light_ = Light::projector;
-  double due_s_ = -std::numeric_limits<double>::infinity();  // of the next frame; the first comes at once
+  double due_s_ = -std::numeric_limits<double>::infinity();  // of the next frame; the first is due at once
 };
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-// RealSense cameras by what Linux says of its USB ports: also of those that cannot be opened.
+// Finds RealSense cameras by Linux' list of USB devices, including those that cannot be opened.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ struct PluggedIn {
   double speed_mbps = 0.0;
 };
 
-/// @param devices where Linux lists them
+/// @param devices the folder in which Linux lists USB devices
 [[nodiscard]] std::vector<PluggedIn> plugged_in_realsense(
     const std::filesystem::path& devices = "/sys/bus/usb/devices");
 

@@ -1,4 +1,4 @@
-// Intel RealSense cameras through librealsense2, where the program was built with it.
+// Intel RealSense cameras by librealsense2, if the program was built with it.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace rva {
 
-/// The settings of a careful user: nothing that the camera changes by itself while depth is compared. No
-/// filter of librealsense is applied.
+/// Settings for comparing depth: nothing is left to automatic control by the camera. No filter of
+/// librealsense is applied.
 struct RealSenseOptions {
   double rate_hz = 30.0;
   double exposure_us = 8500.0;
@@ -34,30 +34,30 @@ struct RealSenseOptions {
   }
 };
 
-/// A camera that is there. Texts are empty where the camera does not say.
+/// A connected camera. Texts are empty where the camera does not state them.
 struct FoundCamera {
   std::string model;
   std::string serial;
   std::string firmware;
-  std::string usb;  ///< "3.2"; "2.1" is too slow for all frames
+  std::string usb;  ///< type of the port: "3.2"; "2.1" is too slow for all frames
 };
 
 /// Whether the program was built with librealsense2.
 [[nodiscard]] bool has_realsense();
 
-/// Those that can be opened.
-/// @throws Error where one is plugged in that this user may not open, or the program was built without
-///         librealsense2
+/// The cameras that can be opened.
+/// @throws Error when none can be opened although one is plugged in, or the program was built
+///         without librealsense2
 [[nodiscard]] std::vector<FoundCamera> realsense_cameras();
 
-/// Depth of 848x480 pixels, colour and infrared of the same size. Settings are applied, read back
-/// and stated in info(); what the camera took otherwise than asked is in info().notes, and so is a port that
-/// is too slow. A camera that goes away fails a call with an Error, and the first call after it is back opens
-/// it anew; frames missed meanwhile show as a gap in the numbers.
+/// Opens a camera: depth of 848x480 pixels, and colour and infrared of the same size where available.
+/// Settings are applied, read back and stated in info(); info().notes states settings that differ from the
+/// options, and a port that is too slow. If the camera is disconnected, calls throw Error, and the first call
+/// after it has been connected again reopens it; frames missed meanwhile leave a gap in the numbers.
 ///
-/// @param serial empty: the only one that there is
+/// @param serial empty for the only connected camera
 /// @throws UsageError when an option is out of range
-/// @throws Error      as realsense_cameras(); when there is no such camera, or several and none is named;
+/// @throws Error      as realsense_cameras(); when there is no such camera, or several and `serial` is empty;
 ///                    when another program uses it
 [[nodiscard]] std::unique_ptr<Camera> open_realsense(const std::string& serial,
                                                      const RealSenseOptions& options = {});

@@ -20,16 +20,16 @@ namespace {
 
 constexpr int width = 848;
 constexpr int height = 480;
-// A second of frames: a reader who is later loses the oldest.
+// One second of frames: the oldest are dropped if the reader is later than that.
 constexpr unsigned most_waiting = 30;
-// By librealsense's numbers.
+// The imagers by librealsense's stream index.
 constexpr std::array<std::pair<Imager, int>, 2> infrared_streams{{{Imager::left, 1}, {Imager::right, 2}}};
 
 std::string text_of(const rs2::device& device, rs2_camera_info what) {
   return device.supports(what) ? device.get_info(what) : "";
 }
 
-// librealsense says what the system said, in words.
+// librealsense passes on the system's error as text only.
 Error not_opened(const std::string& place, const rs2::error& failure) {
   const std::string says = failure.what();
   const auto mentions = [&](const char* word) { return says.find(word) != std::string::npos; };
@@ -38,7 +38,7 @@ Error not_opened(const std::string& place, const rs2::error& failure) {
   if (mentions("ermission") || mentions("ccess"))
     return {place, "may not be opened by this user",
             "install librealsense's udev rules (see docs/cameras.md) and plug the camera in again"};
-  return {place, fmt::format("does not start ({})", printable(says)), "plug it in again, at a USB 3 port"};
+  return {place, fmt::format("does not start ({})", printable(says)), "plug it in again, to a USB 3 port"};
 }
 
 rs2::config streams(const std::string& serial, int rate_hz, bool color, bool infrared) {
@@ -57,7 +57,7 @@ CaptureInfo describe(const rs2::pipeline_profile& profile, const rs2::sensor& de
   const auto depth = profile.get_stream(RS2_STREAM_DEPTH).as<rs2::video_stream_profile>();
   CaptureInfo info;
   info.depth = to_intrinsics(depth.get_intrinsics());
-  // The camera holds it as a float.
+  // The camera stores it as a float: rounding restores the decimal value.
   info.depth_unit_m =
       std::round(1e7 * static_cast<double>(depth_sensor.get_option(RS2_OPTION_DEPTH_UNITS))) / 1e7;
   CameraInfo camera{text_of(device, RS2_CAMERA_INFO_NAME),
@@ -83,12 +83,14 @@ CaptureInfo describe(const rs2::pipeline_profile& profile, const rs2::sensor& de
 
 void note_slow_port(CaptureInfo& info, int rate_hz, const RealSenseOptions& options) {
   if (rate_hz != static_cast<int>(options.rate_hz))
-    info.notes.push_back(fmt::format("the camera gives {} frames a second here, not {:.0f} as asked", rate_hz,
-                                     options.rate_hz));
+    info.notes.push_back(
+        fmt::format("the camera gives {} frames per second at this port, not {:.0f} as requested", rate_hz,
+                    options.rate_hz));
   if (info.camera->usb.starts_with("2")) {
-    info.notes.push_back(fmt::format(
-        "the camera is at a USB {} port, which is too slow for all frames: use a USB 3 port and cable",
-        info.camera->usb));
+    info.notes.push_back(
+        fmt::format("the camera is connected to a USB {} port, which is too slow for all frames: use a USB 3 "
+                    "port and cable",
+                    info.camera->usb));
   }
 }
 
@@ -122,9 +124,9 @@ RealSenseCamera::RealSenseCamera(rs2::context context, std::string serial, const
       std::string serials;
       for (const FoundCamera& camera : found)
         serials += (serials.empty() ? "realsense:" : ", realsense:") + printable(camera.serial);
-      throw Error("realsense", "there are several cameras", "name one: " + serials);
+      throw Error("realsense", "several cameras are connected", "name one: " + serials);
     }
-    if (found.empty()) throw Error("realsense", "no camera is there", "plug one in, at a USB 3 port");
+    if (found.empty()) throw Error("realsense", "no camera is connected", "connect one to a USB 3 port");
     serial_ = found.front().serial;
   }
   open();
@@ -139,8 +141,8 @@ bool RealSenseCamera::is_there() const {
 
 void RealSenseCamera::open() {
   const std::string place = "realsense:" + printable(serial_);
-  // Starting waits for 15 seconds where there is none.
-  if (!is_there()) throw Error(place, "no such camera is there", "plug it in, or see `rva cameras`");
+  // Without this check, starting would wait for 15 seconds for an absent camera.
+  if (!is_there()) throw Error(place, "this camera is not connected", "connect it, or see `rva cameras`");
   try {
     rs2::device device;
     for (const rs2::device& candidate : context_.query_devices()) {
@@ -150,7 +152,7 @@ void RealSenseCamera::open() {
     std::vector<std::string> notes = apply_settings(depth_sensor, options_);
     rs2::pipeline pipeline(context_);
     const auto asked_hz = static_cast<int>(options_.rate_hz);
-    // Some have no colour; a slow port has no rate that high, or no room for infrared.
+    // Some cameras have no colour; a slow port does not allow high rates, or infrared images as well.
     for (const int rate_hz : {asked_hz, 15, 10, 6}) {
       for (const auto [color, infrared] :
            {std::pair(true, true), {false, true}, {true, false}, {false, false}}) {
@@ -162,7 +164,7 @@ void RealSenseCamera::open() {
         info.notes = std::move(notes);
         note_slow_port(info, rate_hz, options_);
         if (options_.infrared && !infrared)
-          info.notes.emplace_back("its port has no room for infrared images: depth alone will be compared");
+          info.notes.emplace_back("its port is too slow for infrared images: depth alone will be compared");
         const std::lock_guard lock(mutex_);
         info_ = std::move(info);
         depth_sensor_ = depth_sensor;
@@ -182,7 +184,7 @@ void RealSenseCamera::close() {
   try {
     pipeline_->stop();
   } catch (const rs2::error&) {
-    // It is gone already.
+    // It has already been disconnected.
   }
   pipeline_.reset();
   device_number_.reset();
@@ -202,7 +204,7 @@ rs2::frameset RealSenseCamera::next_frameset() {
     rs2::frame frame;
     if (!queue_.try_wait_for_frame(&frame, slice_ms)) continue;
     rs2::frameset set(frame);
-    // The pipeline gives the last depth again when colour comes alone.
+    // The pipeline repeats the last depth frame when a colour frame arrives alone.
     const rs2::depth_frame depth = set.get_depth_frame();
     if (depth && depth.get_frame_number() != device_number_) return set;
   }
@@ -212,7 +214,7 @@ rs2::frameset RealSenseCamera::next_frameset() {
               there ? "has given no frame for some seconds" : "has been unplugged", "check its cable");
 }
 
-// A camera that was away counts from the beginning; what was missed is known by the time that passed.
+// A reconnected camera counts from the beginning: the number of missed frames is estimated from the time.
 void RealSenseCamera::count(std::uint64_t device_number) {
   const double now_s = steady_clock().now_s();
   if (device_number_ && device_number > *device_number_)
@@ -232,7 +234,7 @@ FrameMetadata RealSenseCamera::metadata_of(const rs2::depth_frame& depth) {
       if (depth_sensor_.supports(RS2_OPTION_ASIC_TEMPERATURE))
         temperature_c_ = static_cast<double>(depth_sensor_.get_option(RS2_OPTION_ASIC_TEMPERATURE));
     } catch (const rs2::error&) {
-      temperature_c_.reset();  // it does not answer just now
+      temperature_c_.reset();  // not available at the moment
     }
   }
   metadata.counter = number_;
@@ -271,7 +273,7 @@ void RealSenseCamera::drop_waiting() {
 
 namespace {
 
-// One for the process: each takes seconds to be destroyed.
+// One context for the process, since destroying a context takes seconds.
 const rs2::context& shared_context() {
   static const rs2::context context;
   return context;

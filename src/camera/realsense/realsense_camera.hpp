@@ -1,5 +1,5 @@
-// A RealSense camera of a given librealsense context; apart from realsense.hpp so that tests can bring their
-// own.
+// A RealSense camera of a given librealsense context; separate from realsense.hpp so that tests can pass a
+// context of their own.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace rva {
 
 class RealSenseCamera : public Camera {
  public:
-  /// @param silence_s without a frame for so long, the camera is taken to be gone
-  /// @throws as open_realsense()
+  /// @param silence_s time without a frame after which the camera is taken to be disconnected
+  /// @throws UsageError, Error as open_realsense()
   RealSenseCamera(rs2::context context, std::string serial, const RealSenseOptions& options,
                   double silence_s = 5.0);
   ~RealSenseCamera() override;
@@ -41,17 +41,17 @@ class RealSenseCamera : public Camera {
   RealSenseOptions options_;
   double silence_s_;
   rs2::frame_queue queue_;
-  std::optional<rs2::pipeline> pipeline_;  // empty while the camera is away
+  std::optional<rs2::pipeline> pipeline_;  // empty while disconnected
   rs2::sensor depth_sensor_;
   mutable std::mutex mutex_;  // guards the next
   CaptureInfo info_;
-  std::uint64_t number_ = 0;                      // of the frame given last
-  std::optional<std::uint64_t> device_number_{};  // the same, as the camera counts since it was opened
+  std::uint64_t number_ = 0;                      // of the last frame returned
+  std::optional<std::uint64_t> device_number_{};  // its number by the camera's counter
   double last_frame_s_ = 0.0;
   std::optional<double> temperature_c_{};
 };
 
-/// @throws Error where one is plugged in that cannot be opened
+/// The cameras of a context. @throws Error when none can be opened although one is plugged in
 [[nodiscard]] std::vector<FoundCamera> cameras_of(const rs2::context& context);
 
 }  // namespace rva

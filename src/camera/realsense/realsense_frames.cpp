@@ -24,7 +24,7 @@ Distortion to_distortion(rs2_distortion model) {
     case RS2_DISTORTION_BROWN_CONRADY:
     case RS2_DISTORTION_MODIFIED_BROWN_CONRADY:
       return Distortion::brown_conrady;
-    default:  // no D400 has another
+    default:  // no D400 camera has another model
       return Distortion::none;
   }
 }
@@ -57,7 +57,7 @@ Intrinsics to_intrinsics(const rs2_intrinsics& intrinsics) {
 
 Transform to_transform(const rs2_extrinsics& a_from_b) {
   Transform transform = Transform::Identity();
-  // Column by column, as Eigen has it, too.
+  // The rotation is stored column by column, as in Eigen.
   transform.linear() = Eigen::Map<const Eigen::Matrix3f>(a_from_b.rotation).cast<double>();
   transform.translation() = Eigen::Map<const Eigen::Vector3f>(a_from_b.translation).cast<double>();
   return transform;

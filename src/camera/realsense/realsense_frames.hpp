@@ -1,4 +1,4 @@
-// What librealsense gives, as ours.
+// Converts librealsense's types to RVA's.
 #pragma once
 
 #include <librealsense2/rs.hpp>
@@ -17,7 +17,7 @@ namespace rva {
 [[nodiscard]] Intrinsics to_intrinsics(const rs2_intrinsics& intrinsics);
 [[nodiscard]] Transform to_transform(const rs2_extrinsics& a_from_b);
 
-/// What comes with the frame itself; not the temperature.
+/// The metadata of the frame itself, without the temperature.
 [[nodiscard]] FrameMetadata to_metadata(const rs2::depth_frame& frame);
 
 }  // namespace rva

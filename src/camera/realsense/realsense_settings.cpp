@@ -13,7 +13,7 @@ struct Setting {
   double value;
 };
 
-// In this order: exposure and gain are refused while the camera chooses them itself.
+// The order matters: exposure and gain are refused while exposure is automatic.
 std::array<Setting, 6> settings_of(const RealSenseOptions& options) {
   const bool lit = options.laser_power_mw > 0.0;
   return {{{RS2_OPTION_ENABLE_AUTO_EXPOSURE, 0.0},
@@ -38,12 +38,12 @@ std::vector<std::string> apply_settings(const rs2::sensor& depth_sensor, const R
     try {
       depth_sensor.set_option(setting.option, static_cast<float>(setting.value));
     } catch (const rs2::error&) {
-      // What it is now is read below, and said.
+      // The actual value is read below, and a difference is reported.
     }
     const double now = static_cast<double>(depth_sensor.get_option(setting.option));
     const double step = static_cast<double>(depth_sensor.get_option_range(setting.option).step);
     if (std::abs(now - setting.value) > 0.51 * step + 1e-6 * std::abs(setting.value))
-      notes.push_back(fmt::format("'{}' is {:.6g}, not {:.6g} as asked", name, now, setting.value));
+      notes.push_back(fmt::format("'{}' is {:.6g}, not {:.6g} as requested", name, now, setting.value));
   }
   return notes;
 }
@@ -54,7 +54,7 @@ std::map<std::string, double> read_settings(rs2::sensor sensor) {
     try {
       settings[rs2_option_to_string(option)] = static_cast<double>(sensor.get_option(option));
     } catch (const rs2::error&) {
-      // Some can be set only; some answer only while the camera measures.
+      // Some options can only be set, others can be read only while the camera is streaming.
     }
   }
   return settings;

@@ -1,4 +1,4 @@
-// What a RealSense is set to before it measures.
+// Settings of a RealSense camera.
 #pragma once
 
 #include <librealsense2/rs.hpp>
@@ -10,12 +10,12 @@
 
 namespace rva {
 
-/// Sets what the sensor has of the options.
-/// @return sentences on what it took otherwise than asked
+/// Applies the options that the sensor supports.
+/// @return sentences on options that it lacks, and on values that differ from the requested ones
 [[nodiscard]] std::vector<std::string> apply_settings(const rs2::sensor& depth_sensor,
                                                       const RealSenseOptions& options);
 
-/// Every option that can be read, by librealsense's names.
+/// The values of all options that can be read, by librealsense's names.
 [[nodiscard]] std::map<std::string, double> read_settings(rs2::sensor sensor);
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-// Built instead of realsense_camera.cpp where there is no librealsense2.
+// Built instead of realsense_camera.cpp if librealsense2 is not installed.
 #include <fmt/format.h>
 
 #include "camera/realsense/plugged_in.hpp"
