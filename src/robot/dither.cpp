@@ -12,8 +12,8 @@ struct Steps {
   int tilt = 0;
 };
 
-// No two of the first eight share a pan or a tilt, and any four in a row from a fourth have one in each
-// quarter.
+// No two of the first eight have the same pan or tilt, and each group of four has one in each quarter of
+// the square.
 constexpr std::array<Steps, most_dithers> offsets{{{0, 0},
                                                    {4, 5},
                                                    {2, 6},

@@ -14,15 +14,15 @@ constexpr std::chrono::milliseconds period{40};
 
 double now_s() { return steady_clock().now_s(); }
 
-// A worn stick rests beside its middle. What is so close to it would make the camera creep, and would never
-// count as let go, so that a stop could not be left again.
+// A worn stick does not rest exactly in its centre. Without this dead zone, the camera would creep, and the
+// stick would never count as released, so that driving could not resume after a stop.
 double within_one(double deflection) {
   constexpr double at_rest = 0.02;
   if (std::isnan(deflection) || std::abs(deflection) < at_rest) return 0.0;
   return std::clamp(deflection, -1.0, 1.0);
 }
 
-// No farther ahead of the joint than it turns in this time, and not beyond its end.
+// The next target, no farther ahead of the joint than `most_ahead_deg`, and within its limits.
 double ahead(double target_deg, double step_deg, double joint_deg, double most_ahead_deg,
              const AxisLimits& limits) {
   const double wanted_deg =
@@ -76,7 +76,7 @@ DriveState Drive::state_after_asking() {
 }
 
 Drive::Loan::Loan(Drive& drive) : drive_(drive) {
-  constexpr std::chrono::seconds longest_wait{2};  // for a robot that does not answer
+  constexpr std::chrono::seconds longest_wait{2};  // in case the robot does not answer
   std::unique_lock lock(drive_.mutex_);
   ++drive_.loans_;
   drive_.state_.lent = true;
@@ -101,7 +101,8 @@ void Drive::run(const std::stop_token& stop) {
   if (target_) follow({{}, true});
 }
 
-// Silence disarms: sticks that were held when the line broke must not move the robot when it is back.
+// Without new deflections, driving is disarmed: sticks that were held when the connection was lost must not
+// move the robot when it is restored.
 Drive::Orders Drive::take_orders() {
   const std::lock_guard lock(mutex_);
   const double silence_s = static_cast<double>(options_.silence_ms) / 1000.0;
@@ -121,7 +122,7 @@ void Drive::follow(const Orders& orders) {
       robot_.stop();
       target_.reset();
       const std::lock_guard lock(mutex_);
-      halt_ = false;  // not before the robot has taken it: a stop that failed is said again
+      halt_ = false;  // only after the robot has taken it: a failed stop is repeated
     } else if (orders.deflection != Deflection{}) {
       advance(orders.deflection);
     } else {

@@ -1,4 +1,4 @@
-// Driving by hand: hold to run, let go to stop.
+// Manual driving: the robot moves while a stick is held and stops when it is released.
 #pragma once
 
 #include <condition_variable>
@@ -26,7 +26,7 @@ struct DriveOptions {
   }
 };
 
-/// How far the sticks are held, -1 to 1 each: pan to the left, tilt up.
+/// Deflection of the sticks, -1 to 1 each: positive pan is to the left, positive tilt is up.
 struct Deflection {
   double pan = 0.0;
   double tilt = 0.0;
@@ -34,43 +34,44 @@ struct Deflection {
 };
 
 struct DriveState {
-  std::optional<PanTilt> joints;  ///< as the servos last said; empty while they do not
-  std::string problem;            ///< why not, or why it did not move, for a person
+  std::optional<PanTilt> joints;  ///< as last reported by the servos; empty while they do not answer
+  std::string problem;            ///< why there are no joints, or why the robot did not move; for the user
   bool driving = false;
-  bool armed = true;      ///< false after a stop until the sticks were let go
-  bool lent = false;      ///< moves by itself, for a capture
-  bool at_limit = false;  ///< held towards an end that is reached
+  bool armed = true;      ///< false after a stop, until the sticks have been released
+  bool lent = false;      ///< moved automatically, for captures
+  bool at_limit = false;  ///< driven against a limit that has been reached
 };
 
-/// Turns sticks into motion. Deflections must come again and again: silence stops the robot, and then only
-/// sticks that have been let go move it again, as after halt() and after an error. Targets are ahead of the
-/// joints by no more than a fraction of a second, so that nothing is left to run when the sticks are let go.
+/// Converts deflections of the sticks into motion. Deflections must be repeated: without them the robot
+/// stops, and moves again only after the sticks have been released, as after halt() and after an error.
+/// Targets are ahead of the joints by no more than a fraction of a second, so that the robot stops soon after
+/// the sticks are released.
 ///
-/// The robot is spoken to by a thread of its own, so that no member waits for a robot that does not answer.
-/// Every member may be called from any thread.
+/// A separate thread communicates with the robot, so that steer(), halt() and state() do not wait for a robot
+/// that does not answer. Every member may be called from any thread.
 class Drive {
  public:
   /// @throws UsageError when an option is out of range
   explicit Drive(Robot& robot, const DriveOptions& options = {});
-  ~Drive();  ///< stops the robot if it drives it
+  ~Drive();  ///< stops the robot if it is being driven
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
-  /// @param deflection beyond 1 counts as 1, less than 0.02 either way and not a number as 0: let go
+  /// @param deflection clamped to -1 to 1; a magnitude below 0.02 and NaN count as released (0)
   void steer(const Deflection& deflection);
 
-  /// Stops the robot, whoever moves it.
+  /// Stops the robot, also when it is lent. Repeated until the robot takes the command.
   void halt();
 
   [[nodiscard]] DriveState state() const;
 
-  /// As state(), but what the robot answers to a question that is asked from now on: waits for that.
+  /// As state(), but waits for joints that the robot is asked for after this call.
   [[nodiscard]] DriveState state_after_asking();
 
   [[nodiscard]] RobotLimits limits() const { return limits_; }
 
-  /// While it lives, the robot is moved by somebody else, and sticks have no say; halt() does. It begins when
-  /// the robot has been told to stop, if it was driven.
+  /// For its lifetime, other code moves the robot: sticks have no effect, but halt() does. The constructor
+  /// first stops a robot that is being driven; it waits up to two seconds for that.
   class Loan {
    public:
     explicit Loan(Drive& drive);
@@ -84,7 +85,7 @@ class Drive {
   };
 
  private:
-  /// What the next step is to do.
+  /// The orders for the next step.
   struct Orders {
     Deflection deflection;
     bool halt = false;
@@ -100,21 +101,21 @@ class Drive {
   Robot& robot_;
   DriveOptions options_;
   RobotLimits limits_;
-  mutable std::mutex mutex_;  // guards up to the thread's own
+  mutable std::mutex mutex_;  // guards the members down to answers_
   std::condition_variable_any changed_;
   Deflection deflection_;
-  double said_s_ = 0.0;  // when the deflection was
+  double said_s_ = 0.0;  // time of the last steer()
   bool halt_ = false;
   bool news_ = false;
   int loans_ = 0;
   DriveState state_;
-  std::uint64_t questions_ = 0;  // begun, and
-  std::uint64_t answers_ = 0;    // ended: how often the robot was asked for its joints
-  // Of the thread alone.
+  std::uint64_t questions_ = 0;  // requests for joints that were begun
+  std::uint64_t answers_ = 0;    // requests for joints that have ended
+  // The following members are used by the thread alone.
   std::optional<PanTilt> target_;  // while driving
   double advanced_s_ = 0.0;
   std::string failure_;  // of the last command
-  std::jthread thread_;  // last: it uses all above
+  std::jthread thread_;  // last, since it uses everything above
 };
 
 }  // namespace rva

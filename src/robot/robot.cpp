@@ -21,7 +21,7 @@ bool is_near(double a_deg, double b_deg) {
 
 Error not_arrived(const PanTilt& joints, const PanTilt& target, const std::string& how) {
   return {"robot", fmt::format("{} at {} on its way to {}", how, text_of(joints), text_of(target)),
-          "clear its way, check its power, and move it again"};
+          "remove obstacles, check its power, and move it again"};
 }
 
 void wait_for_rest(Robot& robot, const PanTilt& target, const Clock& clock, double limit_s) {

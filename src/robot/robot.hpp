@@ -1,4 +1,4 @@
-// What every robot does, whether it is a device or a simulation.
+// The interface of every robot: a device or a simulation.
 #pragma once
 
 #include "core/clock.hpp"
@@ -7,8 +7,8 @@
 
 namespace rva {
 
-/// Two joints that carry the camera. Every member may be called from any thread, so that one can stop what
-/// another has started. Angles are as geometry/pan_tilt.hpp defines them.
+/// Two joints that carry the camera. Every member may be called from any thread, so that one thread can stop
+/// a motion that another has started. geometry/pan_tilt.hpp defines the angles.
 class Robot {
  public:
   Robot() = default;
@@ -18,30 +18,30 @@ class Robot {
 
   [[nodiscard]] virtual RobotLimits limits() const = 0;
 
-  /// Starts towards the target and returns; a target that is still under way is given up for it.
+  /// Starts a motion to the target and returns. It replaces an earlier target that has not been reached.
   /// @throws UsageError when the target is beyond limits(), Error when the robot does not take the command;
-  ///         nothing moves then that did not before
+  ///         no motion has then been started
   virtual void move_to(const PanTilt& target) = 0;
 
-  /// Where the servos say they are: in their steps, blind to play behind them.
-  /// @throws Error when they do not answer; never an angle that was not measured
+  /// The joint angles that the servos measure, in their steps; they do not include play of the gears. Only
+  /// measured angles are returned. @throws Error when the servos do not answer
   [[nodiscard]] virtual PanTilt joints() = 0;
 
-  /// From the return of move_to() until the target is reached or given up. @throws Error as joints()
+  /// True from the return of move_to() until the target is reached or abandoned. @throws Error as joints()
   [[nodiscard]] virtual bool moving() = 0;
 
-  /// Gives up the target and holds the joints where they are. @throws Error when the robot cannot be reached
+  /// Abandons the target and holds the joints where they are. @throws Error when the robot does not answer
   virtual void stop() = 0;
 };
 
-/// A robot that rests has arrived when its joints() are this close to the target: more than a servo's step,
-/// less than a push.
+/// A robot at rest has arrived if its joints() are this close to the target. This is more than a servo's
+/// step, and less than the deviation of a robot that has been pushed.
 inline constexpr double arrival_tolerance_deg = 1.0;
 
-/// Moves and waits until the robot rests there. An interrupt, and a robot that takes too long, stop it.
+/// Moves to the target and waits until the robot rests there. Stops the robot on an interrupt or a timeout.
 /// @return joints() at rest
 /// @throws UsageError, Error  as Robot; Error when it rests elsewhere or takes more than `limit_s`
-/// @throws Interrupted        when a person stopped the program meanwhile
+/// @throws Interrupted        when the user stopped the program meanwhile
 PanTilt move_and_wait(Robot& robot, const PanTilt& target, const Clock& clock = steady_clock(),
                       double limit_s = 30.0);
 

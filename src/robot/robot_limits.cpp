@@ -11,7 +11,7 @@ namespace {
 
 void require_within(double angle_deg, const AxisLimits& limits, const char* axis) {
   if (angle_deg >= limits.min_deg && angle_deg <= limits.max_deg) return;  // false for NaN
-  throw UsageError(fmt::format("robot's {}", axis), fmt::format("{} deg is out of reach", angle_deg),
+  throw UsageError(fmt::format("robot's {}", axis), fmt::format("{} deg is out of range", angle_deg),
                    fmt::format("give {} to {} deg", limits.min_deg, limits.max_deg));
 }
 

@@ -1,18 +1,19 @@
-// How far the joints turn.
+// Ranges of the joints.
 #pragma once
 
 #include "geometry/pan_tilt.hpp"
 
 namespace rva {
 
-/// Both ends are within reach.
+/// The range of one joint; both ends can be reached.
 struct AxisLimits {
   double min_deg = 0.0;
   double max_deg = 0.0;
   bool operator==(const AxisLimits&) const = default;
 };
 
-/// The thesis' robot: up, the camera's cable ends the way early. No robot is believed that claims more.
+/// The limits of the thesis' robot, whose upward tilt the camera's cable restricts. Larger limits reported by
+/// a robot are rejected.
 struct RobotLimits {
   AxisLimits pan{-90.0, 90.0};
   AxisLimits tilt{-90.0, 9.0};
@@ -21,7 +22,7 @@ struct RobotLimits {
   /// @throws UsageError naming the axis and its limits when the target is beyond them or not a number
   void check(const PanTilt& target) const;
 
-  /// Within reach: a joint that was turned by hand may stand a little beyond its limits.
+  /// The nearest angles within the limits: a joint that was turned by hand may be slightly beyond them.
   [[nodiscard]] PanTilt nearest(const PanTilt& joints) const;
 };
 

@@ -35,7 +35,7 @@ bool holds_only(std::string_view word, std::string_view characters) {
 constexpr std::string_view digits = "0123456789";
 constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-// Digits alone, up to `most`.
+// A number of digits only, up to `most`.
 template <typename Number>
 bool parse_count(std::string_view word, Number& number, Number most) {
   if (!holds_only(word, digits)) return false;
@@ -43,7 +43,7 @@ bool parse_count(std::string_view word, Number& number, Number most) {
   return error == std::errc() && number <= most;
 }
 
-// Up to two decimals, as the protocol has it: no exponent, no infinity, nothing that is not a number.
+// A number with up to two decimals, as the protocol defines it: no exponent, no infinity, no NaN.
 bool parse_decimal(std::string_view word, double& number, double least, double most) {
   const std::string_view magnitude = word.substr(word.starts_with('-') ? 1 : 0);
   const std::size_t point = std::min(magnitude.find('.'), magnitude.size());
@@ -67,7 +67,7 @@ bool parse_limits(std::string_view min, std::string_view max, const AxisLimits& 
 
 using Words = std::vector<std::string_view>;
 
-// A robot that claims to turn farther than any of ours is none of ours.
+// Limits and speeds beyond those of supported robots are rejected.
 std::optional<RobotLine> parse_ready(const Words& words) {
   constexpr RobotLimits allowed;
   constexpr int most_protocol = 1000;
@@ -146,7 +146,8 @@ std::optional<RobotLine> parse_frame(std::string_view frame) {
   return std::nullopt;
 }
 
-// Two decimals each, as the thesis' firmware prints them: a line whose beginning was lost has fewer.
+// Two angles with exactly two decimals each, as the thesis' firmware prints them, so that truncated lines
+// are rejected.
 std::optional<RobotLine> parse_bare(std::string_view line) {
   const std::size_t cross = line.find('x');
   if (cross == std::string_view::npos) return std::nullopt;

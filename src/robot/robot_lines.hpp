@@ -1,4 +1,4 @@
-// The host's side of docs/protocol.md: frames to the robot, and what its lines say.
+// The host's side of docs/protocol.md: composes frames to the robot and parses its lines.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace rva {
 
-/// A frame with its number and checksum, end included.
+/// A frame with its number, its checksum and a line end.
 /// @param number 0 to 255
 /// @param body   a verb and its arguments
 [[nodiscard]] std::string robot_frame(int number, std::string_view body);
 
-/// MOVE's body: angles with two decimals.
+/// The body of MOVE: angles in degrees with two decimals.
 [[nodiscard]] std::string move_body(const PanTilt& target);
 
 struct ReadyLine {
@@ -26,7 +26,7 @@ struct ReadyLine {
   RobotLimits limits;
 };
 
-/// ACK, or NAK with its reason.
+/// ACK, or NAK with a reason.
 struct AnswerLine {
   int number = 0;
   std::string refusal;  ///< empty for ACK
@@ -34,7 +34,7 @@ struct AnswerLine {
 
 struct JointPosition {
   double deg = 0.0;
-  double age_s = 0.0;  ///< when the robot said it
+  double age_s = 0.0;  ///< time since the measurement, when the robot sent it
 };
 
 struct PositionsLine {
@@ -48,17 +48,17 @@ struct StatusLine {
   std::string rest;
 };
 
-/// Positions of a robot that speaks in bare angles.
+/// Positions of a robot with the thesis' firmware, which sends bare angles.
 struct BarePositionsLine {
   PanTilt joints;
 };
 
 using RobotLine = std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, BarePositionsLine>;
 
-/// Takes what docs/protocol.md allows and nothing else: limits beyond those of RobotLimits, angles that are
-/// no numbers or beyond 180 degrees, and ages of more than 250 ms make a line no line of a robot.
-/// @param line without its end
-/// @return what it says; empty where it is damaged, or no line of a robot
+/// Parses a line, strictly as docs/protocol.md defines it. Lines are rejected if they state limits beyond
+/// those of RobotLimits, angles that are not numbers or exceed 180 degrees, or ages of more than 250 ms.
+/// @param line without its line end
+/// @return the contents; empty if the line is damaged or not one of a robot
 [[nodiscard]] std::optional<RobotLine> parse_robot_line(std::string_view line);
 
 }  // namespace rva

@@ -29,7 +29,7 @@ namespace asio = boost::asio;
 
 constexpr unsigned baud = 115200;
 constexpr std::chrono::milliseconds try_again_after{200};
-constexpr std::size_t longest_line = 512;  // a device that says more without an end is none of ours
+constexpr std::size_t longest_line = 512;  // a device that sends longer lines is not a supported robot
 
 std::string group_of(const std::string& device) {
   struct stat status {};
@@ -44,17 +44,17 @@ Error cannot_open(const std::string& device, int error) {
     case ENODEV:
     case ENXIO:
       return {device, "no such device",
-              "plug the robot in, and look for it with: ls /dev/ttyACM* /dev/ttyUSB*"};
+              "connect the robot, and find its device with: ls /dev/ttyACM* /dev/ttyUSB*"};
     case EACCES:
     case EPERM:
-      return {device, "you may not open it",
-              fmt::format("join the group that may, and log in again: sudo usermod -aG {} $USER",
+      return {device, "you do not have permission to open it",
+              fmt::format("join the group that has it, and log in again: sudo usermod -aG {} $USER",
                           group_of(device))};
     case EBUSY:
     case EWOULDBLOCK:
-      return {device, "another program has it", "close that program (fuser -v tells which)"};
+      return {device, "another program uses it", "close that program (fuser -v shows which)"};
     case ENOTTY:
-      return {device, "it is no serial port", "give the robot's device, such as /dev/ttyACM0"};
+      return {device, "it is not a serial port", "give the robot's device, such as /dev/ttyACM0"};
     default:
       return {device, std::strerror(error), "unplug the robot, plug it in, and try again"};
   }
@@ -91,11 +91,12 @@ class SerialLink::Line {
   }
 
  private:
-  // errno's number, or 0.
+  // @return errno, or 0 on success
   int open() {
     const int descriptor = ::open(device_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return errno;
-    // Root is not kept out by TIOCEXCL, and others are not by a lock.
+    // TIOCEXCL does not exclude root, and the lock does not exclude programs that do not lock: both
+    // are needed.
     if (isatty(descriptor) == 0 || flock(descriptor, LOCK_EX | LOCK_NB) != 0 ||
         ioctl(descriptor, TIOCEXCL) != 0) {
       const int error = errno;
@@ -117,7 +118,7 @@ class SerialLink::Line {
   }
 
   void close() {
-    boost::system::error_code ignored;  // it is gone anyhow
+    boost::system::error_code ignored;  // the device may already be gone
     port_.close(ignored);
     outgoing_.clear();
     incoming_.consume(incoming_.size());
@@ -126,7 +127,7 @@ class SerialLink::Line {
   void read() {
     asio::async_read_until(port_, incoming_, '\n',
                            [this](const boost::system::error_code& error, std::size_t length) {
-                             if (error == asio::error::not_found) {  // no end in sight
+                             if (error == asio::error::not_found) {  // too long without a line end
                                listener_.on_line({});
                                incoming_.consume(incoming_.size());
                              } else if (error) {
@@ -150,7 +151,7 @@ class SerialLink::Line {
   void write_first() {
     asio::async_write(port_, asio::buffer(outgoing_.front()),
                       [this](const boost::system::error_code& error, std::size_t) {
-                        if (error || outgoing_.empty()) return;  // reading notices, too
+                        if (error || outgoing_.empty()) return;  // the read fails as well, and handles it
                         outgoing_.pop_front();
                         if (!outgoing_.empty()) write_first();
                       });
@@ -188,7 +189,7 @@ class SerialLink::Line {
 
 SerialLink::SerialLink(const std::string& device, Listener listener)
     : line_(std::make_unique<Line>(device, std::move(listener))) {
-  line_->start();  // listeners may write from the first line on
+  line_->start();  // after construction, since listeners may write at once
 }
 
 SerialLink::~SerialLink() = default;

@@ -1,4 +1,4 @@
-// The serial line to a robot: opened, lost and found again in the background.
+// The serial connection to a robot, which is reopened in the background after a loss.
 #pragma once
 
 #include <functional>
@@ -8,28 +8,27 @@
 
 namespace rva {
 
-/// Reads lines and writes bytes on a thread of its own. When the device goes away it is opened again, every
-/// 200 ms, until it is there.
+/// Reads lines and writes bytes on a thread of its own. When the device is disconnected, opening it is tried
+/// again every 200 ms until it succeeds.
 class SerialLink {
  public:
-  /// Called on the link's thread; must not block and must not throw.
+  /// Functions that the link's thread calls. They must not block and must not throw.
   struct Listener {
-    std::function<void()> opened;                   ///< each time, before any line
-    std::function<void(std::string_view)> on_line;  ///< without its end; empty for what had none
+    std::function<void()> opened;                   ///< each time the device is opened, before any line
+    std::function<void(std::string_view)> on_line;  ///< without its line end; empty for input without one
     std::function<void()> lost;
   };
 
-  /// @param device a serial port or a pseudo terminal; 115200 baud, and nobody else's meanwhile
-  /// @throws Error when there is no such device, when it may not be opened (it names the group that may),
-  /// when
-  ///         another program has it, or when it is no serial port
+  /// @param device a serial port or a pseudo terminal, opened at 115200 baud for exclusive use
+  /// @throws Error when there is no such device, the user lacks permission (the error names the group that
+  ///         has it), another program uses it, or it is not a serial port
   SerialLink(const std::string& device, Listener listener);
   ~SerialLink();
   SerialLink(const SerialLink&) = delete;
   SerialLink& operator=(const SerialLink&) = delete;
 
-  /// From any thread. What cannot be written, because the device is away, is dropped: the robot would obey it
-  /// later, when nobody expects it.
+  /// May be called from any thread. While the device is disconnected, bytes are dropped: later, the robot
+  /// would execute them unexpectedly.
   void write(std::string bytes);
 
  private:

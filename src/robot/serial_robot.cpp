@@ -27,7 +27,8 @@ constexpr int tries = 5;
 constexpr milliseconds position_counts{250};
 constexpr milliseconds known_within{5000};
 constexpr milliseconds ready_within{1000};
-// A robot of ours says READY every second until somebody commands it.
+// RVA's firmware sends READY every second until it is commanded, so that after this time a robot is a
+// bare one.
 constexpr milliseconds bare_after{2500};
 constexpr milliseconds bare_rests_after{150};
 constexpr double bare_rests_deg = 0.4;
@@ -42,7 +43,7 @@ struct Measured {
 
 }  // namespace
 
-/// What is known of the robot, and what is said to it. Lines come on the link's thread, questions on any.
+/// The state of the robot, and the exchange with it. Lines arrive on the link's thread, requests on any.
 class SerialRobot::Conversation {
  public:
   explicit Conversation(std::string device)
@@ -57,7 +58,7 @@ class SerialRobot::Conversation {
     if (kind_ == RobotKind::unknown) throw no_robot();
   }
 
-  // A board that has just started finds its servos, and holds them. It may have none.
+  // A board that has just started first finds its servos. There may be none, so that this is not an error.
   void wait_until_ready() {
     wait_for(ready_within, [this] { return pan_ && tilt_ && state_since_command_ != "START"; });
   }
@@ -108,10 +109,10 @@ class SerialRobot::Conversation {
     }
     const std::string state = next_state();
     if (state == "FAULT")
-      throw Error(device_, "a servo is at fault and has let go",
-                  "let it cool, clear its way, and check its power");
+      throw Error(device_, "a servo is at fault, and its torque is off",
+                  "let it cool, remove obstacles, and check its power");
     if (state == "LOST")
-      throw Error(device_, "the robot stopped, since it did not hear from this program for half a second",
+      throw Error(device_, "the robot stopped, since it received nothing from this program for half a second",
                   "check the cable, and move it again");
     return state == "MOVE";
   }
@@ -137,12 +138,14 @@ class SerialRobot::Conversation {
     }
   }
 
-  Error away() const { return {device_, "the robot is away", "plug it in: it is found again by itself"}; }
+  Error away() const {
+    return {device_, "the robot is disconnected", "connect it: it is then found automatically"};
+  }
   Error no_robot() const {
     return heard_anything_
-               ? Error(device_, "what is there does not speak as a robot does",
+               ? Error(device_, "the device does not respond like a robot",
                        "give the robot's device, or load its firmware (firmware/README.md)")
-               : Error(device_, "nothing is heard from there",
+               : Error(device_, "no data is received",
                        "give the robot's device, check its power, or load its firmware (firmware/README.md)");
   }
 
@@ -152,7 +155,7 @@ class SerialRobot::Conversation {
     return kind;
   }
 
-  // On the link's thread.
+  // These are called on the link's thread.
   void begin() {
     const std::scoped_lock lock(mutex_);
     opened_at_ = now();
@@ -185,7 +188,7 @@ class SerialRobot::Conversation {
   }
   void take(const AnswerLine& answer) { answers_[answer.number] = answer; }
   void take(const PositionsLine& positions) {
-    // A board that was not reset goes on in frames: it is asked what it is.
+    // A board that was not reset sends positions without READY first: it is asked for its identity.
     if (kind_ == RobotKind::unknown) link_.write(robot_frame(0, "INFO"));
     const auto measured = [](const JointPosition& joint) {
       return Measured{joint.deg, now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -207,7 +210,7 @@ class SerialRobot::Conversation {
     tilt_ = Measured{positions.joints.tilt_deg, now()};
   }
 
-  // Repeats until it is answered: whatever is asked may be asked twice.
+  // Repeats the command until it is answered. All commands may be executed twice.
   void ask(const std::string& body) {
     const std::scoped_lock one_at_a_time(asking_);
     for (int i = 0; i < tries; ++i) {
@@ -231,26 +234,27 @@ class SerialRobot::Conversation {
 
   Error refused(const std::string& reason) const {
     if (reason == "FAULT")
-      return {device_, "a servo is at fault and has let go",
-              "let it cool, clear its way, and check its power"};
+      return {device_, "a servo is at fault, and its torque is off",
+              "let it cool, remove obstacles, and check its power"};
     if (reason == "BLIND")
       return {device_, "the robot does not know where its joints are",
               "check the servos' power and their cable"};
     return {device_, fmt::format("the robot refuses the command ({})", reason),
-            "load the firmware that belongs to this program (firmware/README.md)"};
+            "load the firmware of this version of rva (firmware/README.md)"};
   }
 
-  // The state that the robot has told since the last command.
+  // The state that the robot has sent since the last command.
   std::string next_state() {
     std::unique_lock lock(mutex_);
     const bool told = changed_.wait_for(lock, position_counts,
                                         [&] { return state_since_command_ || kind_ == RobotKind::unknown; });
     if (kind_ == RobotKind::unknown) throw away();
-    if (!told) throw Error(device_, "the robot says nothing more", "check the cable and the robot's power");
+    if (!told)
+      throw Error(device_, "the robot sends nothing any more", "check the cable and the robot's power");
     return *state_since_command_;
   }
 
-  // The robot holds when it does not hear from us.
+  // Sends PING regularly, since the robot stops when it receives nothing.
   void keep_in_sight(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       if (kind() == RobotKind::framed) {
@@ -263,10 +267,10 @@ class SerialRobot::Conversation {
     }
   }
 
-  int next_number() { return number_ = number_ % 255 + 1; }  // 0 answers what was damaged
+  int next_number() { return number_ = number_ % 255 + 1; }  // 0 is reserved for answers to damaged frames
 
   std::string device_;
-  mutable std::mutex mutex_;  // guards all below, but the link and the thread
+  mutable std::mutex mutex_;  // guards everything below except asking_, the link and the thread
   std::condition_variable changed_;
   RobotKind kind_ = RobotKind::unknown;
   bool heard_anything_ = false;

@@ -1,4 +1,4 @@
-// A robot at the end of a serial line (docs/protocol.md), with our firmware or the thesis'.
+// A robot on a serial port (docs/protocol.md), with RVA's firmware or the thesis'.
 #pragma once
 
 #include <memory>
@@ -8,40 +8,41 @@
 
 namespace rva {
 
-/// What the robot at the other end has turned out to be.
+/// The kind of firmware that was recognised.
 enum class RobotKind {
-  unknown,  ///< away, or it has not said yet
-  framed,   ///< ours: answers, holds when the host falls silent
-  bare,     ///< the thesis': whole degrees, nothing is answered
+  unknown,  ///< disconnected, or not recognised yet
+  framed,   ///< RVA's: answers commands, and holds when the host stops sending
+  bare,     ///< the thesis': takes whole degrees, and does not answer
 };
 
-/// The line is read and kept alive on a thread of its own; when the device goes away and comes back, so does
-/// the robot, and whoever asks meanwhile gets an Error that says so.
+/// Separate threads read the port and keep the connection alive. When the device is disconnected, calls throw
+/// Error until it is back; it is then reopened automatically.
 class SerialRobot : public Robot {
  public:
-  /// Opens the device, which resets the board, and waits for the robot to say what it is: a boot loader
-  /// takes a second or two. Another second is left to it to find its servos.
-  /// @throws Error as SerialLink; when what is there is no robot, or says nothing; Interrupted
+  /// Opens the device, which resets the board, and waits up to five seconds until the robot is recognised: a
+  /// boot loader takes a second or two. It then waits up to one second until the robot has found its servos.
+  /// @throws Error as SerialLink; when the device is not a robot, or sends nothing; Interrupted
   explicit SerialRobot(const std::string& device);
   ~SerialRobot() override;
 
   [[nodiscard]] RobotKind kind() const;
-  /// Of its firmware; empty of a bare one.
+  /// The version of the firmware; empty for a bare one.
   [[nodiscard]] std::string firmware() const;
 
   [[nodiscard]] RobotLimits limits() const override;
 
-  /// Says it again until the robot answers, for up to half a second. A bare robot is told whole degrees.
+  /// Repeats the command until the robot answers, for up to half a second. A bare robot gets whole degrees,
+  /// without an answer.
   void move_to(const PanTilt& target) override;
 
-  /// Measured no longer than 250 ms ago.
+  /// Angles that were measured at most 250 ms ago. @throws Error when there are none
   [[nodiscard]] PanTilt joints() override;
 
-  /// A bare robot moves as long as its angles do.
-  /// @throws Error as joints(); when a servo is at fault, or the robot stopped since it did not hear from us
+  /// A bare robot counts as moving while its angles change.
+  /// @throws Error as joints(); when a servo is at fault, or the robot stopped because it received nothing
   [[nodiscard]] bool moving() override;
 
-  /// Overtakes whatever else is said. A bare robot is told to go where it is.
+  /// Takes precedence over other commands. A bare robot is sent to its present angles.
   void stop() override;
 
  private:

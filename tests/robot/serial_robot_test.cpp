@@ -157,8 +157,8 @@ TEST_F(SerialRobotTest, IsFoundAgainWhenItWasUnpluggedAndSaysSoMeanwhile) {
   for (int i = 0; i < 2; ++i) {
     board.unplug();
     while (robot.kind() != RobotKind::unknown) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    EXPECT_THAT(error_of([&] { (void)robot.joints(); }), HasSubstr("the robot is away"));
-    EXPECT_THAT(error_of([&] { robot.move_to({10.0, -10.0}); }), HasSubstr("the robot is away"));
+    EXPECT_THAT(error_of([&] { (void)robot.joints(); }), HasSubstr("the robot is disconnected"));
+    EXPECT_THAT(error_of([&] { robot.move_to({10.0, -10.0}); }), HasSubstr("the robot is disconnected"));
     board.plug_in();
     while (robot.kind() == RobotKind::unknown) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     while (error_of([&] { (void)robot.joints(); }) != "no error")
@@ -197,20 +197,20 @@ TEST_F(SerialRobotTest, SaysWhatIsWrongWithADevice) {
   const auto open = [](const std::string& path) { return error_of([&] { const SerialRobot robot(path); }); };
   EXPECT_THAT(open(terminal()), HasSubstr("no such device"));
   std::ofstream(terminal()) << "no device";
-  EXPECT_THAT(open(terminal()), HasSubstr("no serial port"));
+  EXPECT_THAT(open(terminal()), HasSubstr("not a serial port"));
 }
 
 TEST_F(SerialRobotTest, TheDeviceIsNobodyElsesMeanwhile) {
   const PtyBoard board = this->board();
   SerialRobot robot(terminal());
-  EXPECT_THAT(error_of([&] { const SerialRobot other(terminal()); }), HasSubstr("another program has it"));
+  EXPECT_THAT(error_of([&] { const SerialRobot other(terminal()); }), HasSubstr("another program uses it"));
   expect_moves(robot, {10.0, -20.0});
 }
 
 TEST_F(SerialRobotTest, OtherDevicesAreNoRobots) {
-  for (const auto& [says, problem] : {std::pair{"", "nothing is heard"},
-                                      {"GPS $GPGGA,123519*47\r\n", "does not speak as a robot"},
-                                      {"endless noise without an end ", "does not speak as a robot"}}) {
+  for (const auto& [says, problem] : {std::pair{"", "no data is received"},
+                                      {"GPS $GPGGA,123519*47\r\n", "does not respond like a robot"},
+                                      {"endless noise without an end ", "does not respond like a robot"}}) {
     const PtyBoard board(terminal(), [says = says] { return std::make_unique<OtherDevice>(says); });
     EXPECT_THAT(error_of([&] { const SerialRobot robot(terminal()); }), HasSubstr(problem)) << says;
   }
