@@ -21,7 +21,7 @@ constexpr double m_per_mm = 1e-3;
 constexpr Eigen::Index geometry_numbers = 8;
 constexpr Eigen::Index joint_numbers = 2;
 
-/// In metres and radians, against the geometry that was given.
+/// Differences from the given geometry, in metres and radians.
 using GeometryChange = Eigen::Matrix<double, geometry_numbers, 1>;
 
 struct NumberKind {
@@ -48,7 +48,8 @@ PanTiltChain changed(PanTiltChain chain, const GeometryChange& change) {
   return chain;
 }
 
-// Far enough for a bracket measured by hand, then as for poses.
+// The schedule of {step_px, every, reach_px}: it begins with a reach for a bracket measured by hand, and ends
+// as the one for poses.
 constexpr std::array<PosesDescent, 18> descent{{{8, 4, 24.0},
                                                 {8, 4, 20.0},
                                                 {8, 4, 16.0},
@@ -119,7 +120,7 @@ class Estimation {
     return result;
   }
 
-  // How the cameras move by each unknown, by differences.
+  // The Jacobian of the cameras' motions with respect to the unknowns, by finite differences.
   [[nodiscard]] Eigen::MatrixXd motions_by_unknowns() const {
     constexpr double difference = 1e-5;
     Eigen::MatrixXd motions =
@@ -150,14 +151,14 @@ class Estimation {
 
   [[nodiscard]] Calibration result(const PosesAgreement& before, const PosesAgreement& after) const {
     Calibration calibration{chain(unknowns_), {}, {}, {}};
-    // What a view's matcher gets wrong is in all of its pairs, which the sum takes for independent: on
-    // simulated bays, lengths err by three times what it says (docs/mapping.md).
+    // The matcher's error in a view affects all of its pairs, which the sum treats as independent: on
+    // simulated bays, the errors of lengths are three times the computed deviation (docs/mapping.md).
     constexpr double understated = 3.0;
     const Eigen::MatrixXd covariance =
         information_.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_.size(), unknowns_.size()));
     const Eigen::VectorXd deviations = understated * covariance.diagonal().cwiseSqrt();
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-      constexpr double little = 0.5;  // of what was not known
+      constexpr double little = 0.5;  // share of the prior deviation
       const auto at = static_cast<Eigen::Index>(i);
       const double unit = kinds.at(i).is_turn ? rad_per_deg : m_per_mm;
       calibration.numbers.push_back({std::string(kinds.at(i).name), kinds.at(i).is_turn ? "deg" : "mm",
@@ -173,13 +174,13 @@ class Estimation {
   [[nodiscard]] std::string doubt_of(const Calibration& calibration) const {
     constexpr double least_agreeing = 0.5;
     for (const CalibratedNumber& number : calibration.numbers) {
-      if (!number.held) return fmt::format("the views say too little of '{}'", number.name);
+      if (!number.held) return fmt::format("the views do not determine '{}'", number.name);
     }
     for (std::size_t i = 0; i < calibration.views.size(); ++i) {
       const ViewAgreement& view = calibration.views[i].after;
       if (view.neighbours == 0) return fmt::format("{} shares no surface with another one", names_[i]);
       if (view.share() < least_agreeing)
-        return fmt::format("only {:.0f} % of what {} shares with others lies on the same surfaces",
+        return fmt::format("only {:.0f} % of the overlap of {} with others lies on the same surfaces",
                            100.0 * view.share(), names_[i]);
     }
     return {};
@@ -189,7 +190,7 @@ class Estimation {
   PanTiltChain given_;
   std::vector<PanTilt> joints_;
   std::vector<std::string> names_;
-  Eigen::VectorXd unknowns_;  // change of the geometry, then errors of pan and tilt of each view
+  Eigen::VectorXd unknowns_;  // changes of the geometry, then errors of pan and tilt for each view
   Eigen::VectorXd prior_deviations_;
   Eigen::MatrixXd information_;
 };
@@ -210,8 +211,8 @@ Calibration calibrate(std::span<const MapView> views, const PanTiltChain& given,
   check_options(options);
   constexpr std::size_t least_views = 3;
   if (views.size() < least_views)
-    throw Error("views", fmt::format("{} of them, too few to calibrate from", views.size()),
-                "take a dozen, all over the robot's reach");
+    throw Error("views", fmt::format("{} views are too few for a calibration", views.size()),
+                "take a dozen, spread over the robot's range");
   require_turned(views, &PanTilt::pan_deg, "pan");
   require_turned(views, &PanTilt::tilt_deg, "tilt");
   return Estimation(views, given, options).run();

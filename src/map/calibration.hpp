@@ -1,4 +1,4 @@
-// Where a robot's joints and its camera are, from what the camera sees while the joints turn.
+// Calibrates a robot's geometry from views that its camera takes at different joint angles.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace rva {
 
-/// Deviations (one sigma) that are believed before any view is looked at.
+/// Prior standard deviations (one sigma) of the servos' angles and of the given geometry.
 struct CalibrationOptions {
   double servo_error_deg = 0.1;
   double place_error_mm = 10.0;
@@ -28,17 +28,17 @@ struct CalibrationOptions {
   }
 };
 
-/// One number of the geometry.
+/// One parameter of the geometry.
 struct CalibratedNumber {
-  std::string name;        ///< for a person: "camera, forward"
+  std::string name;        ///< for the user: "camera, forward"
   std::string unit;        ///< "mm", "deg"
-  double change = 0.0;     ///< against what was measured before
+  double change = 0.0;     ///< from the given geometry
   double deviation = 0.0;  ///< one sigma
-  bool held = true;        ///< false: the views say little of it
+  bool held = true;        ///< false when the views hardly constrain it
 };
 
 struct CalibratedView {
-  PanTilt joint_error;   ///< by which the servos probably err at this view
+  PanTilt joint_error;   ///< estimated error of the servos at this view
   ViewAgreement before;  ///< with the geometry that was given
   ViewAgreement after;
 };
@@ -47,18 +47,19 @@ struct Calibration {
   PanTiltChain chain;
   std::vector<CalibratedNumber> numbers;
   std::vector<CalibratedView> views;
-  /// Empty where the geometry is to be trusted; else why not, for a person.
+  /// Empty when the geometry is reliable; otherwise the reason why it is not, for the user.
   std::string doubt;
 };
 
-/// All views at once, as refine_poses(), but the unknowns are the geometry and the servos' errors instead of
-/// poses. What no camera on the robot can see stays as given: where the first servo stands on the foot, the
-/// height of the bracket above it, its place along its own axis and the direction that is called pan 0. Left
-/// are eight numbers: how far the tilt axis is in front of the pan axis, how far it leans, and the camera's
-/// place and direction on the bracket.
-/// @param views of one robot whose foot stood still, all over the reach of both joints
+/// Estimates the geometry from all views at once, as refine_poses() does, but the unknowns are the geometry
+/// and the servos' errors instead of the poses. What the views do not determine stays as given: the position
+/// of the first servo on the foot, the height of the bracket above it, the position of the bracket along its
+/// own axis, and the direction of pan 0. Eight parameters remain: how far the tilt axis is in front of the
+/// pan axis, how far it leans, and the camera's position (3) and orientation (3) on the bracket.
+/// @param views of one robot whose foot did not move, spread over the range of both joints
 /// @param given the geometry as it was measured
-/// @throws Error where there are fewer than three views, or a joint has not turned by 10 degrees at least
+/// @throws Error when there are fewer than three views, or a joint turns by less than 10 degrees among them;
+///         UsageError when an option is out of range; Interrupted
 [[nodiscard]] Calibration calibrate(std::span<const MapView> views, const PanTiltChain& given,
                                     const CalibrationOptions& options = {});
 

@@ -38,7 +38,7 @@ std::vector<MapPoint> points_of(const Capture& capture, const Progress& progress
       points.push_back({point.cast<float>(), colored ? color_at(color, info, point) : without_color, 1});
     }
   }
-  if (points.empty()) throw Error("capture", "nothing was measured in it", "record it again");
+  if (points.empty()) throw Error("capture", "contains no measurement", "record it again");
   return points;
 }
 

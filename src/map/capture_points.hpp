@@ -1,4 +1,4 @@
-// One capture as points in space, for the tools of others.
+// Converts a capture to a point cloud, for other programs.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace rva {
 
-/// The mean of every pixel that holds a measurement in half of the frames, in the depth camera's frame, with
-/// the colour of the first colour image; grey beyond it.
+/// One point per pixel that has a measurement in at least half of the frames: its mean depth, in the depth
+/// camera's frame, with the colour of the first colour image; grey where that does not reach.
 /// @throws Error when a frame cannot be read, or nothing was measured; Interrupted
 [[nodiscard]] std::vector<MapPoint> points_of(const Capture& capture, const Progress& progress);
 

@@ -16,13 +16,13 @@
 namespace rva {
 namespace {
 
-/// Sums over what lies in one cube.
+/// Sums over the measurements in one voxel.
 struct VoxelSum {
   std::uint64_t key = 0;
   double weight = 0.0;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // weighted
   Eigen::Vector3f color = Eigen::Vector3f::Zero();
-  float colored = 0.0F;  // points that have a colour
+  float colored = 0.0F;  // number of points with a colour
   std::uint16_t views = 0;
 };
 
@@ -45,7 +45,7 @@ std::uint64_t key_of(const Eigen::Vector3d& position_m, double voxel_m) {
   return key;
 }
 
-// One sum for each cube, in the order of their keys.
+// Merges sums of the same voxel, and sorts them by key.
 void thin(std::vector<VoxelSum>& sums) {
   std::ranges::stable_sort(sums, {}, &VoxelSum::key);
   std::size_t kept = 0;
@@ -63,7 +63,7 @@ constexpr int support_reach_px = 2;
 int neighbours_on_surface(const Image<float>& disparity_px, int u, int v) {
   constexpr float same_surface_px = 1.0F;
   const float own_px = disparity_px(u, v);
-  int same = -1;  // itself
+  int same = -1;  // excludes the pixel itself
   for (int dv = -support_reach_px; dv <= support_reach_px; ++dv) {
     for (int du = -support_reach_px; du <= support_reach_px; ++du)
       same += std::abs(disparity_px(u + du, v + dv) - own_px) < same_surface_px ? 1 : 0;
@@ -86,7 +86,7 @@ void add_color(const ViewColor& color, const Eigen::Vector3d& in_depth_camera_m,
   sum.colored += 1.0F;
 }
 
-// Does the view see what is there, and not something before it?
+// Whether the point lies on the surface that the view sees there, and is not occluded.
 bool sees(const DepthView& view, const Eigen::Vector3d& point_m) {
   constexpr double same_surface_px = 1.0;
   if (point_m.z() <= 0.0) return false;
@@ -97,7 +97,8 @@ bool sees(const DepthView& view, const Eigen::Vector3d& point_m) {
   return std::abs(seen_px - view.disparity_m_px / point_m.z()) < same_surface_px;
 }
 
-// A colour camera sees less to the sides than the depth camera beside it; another view may have looked there.
+// The colour camera has a narrower field of view than the depth camera, so that points without a colour take
+// it from other views that see them.
 void color_from_others(std::span<const MapView> views, const std::vector<Transform>& camera_from_foot,
                        VoxelSum& sum) {
   const Eigen::Vector3d position_m = sum.position_m / sum.weight;
@@ -150,7 +151,7 @@ MapPoint point_of(const VoxelSum& sum) {
 void check_map_cloud_options(const MapCloudOptions& options) {
   check_options(options);
   if (options.near_m >= options.far_m)
-    throw UsageError("--near", fmt::format("{} m is not nearer than --far", options.near_m),
+    throw UsageError("--near", fmt::format("{} m is not less than the far limit", options.near_m),
                      "give a smaller one");
 }
 

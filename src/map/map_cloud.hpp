@@ -25,27 +25,28 @@ struct MapCloudOptions {
   }
 };
 
-/// @throws UsageError when an option is out of range, or nothing lies between near_m and far_m
+/// @throws UsageError when an option is out of range, or near_m is not less than far_m
 void check_map_cloud_options(const MapCloudOptions& options);
 
 struct MapPoint {
   Eigen::Vector3f position_m;  ///< in the foot's frame
   Rgb color;                   ///< grey where no view has one
-  std::uint16_t views = 0;     ///< that have measured something in the point's cube
+  std::uint16_t views = 0;     ///< number of views with measurements in the point's voxel
 };
 
-/// One point for each cube that something was measured in: the mean of what all views measured there,
-/// weighted by the inverse of its variance along the line of sight (which grows with the fourth power of
-/// depth), and the mean colour. Left out of each view: depth out of range, and what little around it is on
-/// the same surface, since matches at edges lie between what is before and what is behind.
-/// @param foot_from_camera of each view
-/// @return in an order that depends on the points alone
+/// Joins views into one point per voxel with measurements: the mean position over all views, weighted by the
+/// inverse of the variance along the line of sight (which grows with the fourth power of depth), and the mean
+/// colour. Depth out of range is left out, and so are pixels that supported() rejects, since matches at edges
+/// lie between the foreground and the background.
+/// @param foot_from_camera the pose of each view
+/// @return the points, in an order that depends on the points alone
 /// @throws UsageError as check_map_cloud_options(); Interrupted
 [[nodiscard]] std::vector<MapPoint> join_views(std::span<const MapView> views,
                                                std::span<const Transform> foot_from_camera,
                                                const MapCloudOptions& options);
 
-/// Pixels of a view that are on a surface with at least two thirds of the pixels around them.
+/// The pixels of a view that lie on the same surface as at least two thirds (16 of 24) of the pixels around
+/// them, within 1 px of disparity.
 [[nodiscard]] Mask supported(const DepthView& view);
 
 }  // namespace rva

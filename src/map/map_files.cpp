@@ -83,7 +83,7 @@ bool is_commit(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
     const fs::path name = entry.path().filename();
     if (name != ply_part && name != pcd_part && name != poses_part && name != earlier_views_part)
-      return false;  // somebody else's folder of that name
+      return false;  // a folder of this name that is not part of a map
   }
   return !failure;
 }
@@ -92,11 +92,11 @@ void move(const fs::path& from, const fs::path& to) {
   std::error_code failure;
   fs::rename(from, to, failure);
   if (failure)
-    throw Error(printable(to), fmt::format("cannot be put in place ({})", failure.message()),
-                "check the permissions there, and give the same command again: it is completed then");
+    throw Error(printable(to), fmt::format("cannot be moved into place ({})", failure.message()),
+                "check the permissions there, and repeat the command, which then completes the map");
 }
 
-// Each step can be repeated after a kill: what was moved is no longer where it was.
+// Each step can be repeated after the program was killed, since only files that were not moved yet are found.
 void put_in_place(const MapFiles& files) {
   std::error_code ignored;
   const auto is_there = [&](const fs::path& path) { return fs::exists(fs::symlink_status(path, ignored)); };
@@ -106,7 +106,8 @@ void put_in_place(const MapFiles& files) {
     if (is_there(files.views) && !is_there(earlier)) move(files.views, earlier);
     move(next, files.views);
   }
-  // The poses first: they tell a map from what is none, and when the .ply is there, all is.
+  // The poses come first, since they identify a map; the .ply comes last, so that it implies that the map
+  // is complete.
   for (const auto& [part, file] :
        {std::pair{poses_part, files.poses}, {pcd_part, files.pcd}, {ply_part, files.ply}}) {
     if (is_there(files.commit / part)) move(files.commit / part, file);
@@ -119,7 +120,7 @@ void put_in_place(const MapFiles& files) {
 
 MapFiles map_files(const fs::path& ply) {
   if (ply.extension() != ".ply" || ply.stem().empty())
-    throw UsageError(printable(ply), "is no name of a map", "give one that ends in .ply");
+    throw UsageError(printable(ply), "is not a file name for a map", "give one that ends in .ply");
   fs::path stem = ply;
   stem.replace_extension();
   return {ply, stem.native() + ".pcd", stem.native() + ".json", stem.native() + ".views",
@@ -133,18 +134,19 @@ void require_replaceable(const MapFiles& files, bool overwrite) {
     return fs::is_regular_file(fs::symlink_status(file, ignored));
   };
   if (is_there(files.commit))
-    throw Error(printable(files.commit), "is there, and is no part of a map",
+    throw Error(printable(files.commit), "exists, and is not part of a map",
                 "move it away, or choose another name");
   for (const fs::path& file : {files.ply, files.pcd, files.poses}) {
     if (!is_there(file)) continue;
     if (!overwrite)
-      throw Error(printable(file), "is there already",
+      throw Error(printable(file), "already exists",
                   is_there(next_views(files.views))
-                      ? "give --resume --overwrite to go on with the map that was to take its place, "
-                        "--overwrite alone to begin that anew, or choose another name"
-                      : "choose another name, or give --overwrite");
+                      ? "resume and overwrite to complete the new map that was begun, overwrite without "
+                        "resuming to begin it again, or choose another name"
+                      : "choose another name, or overwrite it");
     if (!is_file(file) || !is_file(files.poses) || !describes_a_map(files.poses))
-      throw Error(printable(file), "is not of an earlier map, so it is not replaced", "choose another name");
+      throw Error(printable(file), "does not belong to an earlier map, so it is not replaced",
+                  "choose another name");
   }
 }
 

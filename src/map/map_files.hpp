@@ -1,4 +1,4 @@
-// A map and where its views were taken from, as files beside each other.
+// The files of a map and of the poses of its views.
 #pragma once
 
 #include <filesystem>
@@ -12,44 +12,47 @@
 
 namespace rva {
 
-/// Of one map.
+/// The poses of a map's views, and the settings that it was made with.
 struct MapPoses {
-  std::string base;  ///< name of the place where the robot's foot stood: the map is in its frame
+  std::string base;  ///< name of the position of the robot's foot; the map is in the foot's frame
   PanTiltChain chain;
   MapCloudOptions cloud;
   bool refined = false;
-  RefinementOptions refinement;    ///< where it was
-  std::vector<RefinedPose> poses;  ///< of each view
+  RefinementOptions refinement;    ///< used if `refined`
+  std::vector<RefinedPose> poses;  ///< one per view
 };
 
-/// Of `path` (a .ply), its files: the map as .ply and as .pcd, its poses as .json.
+/// The paths of a map's files: the map as .ply and .pcd, its poses as .json, and two folders.
 struct MapFiles {
   std::filesystem::path ply;
   std::filesystem::path pcd;
   std::filesystem::path poses;
   std::filesystem::path views;  ///< the folder of the captures
-  /// A complete map that is being put in its place, whole in this folder before any file of an earlier map is
-  /// touched.
+  /// The folder in which a new map is written completely before any file of an earlier map is replaced.
   std::filesystem::path commit;
 };
 
+/// The paths for a map.
+/// @param ply the path of its .ply file
 /// @throws UsageError when the path does not end in .ply
 [[nodiscard]] MapFiles map_files(const std::filesystem::path& ply);
 
-/// @throws Error when one of the three is there and `overwrite` is false, or is not of an earlier map
+/// Checks that a map may be written.
+/// @throws Error when one of the three files exists and `overwrite` is false, or when it does not belong to
+///         an earlier map; when `commit` exists
 void require_replaceable(const MapFiles& files, bool overwrite);
 
-/// Completes what a killed program had begun to put in place; call it before anything else. Does nothing
-/// where there is nothing to complete, or another program is at it.
-/// @return whether there was something to complete
-/// @throws Error when the disk refuses
+/// Completes the replacement that a killed program had begun in write_map(); must be called before anything
+/// else. Does nothing when there is nothing to complete, or another program is completing it.
+/// @return whether a replacement was completed
+/// @throws Error when a file cannot be renamed
 bool finish_map(const MapFiles& files);
 
-/// Writes all three into MAP.commit, then puts them in their places, with the captures of VIEWS.next where
-/// there are any, in place of an earlier map's.
-/// @param views of the map, with their names in the folder of captures
-/// @throws Error when they cannot be written; nothing has been replaced then, unless putting in place failed,
-///         which finish_map() completes
+/// Writes the three files into MAP.commit, then renames them to their final paths, along with the captures in
+/// VIEWS.next, if any; these replace the files and captures of an earlier map.
+/// @param views of the map; their names are those in the folder of captures
+/// @throws Error when a file cannot be written or renamed; nothing has then been replaced, unless renaming
+///         failed, which finish_map() completes
 void write_map(const MapFiles& files, std::span<const MapPoint> points, std::span<const MapView> views,
                const MapPoses& poses);
 

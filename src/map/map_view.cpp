@@ -12,8 +12,8 @@ namespace {
 PanTilt joints_of(const CaptureInfo& info, const std::string& name) {
   if (info.pose && info.pose->pan_deg && info.pose->tilt_deg)
     return {*info.pose->pan_deg, *info.pose->tilt_deg};
-  throw Error(name, "does not say at which angles the joints were (pose.pan_deg, pose.tilt_deg)",
-              "give captures that a robot's camera took, as rva map writes them");
+  throw Error(name, "does not state the joint angles (pose.pan_deg, pose.tilt_deg)",
+              "give captures of a camera on a robot, such as those that rva map writes");
 }
 
 std::optional<ViewColor> color_of(const Capture& capture) {

@@ -1,4 +1,4 @@
-// What is kept of a capture for a map.
+// A capture, reduced to what a map needs.
 #pragma once
 
 #include <optional>
@@ -16,20 +16,21 @@ struct ViewColor {
   Transform color_from_depth = Transform::Identity();
 };
 
-/// One view of a robot that stands still and turns its camera.
+/// One view of a robot that turns its camera while its foot does not move.
 struct MapView {
-  std::string name;  ///< for a person: where the capture is
-  PanTilt joints;    ///< as the servos said
+  std::string name;  ///< for the user: the capture's path
+  PanTilt joints;    ///< as reported by the servos
   DepthView depth;
-  std::optional<ViewColor> color;  ///< the last image, when light had settled
+  std::optional<ViewColor> color;  ///< the last image, when brightness has settled
 };
 
+/// Loads a view: depth as the mean over all frames.
 /// @param name for errors
-/// @throws Error when it does not say at which angles the joints were, its lens bends rays, or a frame cannot
-///         be read
+/// @throws Error when the capture does not state the joint angles, its depth images have lens distortion, or
+///         a frame cannot be read
 [[nodiscard]] MapView load_map_view(const Capture& capture, const std::string& name);
 
-/// As above, where the joints are known otherwise, or there are none.
+/// The same with given joint angles, for captures that state none.
 [[nodiscard]] MapView load_map_view(const Capture& capture, const std::string& name, const PanTilt& joints);
 
 }  // namespace rva

@@ -11,15 +11,16 @@ namespace {
 
 constexpr int coarse_step_px = 8;
 constexpr int fine_step_px = 4;
-constexpr int window_px = 8;  // of a patch: about the matcher's own
+constexpr int window_px = 8;  // side of a patch, about that of the matcher's window
 
-// What the deviation of a residual is, and how many of them err as one (a matcher's window and its pattern).
+// The standard deviation of a residual, and the number of residuals whose errors are fully correlated
+// (because of the matcher's window and its fixed pattern).
 constexpr double residual_px = 0.15;
 constexpr double erring_together = 100.0;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// A motion in one frame as another frame sees it.
+// Transforms a motion in the frame `from` to the frame `to`.
 Matrix6 adjoint(const Transform& to_from) {
   const Eigen::Matrix3d turn = to_from.linear();
   Matrix6 result = Matrix6::Zero();
@@ -37,7 +38,8 @@ void add(const Agreement& pair, const ViewNumbers& numbers, const Transform& fir
   const auto second = static_cast<Eigen::Index>(6 * numbers.second);
   const Matrix6 information = by_variance * pair.information.topLeftCorner<6, 6>();
   const CameraMotion gradient = by_variance * pair.gradient.head<6>();
-  // The alignment's step is the second camera's motion as the first sees it, less the first's own.
+  // The step of the alignment is the second camera's motion in the first's frame, minus the first
+  // camera's motion.
   const Matrix6 seen = adjoint(first_from_second);
   const Matrix6 mixed = -information * seen;
   sum.information.block<6, 6>(first, first) += information;

@@ -1,4 +1,4 @@
-// Views of one scene that see each other's surfaces, and how well their poses agree.
+// Overlapping views of one scene, and the residuals of the surfaces that they share.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,59 +15,61 @@
 
 namespace rva {
 
-/// A small motion of a view's camera in its own frame, rotation vector (rad) before translation (m): the pose
-/// becomes world_from_camera * motion.
+/// A small motion of a view's camera in its own frame: rotation vector (rad), then translation (m). The moved
+/// pose is world_from_camera * transform_of(motion).
 using CameraMotion = Eigen::Matrix<double, 6, 1>;
 
+/// The motion as a transform: the rotation, followed by the translation (not the exponential map of SE(3)).
 [[nodiscard]] Transform transform_of(const CameraMotion& motion);
 /// The motion that takes the first pose to the second.
 [[nodiscard]] CameraMotion motion_between(const Transform& first, const Transform& second);
 
-/// Two views by number; the first is the lower one.
+/// A pair of views by their indices; `first` is the lower one.
 struct ViewNumbers {
   std::size_t first = 0;
   std::size_t second = 0;
 };
 
-/// How well a view lies on the surfaces that other views have seen.
+/// How well the surfaces of a view coincide with those of other views.
 struct ViewAgreement {
-  int neighbours = 0;     ///< other views that share surfaces with it
-  double compared = 0.0;  ///< samples of all its pairs that fall onto the other view's planes
-  double agreeing = 0.0;  ///< of these, the sum of weights
-  double squares = 0.0;   ///< of residuals, weighted
+  int neighbours = 0;     ///< number of other views that share surfaces with it
+  double compared = 0.0;  ///< number of samples of all its pairs that fall onto planes of the other view
+  double agreeing = 0.0;  ///< sum of the weights of these samples
+  double squares = 0.0;   ///< weighted sum of their squared residuals, px^2
 
-  /// What of the compared samples lies on the same surfaces.
+  /// Share of the compared samples that lie on the same surfaces.
   [[nodiscard]] double share() const { return agreeing / std::max(1.0, compared); }
-  /// Root mean square of what does.
+  /// Weighted root mean square of the residuals.
   [[nodiscard]] double residual_px() const { return std::sqrt(squares / std::max(1.0, agreeing)); }
 };
 
-/// What all pairs say of small motions of all cameras, six rows each, in units of a residual's variance.
+/// The normal equations of all pairs for small motions of all cameras: six rows per camera, with residuals
+/// divided by their deviation.
 struct PosesAgreement {
   Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;  ///< of half the weighted squares
+  Eigen::VectorXd gradient;  ///< of half the weighted sum of squares
   std::vector<ViewAgreement> views;
 };
 
-/// How far to look, and how finely.
+/// Sampling density and reach of one step of an optimisation.
 struct PosesDescent {
-  int step_px = 8;      ///< of the grid of patches: 8 or 4
-  int every = 4;        ///< so many patches a sample is taken of
-  double reach_px = 1;  ///< residuals from which on a sample has no say
+  int step_px = 8;      ///< spacing of the grid of patches: 8 or 4
+  int every = 4;        ///< one sample is taken per so many patches
+  double reach_px = 1;  ///< samples with residuals beyond this have no weight
 };
 
-/// Planar patches of all views.
+/// Planar patches of all views, at two spacings.
 class OverlappingViews {
  public:
   explicit OverlappingViews(std::span<const MapView> views);
 
   [[nodiscard]] std::size_t size() const { return coarse_.size(); }
 
-  /// All pairs that share a tenth of their surfaces.
+  /// All pairs of views in which more than a tenth of the samples fall onto planes of the other view.
   [[nodiscard]] std::vector<ViewNumbers> pairs(std::span<const Transform> world_from_camera) const;
 
-  /// Residuals as in cloud/agreement.hpp, of both views of each pair. Residuals of neighbours err together,
-  /// so the information is less than their number says.
+  /// Sums the residuals of cloud/agreement.hpp over the pairs. The errors of neighbouring residuals are
+  /// correlated, so that the information is reduced accordingly.
   [[nodiscard]] PosesAgreement agreement(std::span<const Transform> world_from_camera,
                                          std::span<const ViewNumbers> pairs,
                                          const PosesDescent& descent) const;

@@ -34,8 +34,9 @@ std::string_view name_of(PointFrame frame) {
 
 }  // namespace
 
-// Both formats are a few words and numbers. PCL's writers add a camera to the one that CloudCompare complains
-// about, and do not notice a full disk; its readers hold ours to what others expect (tests/map).
+// Both formats are a short header and numbers. PCL's writers are not used: they add a camera to one of the
+// formats, which CloudCompare complains about, and do not detect a full disk. tests/map reads these files with
+// PCL's readers.
 std::string encode_ply(std::span<const MapPoint> points, PointFrame frame) {
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment metres, in the frame of {}\nelement vertex {}\n"

@@ -1,4 +1,4 @@
-// Points as files that other programs open.
+// Point clouds in file formats of other programs.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace rva {
 
-/// The frame that points are in, which both formats state in a comment.
+/// The frame of the points, which both formats state in a comment.
 enum class PointFrame {
   robot_foot,    ///< x right, y forward, z up, origin in the robot's foot
   depth_camera,  ///< x right, y down, z forward, origin in the depth imager
@@ -19,7 +19,7 @@ enum class PointFrame {
 [[nodiscard]] std::string encode_ply(std::span<const MapPoint> points, PointFrame frame);
 [[nodiscard]] std::string encode_pcd(std::span<const MapPoint> points, PointFrame frame);
 
-// The same as files.
+// Write the encoded points to a file.
 // @throws Error when it cannot be written; it may then be incomplete
 void write_ply(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame);
 void write_pcd(const std::filesystem::path& path, std::span<const MapPoint> points, PointFrame frame);

@@ -18,7 +18,8 @@ constexpr double m_per_mm = 1e-3;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// Far enough for the error of worn servos, then down to four deviations of a matcher's fixed pattern.
+// The schedule of {step_px, every, reach_px}: from a reach for the error of worn servos down to four
+// deviations of a matcher's fixed pattern.
 constexpr std::array<PosesDescent, 9> descent{{{8, 4, 6.0},
                                                {8, 4, 4.0},
                                                {8, 4, 3.0},
@@ -29,7 +30,7 @@ constexpr std::array<PosesDescent, 9> descent{{{8, 4, 6.0},
                                                {4, 2, 0.7},
                                                {4, 2, 0.6}}};
 
-// Of a camera's motion away from where the joints have it.
+// The information (inverse covariance) of a camera's motion away from its pose by the joints.
 Matrix6 prior_information(const PanTiltChain& chain, const PanTilt& joints,
                           const RefinementOptions& options) {
   const auto [pan, tilt] = joint_twists(chain, joints);
@@ -97,7 +98,7 @@ class Refinement {
     constexpr double least_agreeing = 0.5;
     if (pose.neighbours == 0) return "shares no surface with another view";
     if (pose.agreeing < least_agreeing)
-      return fmt::format("only {:.0f} % of what it shares with other views lies on the same surfaces",
+      return fmt::format("only {:.0f} % of its overlap with other views lies on the same surfaces",
                          100.0 * pose.agreeing);
     return {};
   }

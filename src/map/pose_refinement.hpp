@@ -1,5 +1,5 @@
-// Where the camera really was at each waypoint: servos say it to a step, and surfaces that several views
-// share say it better.
+// Refines the camera's poses at the waypoints: the servos report angles to one step, and surfaces that
+// several views share determine the poses more precisely.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace rva {
 
-/// Deviations (one sigma) that are believed before any view is looked at.
+/// Prior standard deviations (one sigma) of the servos' angles and of the geometry.
 struct RefinementOptions {
   double servo_error_deg = 0.1;
   double place_error_mm = 0.2;
@@ -30,23 +30,24 @@ struct RefinementOptions {
 
 struct RefinedPose {
   Transform foot_from_camera = Transform::Identity();
-  /// What the views would correct the joints by; not done where there is a doubt.
+  /// The correction of the pose according to the views; it is not applied when there is a doubt.
   double moved_mm = 0.0;
   double turned_deg = 0.0;
-  int neighbours = 0;        ///< views that share surfaces with this one
-  double agreeing = 0.0;     ///< share of what they share that lies on the same surfaces
-  double residual_px = 0.0;  ///< root mean square of that share, in disparity
-  /// Empty where the pose is to be trusted; else why not, for a person. The pose is then the one by the
-  /// joints.
+  int neighbours = 0;        ///< number of views that share surfaces with this one
+  double agreeing = 0.0;     ///< share of the common samples that lie on the same surfaces
+  double residual_px = 0.0;  ///< root mean square residual of these in disparity
+  /// Empty when the pose is reliable; otherwise the reason why it is not, for the user. The pose is then the
+  /// one given by the joints.
   std::string doubt;
 };
 
-/// All poses at once: point to plane residuals of all pairs of overlapping views in disparity, as
-/// register_views() has them for one pair (Gauss and Newton with Tukey's biweight, coarse to fine), and what
-/// is known beforehand: a servo errs about its own axis much more than the chain of joints errs otherwise.
-/// Nothing but that prior holds all views together in the foot's frame.
-/// @param views of one robot whose foot stood still
-/// @return of each view
+/// Refines all poses at once. Minimises the point-to-plane residuals of all pairs of overlapping views in
+/// disparity, as register_views() does for one pair (Gauss-Newton with Tukey's biweight, coarse to fine),
+/// together with a prior: the error of a servo about its own axis is much larger than the other errors of the
+/// geometry. Only this prior ties the views to the foot's frame.
+/// @param views of one robot whose foot did not move
+/// @return the pose of each view
+/// @throws UsageError when an option is out of range; Interrupted
 [[nodiscard]] std::vector<RefinedPose> refine_poses(std::span<const MapView> views, const PanTiltChain& chain,
                                                     const RefinementOptions& options = {});
 

@@ -30,7 +30,7 @@ std::unique_ptr<Capture> open_view(const fs::path& folder) {
     return open_capture(folder);
   } catch (const Error& error) {
     throw Error(error.place(), error.problem(),
-                "remove " + printable(folder) + " and resume: it is taken again");
+                "remove " + printable(folder) + " and resume, so that it is taken again");
   }
 }
 
@@ -43,7 +43,8 @@ bool is_of_this_camera(const CaptureInfo& then, const CaptureInfo& now) {
          device(then) == device(now);
 }
 
-// @return false where there is none yet
+// @return false when there is no capture yet
+// @throws Error when there is one that differs from what would be taken now
 bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo& now,
               const std::string& base, const ViewCaptureOptions& options) {
   std::error_code ignored;
@@ -55,19 +56,19 @@ bool is_taken(const fs::path& folder, const PanTilt& waypoint, const CaptureInfo
     throw Error(
         printable(folder),
         fmt::format("was not taken at pan {:.2f}, tilt {:.2f} degrees", waypoint.pan_deg, waypoint.tilt_deg),
-        "resume with the same waypoints, or begin anew elsewhere");
+        "resume with the same waypoints, or choose another location");
   if (!is_of_this_camera(then, now) || pose.base != base)
-    throw Error(printable(folder), "was taken by another camera or from another place",
-                "resume with the same camera and --base, or begin anew elsewhere");
+    throw Error(printable(folder), "was taken by another camera or at another base",
+                "resume with the same camera and base, or choose another location");
   if (capture->depth_frames() != options.frames)
     throw Error(printable(folder),
                 fmt::format("has {} frames, not {}", capture->depth_frames(), options.frames),
-                "resume with the same --frames, or remove it: it is taken again");
+                "resume with the same number of frames, or remove it, so that it is taken again");
   if (capture->has_infrared(Imager::left, Light::lamp) != options.lamp)
     throw Error(
         printable(folder),
         options.lamp ? "has no images under the lamp" : "has images under the lamp, which others lack",
-        "resume with or without the lamp as then, or remove it: it is taken again");
+        "resume with the lamp on or off as before, or remove it, so that it is taken again");
   return true;
 }
 

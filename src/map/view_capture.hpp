@@ -1,4 +1,4 @@
-// Algorithm 1 of the thesis, lines 3 to 8: from waypoint to waypoint, a capture at each.
+// Takes a capture at each of a list of waypoints (algorithm 1 of the thesis, lines 3 to 8).
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct ViewCaptureOptions {
   std::optional<Baseline> baseline{};  ///< its poses are approached more than once where that says so
 };
 
-/// Where the capture of a waypoint is, by its number from 0: "000", "001", ...
+/// The folder name of a waypoint's capture, by the waypoint's number from 0: "000", "001", ...
 [[nodiscard]] std::string view_name(std::size_t number);
 
 /// Goes to each waypoint whose capture is not there yet, from below in both joints (robot/dither.hpp), and

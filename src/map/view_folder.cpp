@@ -32,7 +32,7 @@ bool is_view_number(const std::string& name) {
   return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Of a view whose program was killed.
+// Whether a path is an incomplete view that a killed program left.
 bool is_remains_of_view(const fs::path& path) {
   const std::string name = path.filename();
   return name.size() > 3 && is_view_number(name.substr(0, 3)) && name[3] == '.' && is_name_of_remains(path);
@@ -68,14 +68,14 @@ void require_number_of_views(const fs::path& folder, std::size_t count) {
   }
 }
 
-// Throws where the folder holds anything else than views.
+// Throws if the folder contains anything but views, as an OutputFolder that would replace it does.
 void require_only_views(const fs::path& folder) {
   const OutputFolder replaceable(folder, view_files(), Existing::replace);
 }
 
 Error cannot_be_made(const fs::path& path, const std::string& reason) {
-  return {printable(path), fmt::format("cannot be made ({})", reason),
-          "check the permissions there or choose another place"};
+  return {printable(path), fmt::format("cannot be created ({})", reason),
+          "check the permissions there or choose another location"};
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ void ViewFolder::choose(Start start) {
   const bool earlier = holds_something(views_);
   const bool begun = holds_something(next);
   if (start == Start::anew && (earlier || begun))
-    throw Error(printable(earlier ? views_ : next), "holds the views of a map",
-                "give --resume to go on with it, --overwrite to begin anew, or another name");
+    throw Error(printable(earlier ? views_ : next), "contains the views of a map",
+                "resume it, overwrite it, or choose another name");
   if (start == Start::resume && begun) path_ = next;
   if (start != Start::replace || !earlier) return;
   remove_remains(views_);
@@ -126,7 +126,7 @@ void ViewFolder::choose(Start start) {
   path_ = next;
 }
 
-// Fails, as it should, where a folder is not empty.
+// rmdir() fails for a folder that is not empty, as intended.
 void ViewFolder::remove_empty() const {
   ::rmdir(next_views(views_).c_str());
   ::rmdir(views_.c_str());

@@ -1,4 +1,4 @@
-// The folder of a map's captures while a map is being made.
+// The folder of a map's captures while the map is being made.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,21 @@
 
 namespace rva {
 
-/// Captures of an earlier map stay where they are while those that shall replace them are taken beside them,
-/// in VIEWS.next. Nobody else can fill either folder meanwhile. Destroyed, it leaves what was taken, for
-/// whoever resumes; an empty folder goes.
+/// Locks the folder of a map's captures and selects where to take them. Captures of an earlier map stay in
+/// VIEWS while the new ones are taken beside them, in VIEWS.next. Meanwhile no other program can use either
+/// folder. The destructor keeps the captures, so that a later run can resume, and removes empty folders.
 class ViewFolder {
  public:
   enum class Start {
     anew,     ///< refuses folders that hold views
-    resume,   ///< goes on with the views that are there; with VIEWS.next where there is one
-    replace,  ///< begins VIEWS.next where VIEWS holds an earlier map's views and nothing else
+    resume,   ///< adds to the existing views; to those in VIEWS.next, if any
+    replace,  ///< begins VIEWS.next if VIEWS contains an earlier map's views and nothing else
   };
 
-  /// @param count how many views there will be; removes what is left of views whose program was killed
-  /// @throws Error the folder is in use, holds what it must not (see Start) or more views, or cannot be made
+  /// Also removes incomplete views that killed programs left.
+  /// @param count number of views of the map
+  /// @throws Error when the folder is in use, has contents that `start` does not allow or further views, or
+  ///         cannot be created
   ViewFolder(std::filesystem::path views, Start start, std::size_t count);
   ~ViewFolder();
   ViewFolder(const ViewFolder&) = delete;
@@ -36,10 +38,10 @@ class ViewFolder {
 
   std::filesystem::path views_;
   std::filesystem::path path_;
-  std::unique_ptr<FolderLock> lock_;  // of `views_`, for both
+  std::unique_ptr<FolderLock> lock_;  // on views_; protects both folders
 };
 
-/// VIEWS.next
+/// The path VIEWS.next.
 [[nodiscard]] std::filesystem::path next_views(const std::filesystem::path& views);
 
 }  // namespace rva

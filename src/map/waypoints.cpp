@@ -42,9 +42,9 @@ std::vector<PanTilt> load_waypoints(const std::filesystem::path& path) {
   const nlohmann::json json = parse_json(read_text_file(path), file);
   const JsonObject object(json, file);
   if (object.optional_string("format") != "rva-waypoints")
-    throw Error(file, "is no list of waypoints", "give one as docs/mapping.md shows it");
+    throw Error(file, "is not a list of waypoints", "give one as described in docs/mapping.md");
   if (object.integer("version") != 1)
-    throw Error(object.name_of("version"), "is not 1, the only one that is known", "use a newer rva");
+    throw Error(object.name_of("version"), "is not 1, the only supported version", "use a newer rva");
   if (!object.has("waypoints") || !json["waypoints"].is_array())
     throw Error(object.name_of("waypoints"), "not a list", "correct the file");
   const nlohmann::json& list = json["waypoints"];

@@ -1,4 +1,4 @@
-// Where the robot looks to see a whole bay.
+// Waypoints: the joint angles at which a robot takes its views.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace rva {
 
-/// More take hours to see and gigabytes to refine.
+/// More waypoints would take hours to visit and gigabytes of memory to refine.
 inline constexpr int most_waypoints = 1000;
 
 /// Angles of one joint, evenly spread; both ends are among them.
@@ -19,14 +19,14 @@ struct GridAxis {
   int count = 1;  ///< 1: `from_deg` alone
 };
 
-/// Every pan at every tilt, one row of pans after the other, back and forth, so that the robot has little way
-/// to go.
+/// Every pan angle at every tilt angle, row by row with alternating direction, so that the robot's path
+/// is short.
 [[nodiscard]] std::vector<PanTilt> grid_waypoints(const GridAxis& pan, const GridAxis& tilt);
 
-/// A file of waypoints in the order of travel (docs/mapping.md).
-/// @throws Error naming the file and the field: not JSON, not a list of waypoints, of another version, none
-/// or
-///         more than 1000 of them, an angle that is missing or not a number
+/// Reads a file of waypoints in the order of travel (docs/mapping.md).
+/// @throws Error naming the file and the field when it is not JSON, not a list of waypoints or of another
+///         version; when there are no waypoints or more than most_waypoints; when an angle is missing or not
+///         a number
 [[nodiscard]] std::vector<PanTilt> load_waypoints(const std::filesystem::path& path);
 
 /// @throws UsageError naming the first waypoint beyond the limits, by its number from 1

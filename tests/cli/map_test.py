@@ -154,13 +154,13 @@ class Mapping(MapTest):
         taken = sorted(path.name for path in (self.folder / 'map.views').iterdir())
         self.assertLess(len(taken), 6)
         self.assertEqual(taken, [f'{i:03}' for i in range(len(taken))], 'half a view was left')
-        self.check_refused(*self.arguments(ply), names=['map.views', '--resume'])
+        self.check_refused(*self.arguments(ply), names=['map.views', 'resume'])
         self.succeed(*self.arguments(ply, '--resume'))
         self.assertEqual(len(poses_of(ply)['views']), 6)
 
     def test_an_earlier_map_is_not_replaced_unasked(self):
         ply = self.copy()
-        self.check_refused(*self.arguments(ply), names=[ply, '--overwrite'])
+        self.check_refused(*self.arguments(ply), names=[ply, 'overwrite'])
 
     def test_what_is_no_map_is_not_replaced(self):
         ply = self.copy()
@@ -172,8 +172,8 @@ class Mapping(MapTest):
         self.check_refused(*self.arguments(ply, '--overwrite'), names=['map.views', 'not replaced'])
         other = self.folder / 'robot.ply'
         other.with_suffix('.json').write_text('{}')
-        self.check_refused(*self.arguments(other), names=['robot.json', 'is there already'])
-        self.check_refused(*self.arguments(other, '--overwrite'), names=['robot.json', 'not of an earlier map'])
+        self.check_refused(*self.arguments(other), names=['robot.json', 'already exists'])
+        self.check_refused(*self.arguments(other, '--overwrite'), names=['robot.json', 'not belong to an earlier map'])
 
     def test_earlier_views_come_back_when_no_new_one_is_taken(self):
         ply = self.copy()
@@ -279,7 +279,7 @@ class MapBadInput(MapTest):
     def test_options(self):
         self.refused('--voxel', 0.1, names=['--voxel'], status=2)
         self.refused('--servo-error', 'nan', names=['--servo-error'], status=2)
-        self.refused('--near', 2, '--far', 1, names=['--near', '--far'], status=2)
+        self.refused('--near', 2, '--far', 1, names=['--near', 'far limit'], status=2)
         for base in ('', b'a\xff'):
             self.refused('--base', base, names=['--base'], status=2)
         self.refused('--waypoints', '', names=['no such file'], where=())

@@ -85,7 +85,7 @@ TEST(Calibration, RefusesABareWall) {
   const test::Room wall{{test::box(-9.0, 9.0, -9.0, 9.0, 0.9, 1.0)}};
   std::vector<BoxBayView> how = test::twelve_views();
   for (BoxBayView& view : how) view.joints.pan_deg *= 0.4;
-  EXPECT_THAT(calibrate(seen(how, {}, wall), PanTiltChain{}).doubt, HasSubstr("say too little of"));
+  EXPECT_THAT(calibrate(seen(how, {}, wall), PanTiltChain{}).doubt, HasSubstr("do not determine"));
 }
 
 TEST(Calibration, NeedsJointsThatTurn) {

@@ -28,7 +28,7 @@ TEST(MapView, IsTheMeanOfTheFramesAtItsJoints) {
 TEST(MapView, NeedsToKnowTheJoints) {
   const std::vector<DepthImage> frames{DepthImage(8, 6, 1000)};
   EXPECT_THAT([&] { (void)load_map_view(test::MemoryCapture(test::info_of(8, 6), frames), "a view"); },
-              testing::ThrowsMessage<Error>(testing::HasSubstr("a view: does not say at which angles")));
+              testing::ThrowsMessage<Error>(testing::HasSubstr("a view: does not state the joint angles")));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST_F(ViewCapture, DoesNotMixTwoMaps) {
       },
       ThrowsMessage<Error>(HasSubstr("was not taken at pan 9.00")));
   base_ = "elsewhere";
-  EXPECT_THAT([&] { take(waypoints_); }, ThrowsMessage<Error>(HasSubstr("another place")));
+  EXPECT_THAT([&] { take(waypoints_); }, ThrowsMessage<Error>(HasSubstr("another base")));
 }
 
 }  // namespace

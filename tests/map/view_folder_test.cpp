@@ -38,7 +38,7 @@ TEST_F(ViewFolderTest, KeepsWhatWasTakenForWhoeverResumes) {
     const ViewFolder folder(views_, Start::anew, 6);
     put("000/capture.json");
   }
-  EXPECT_THAT(opening(Start::anew), ThrowsMessage<Error>(HasSubstr("--resume")));
+  EXPECT_THAT(opening(Start::anew), ThrowsMessage<Error>(HasSubstr("resume")));
   opening(Start::resume)();
   EXPECT_TRUE(fs::exists(views_ / "000" / "capture.json"));
 }

@@ -61,7 +61,7 @@ TEST_F(WaypointFile, IsReadInItsOrder) {
 
 TEST_F(WaypointFile, ComplaintsNameTheField) {
   EXPECT_THAT(complaint("[]"), HasSubstr("not an object"));
-  EXPECT_THAT(complaint("{}"), HasSubstr("no list of waypoints"));
+  EXPECT_THAT(complaint("{}"), HasSubstr("not a list of waypoints"));
   EXPECT_THAT(complaint(R"({"format": "rva-waypoints", "version": 7})"), HasSubstr("version"));
   EXPECT_THAT(complaint(list("3")), HasSubstr("not a list"));
   EXPECT_THAT(complaint(list("[]")), HasSubstr("holds 0"));
