@@ -27,7 +27,7 @@ std::unique_ptr<Capture> open_bare_folder(const fs::path& folder, const CaptureO
   if (!options.intrinsics)
     throw Error(
         printable(folder),
-        fmt::format("holds {} images and no description of the camera", files.depth.size()),
+        fmt::format("contains {} images and no description of the camera", files.depth.size()),
         "give the intrinsics of the depth camera (fx, fy, cx, cy), and the depth unit if it is not 1 mm");
   CaptureInfo info;
   info.format = "images";

@@ -72,7 +72,7 @@ std::unique_ptr<Capture> open_recording_in(const fs::path& folder, const std::ve
                                            const CaptureOptions& options) {
   if (recordings.size() > 1)
     throw Error(printable(folder),
-                fmt::format("holds {} recordings, such as {}", recordings.size(),
+                fmt::format("contains {} recordings, such as {}", recordings.size(),
                             printable(recordings.front().filename())),
                 "give one of them");
   require_recording(recordings.front());

@@ -115,12 +115,12 @@ Error without_depth(const fs::path& place) {
     if (entry->is_regular_file())
       return {printable(place),
               fmt::format(
-                  "holds no depth frame in a supported format: depth/ has {}, but PNG, TIFF, PGM or NumPy "
+                  "contains no depth frame in a supported format: depth/ has {}, but PNG, TIFF, PGM or NumPy "
                   "files are needed",
                   printable(entry->path().filename())),
               "convert its images"};
   }
-  return {printable(place), "holds no depth frame", "record the capture again"};
+  return {printable(place), "contains no depth frame", "record the capture again"};
 }
 
 }  // namespace

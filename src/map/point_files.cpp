@@ -35,7 +35,7 @@ std::string_view name_of(PointFrame frame) {
 }  // namespace
 
 // Both formats are a short header and numbers. PCL's writers are not used: they add a camera to one of the
-// formats, which CloudCompare complains about, and do not detect a full disk. tests/map reads these files with
+// formats, which CloudCompare complains about, and do not detect a full disk. tests/map reads the files by
 // PCL's readers.
 std::string encode_ply(std::span<const MapPoint> points, PointFrame frame) {
   std::string bytes = fmt::format(

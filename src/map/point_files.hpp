@@ -15,7 +15,8 @@ enum class PointFrame {
   depth_camera,  ///< x right, y down, z forward, origin in the depth imager
 };
 
-// Binary, metres, with colour: what CloudCompare, MeshLab, Open3D (both) and PCL (both) open.
+// Encode points: binary, in metres, with colour. CloudCompare and MeshLab open such files, Open3D and PCL
+// open both formats.
 [[nodiscard]] std::string encode_ply(std::span<const MapPoint> points, PointFrame frame);
 [[nodiscard]] std::string encode_pcd(std::span<const MapPoint> points, PointFrame frame);
 

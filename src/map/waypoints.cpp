@@ -49,7 +49,7 @@ std::vector<PanTilt> load_waypoints(const std::filesystem::path& path) {
     throw Error(object.name_of("waypoints"), "not a list", "correct the file");
   const nlohmann::json& list = json["waypoints"];
   if (list.empty() || std::cmp_greater(list.size(), most_waypoints))
-    throw Error(object.name_of("waypoints"), fmt::format("holds {}", list.size()),
+    throw Error(object.name_of("waypoints"), fmt::format("contains {}", list.size()),
                 fmt::format("give 1 to {} waypoints", most_waypoints));
   std::vector<PanTilt> waypoints;
   for (std::size_t i = 0; i < list.size(); ++i) {

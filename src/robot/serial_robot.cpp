@@ -95,8 +95,7 @@ class SerialRobot::Conversation {
     if (kind_ == RobotKind::unknown) throw away();
     for (const std::optional<Measured>* joint : {&pan_, &tilt_}) {
       if (!*joint || now() - (*joint)->at > position_counts)
-        throw Error(device_, "the robot does not know where its joints are",
-                    "check the servos' power and their cable");
+        throw Error(device_, "the joint angles are unknown", "check the servos' power and their cable");
     }
     return {pan_->deg, tilt_->deg};
   }
@@ -237,8 +236,7 @@ class SerialRobot::Conversation {
       return {device_, "a servo is at fault, and its torque is off",
               "let it cool, remove obstacles, and check its power"};
     if (reason == "BLIND")
-      return {device_, "the robot does not know where its joints are",
-              "check the servos' power and their cable"};
+      return {device_, "the joint angles are unknown", "check the servos' power and their cable"};
     return {device_, fmt::format("the robot refuses the command ({})", reason),
             "load the firmware of this version of rva (firmware/README.md)"};
   }

@@ -232,7 +232,7 @@ class MapBadInput(MapTest):
             self.refused(names=['waypoint 2', axis, 'give'], status=2, where=('--grid=' + grid,))
 
     def test_waypoint_files(self):
-        for value, named in (('[', 'line 1'), ({}, 'no list'), ({'format': 'rva-waypoints', 'version': 1, 'waypoints': []}, 'holds 0')):
+        for value, named in (('[', 'line 1'), ({}, 'not a list'), ({'format': 'rva-waypoints', 'version': 1, 'waypoints': []}, 'contains 0')):
             path = self.written('waypoints.json', value)
             self.refused(names=[path, named], where=('--waypoints', path))
         self.refused(names=['no such file'], where=('--waypoints', self.folder / 'none.json'))

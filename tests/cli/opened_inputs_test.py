@@ -125,7 +125,7 @@ class OpenedInputsTest(program.ProgramTest):
         self.write(write_capture)
         for side in self.frames:
             (self.folder / side / 'capture.json').unlink()
-        self.check_fails('info', self.folder / 'before', names=['holds 5 images', 'intrinsics'])
+        self.check_fails('info', self.folder / 'before', names=['contains 5 images', 'intrinsics'])
         self.assertIn('steps of 1 mm are assumed', self.check_box(*TUM_INTRINSICS))
         for side in self.frames:
             for file in (self.folder / side / 'depth').iterdir():
@@ -166,7 +166,7 @@ class OpenedInputsTest(program.ProgramTest):
             (self.folder / side / 'metadata.yaml').write_text('rosbag2_bagfile_information: {}\n')
         self.check_box()
         shutil.copy(self.folder / 'before' / 'before_0.db3', self.folder / 'before' / 'before_1.db3')
-        self.check_fails('info', self.folder / 'before', names=['holds 2 recordings', 'before_0.db3'])
+        self.check_fails('info', self.folder / 'before', names=['contains 2 recordings', 'before_0.db3'])
 
     # Recordings of ROS
 

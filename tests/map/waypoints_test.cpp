@@ -64,7 +64,7 @@ TEST_F(WaypointFile, ComplaintsNameTheField) {
   EXPECT_THAT(complaint("{}"), HasSubstr("not a list of waypoints"));
   EXPECT_THAT(complaint(R"({"format": "rva-waypoints", "version": 7})"), HasSubstr("version"));
   EXPECT_THAT(complaint(list("3")), HasSubstr("not a list"));
-  EXPECT_THAT(complaint(list("[]")), HasSubstr("holds 0"));
+  EXPECT_THAT(complaint(list("[]")), HasSubstr("contains 0"));
   EXPECT_THAT(complaint(list(R"([{"pan_deg": 5, "tilt_deg": 0}, {"pan_deg": 5}])")),
               HasSubstr("waypoints[1].tilt_deg: missing"));
   EXPECT_THAT(complaint(list(R"([{"pan_deg": "left", "tilt_deg": 0}])")), HasSubstr("waypoints[0].pan_deg"));

@@ -190,7 +190,7 @@ TEST_F(SerialRobotTest, FaultsAndBlindnessAreSaid) {
     there.pan().faults.reply_lost = 1.0;
   });
   std::this_thread::sleep_for(std::chrono::milliseconds(800));
-  EXPECT_THAT(error_of([&] { (void)robot.joints(); }), HasSubstr("does not know where its joints are"));
+  EXPECT_THAT(error_of([&] { (void)robot.joints(); }), HasSubstr("the joint angles are unknown"));
 }
 
 TEST_F(SerialRobotTest, SaysWhatIsWrongWithADevice) {

@@ -14,7 +14,7 @@ std::vector<std::byte> BagFile::read(const RecordedMessage& message) const {
   static_cast<void>(bytes.take(message.offset));
   const BagRecord record = take_record(bytes, place_);
   if (record.header.op != BagOp::message)
-    throw Error(place_, "its index is damaged", "copy it again, or record anew");
+    throw Error(place_, "its index is damaged", "copy it again, or record it again");
   return {record.data.begin(), record.data.end()};
 }
 

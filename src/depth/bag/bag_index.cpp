@@ -14,7 +14,7 @@ constexpr std::string_view version_line = "#ROSBAG V2.0\n";
 constexpr std::uint32_t max_header_bytes = 1U << 20U;
 
 Error damaged(const std::string& place) {
-  return {place, "the recording is damaged", "copy it again, or record anew"};
+  return {place, "the recording is damaged", "copy it again, or record it again"};
 }
 
 /// Collects connections and messages in any order.

@@ -14,7 +14,7 @@ namespace rva {
 namespace {
 
 Error damaged(std::string_view place, const std::string& problem) {
-  return {std::string(place), problem, "copy the recording again, or record anew"};
+  return {std::string(place), problem, "copy the recording again, or record it again"};
 }
 
 struct Lz4Deleter {

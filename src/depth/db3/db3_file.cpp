@@ -25,7 +25,7 @@ namespace {
 constexpr int max_message_bytes = 128 << 20;
 
 Error damaged(const std::string& place, const std::string& how) {
-  return {place, "the recording is damaged: " + how, "copy it again, or record anew"};
+  return {place, "the recording is damaged: " + how, "copy it again, or record it again"};
 }
 
 bool is_beside(const std::filesystem::path& path, std::string_view ending) {

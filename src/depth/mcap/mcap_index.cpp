@@ -95,7 +95,7 @@ class Builder {
 
  private:
   [[nodiscard]] Error damaged_index() const {
-    return {place_, "its index is damaged", "copy it again, or record anew"};
+    return {place_, "its index is damaged", "copy it again, or record it again"};
   }
 
   void add_schema(std::span<const std::byte> content) {
@@ -204,7 +204,7 @@ std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at, 
   static_cast<void>(bytes.number<std::uint8_t>());
   const auto length = bytes.number<std::uint64_t>();
   if (length > most_record_bytes || at + mcap_head_bytes + length > file.size_bytes())
-    throw Error(place, "the recording is damaged: a record ends early", "copy it again, or record anew");
+    throw Error(place, "the recording is damaged: a record ends early", "copy it again, or record it again");
   return file.read(at, mcap_head_bytes + static_cast<std::size_t>(length));
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t most_chunk_bytes = 128ULL << 20U;
 
 Error damaged(std::string_view place, const std::string& how) {
-  return {std::string(place), "the recording is damaged: " + how, "copy it again, or record anew"};
+  return {std::string(place), "the recording is damaged: " + how, "copy it again, or record it again"};
 }
 
 std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t size,

@@ -89,7 +89,7 @@ class McapRecording : public Recording {
   }
 
   [[nodiscard]] Error damaged_index() const {
-    return {place_, "its index is damaged", "copy it again, or record anew"};
+    return {place_, "its index is damaged", "copy it again, or record it again"};
   }
 
   OpenFile file_;

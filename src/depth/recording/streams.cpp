@@ -144,7 +144,7 @@ Error without_depth(const Recording& recording) {
   }
   if (seen.empty() && !recording.notes().empty())
     return {recording.place(), "the file is cut short or was never finished, and no image in it is complete",
-            "copy it again, or record anew"};
+            "copy it again, or record it again"};
   const std::string instead =
       seen.empty() ? ", and no other image" : fmt::format(", but {}{}", seen, more > 3 ? ", ..." : "");
   return {recording.place(), "contains no depth" + instead, "record with the depth stream on"};
