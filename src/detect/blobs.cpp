@@ -7,8 +7,8 @@
 namespace rva {
 namespace {
 
-// The first column at or after `u` that is set, or `width`. Eight empty pixels are passed at a time, since
-// most of a mask is empty.
+// Returns the first column at or after `u` that is set, or `width`. Eight empty pixels are skipped at a time,
+// since most of a mask is empty.
 int next_set(const std::uint8_t* row, int u, int width) {
   constexpr int word = sizeof(std::uint64_t);
   for (; u + word <= width; u += word) {

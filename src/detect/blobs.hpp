@@ -1,4 +1,4 @@
-// Connected pixels of a mask, as runs.
+// Connected components (blobs) of a mask, stored as runs of pixels.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace rva {
 
-/// A stretch of set pixels in one row, columns [first, end), that belongs to one blob.
+/// A run of set pixels in one row, columns [first, end), that belongs to one blob.
 struct Run {
   int v = 0;
   int first = 0;
@@ -19,22 +19,22 @@ struct Run {
   std::size_t blob = 0;
 };
 
-/// The 8-connected blobs of a mask. Built in one pass over the pixels and one over the runs, so that a mask
-/// with little in it costs little more than reading it.
+/// The 8-connected blobs of a mask. They are found in one pass over the pixels and one over the runs, so that
+/// a mask with few set pixels costs little more than reading it.
 class Blobs {
  public:
   /// @param mask pixels other than 0 are set
   explicit Blobs(const Mask& mask);
 
   [[nodiscard]] std::size_t count() const { return areas_.size(); }
-  /// From top to bottom, then from left to right.
+  /// All runs, from top to bottom, then from left to right.
   [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
   [[nodiscard]] std::span<const Run> runs_of_row(int v) const {
     const auto row = static_cast<std::size_t>(v);
     return std::span(runs_).subspan(row_starts_[row], row_starts_[row + 1] - row_starts_[row]);
   }
   [[nodiscard]] int area_px(std::size_t blob) const { return areas_[blob]; }
-  /// The blob of a pixel that is set.
+  /// The blob that contains a pixel, which must be set.
   [[nodiscard]] std::size_t blob_at(int u, int v) const;
 
  private:
@@ -43,7 +43,7 @@ class Blobs {
   void join_touching_runs(std::size_t row, DisjointSets& sets) const;
 
   std::vector<Run> runs_;
-  std::vector<std::size_t> row_starts_;  // of row v, in runs_; one more than rows
+  std::vector<std::size_t> row_starts_;  // index in runs_ at which row v starts, and the end of the last row
   std::vector<int> areas_;
 };
 

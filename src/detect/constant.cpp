@@ -35,7 +35,7 @@ Comparison compare_constant(const DepthImage& initial, const DepthImage& final, 
     ++counts.at(static_cast<std::size_t>(kind));
     if (kind != Pixel::compared || !(before - after > threshold)) continue;
     result.changed[i] = mask_set;
-    // A threshold of nothing has no multiples; then every unit of depth counts.
+    // With a threshold of 0, evidence is in depth units instead of thresholds.
     result.evidence[i] = static_cast<float>((before - after) / (threshold > 0.0 ? threshold : 1.0));
   }
   const auto share = [&](Pixel kind) {

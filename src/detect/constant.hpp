@@ -1,4 +1,4 @@
-// Algorithm 2 of the thesis: a pixel changed when it came nearer by more than a constant.
+// Algorithm 2 of the thesis: a pixel has changed if it came nearer by more than a constant.
 #pragma once
 
 #include "core/options.hpp"
@@ -19,13 +19,13 @@ struct ConstantOptions {
   }
 };
 
-/// initial - final > threshold, where final < clip (thesis chapter 3.2.2).
+/// A pixel has changed if initial - final > threshold and final < clip (thesis chapter 3.2.2).
 ///
-/// Unlike the thesis', a pixel without a measurement in either image is never a change. Evidence is the depth
-/// that a pixel came nearer, in thresholds.
-/// @param initial, final one size, one depth unit
+/// Unlike in the thesis, a pixel without a measurement in either image never counts as changed. Evidence is
+/// the decrease of depth, as a multiple of the threshold.
+/// @param initial, final depth before and after, of one size and depth unit
 /// @param unit_m         metres of one depth unit
-/// @param left_out       as of is_left_out()
+/// @param left_out       pixels to leave out, see is_left_out()
 [[nodiscard]] Comparison compare_constant(const DepthImage& initial, const DepthImage& final, double unit_m,
                                           const ConstantOptions& options, const Mask& left_out = {});
 

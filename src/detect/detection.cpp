@@ -13,7 +13,7 @@
 namespace rva {
 namespace {
 
-// A millionth of a degree: rounding in files passes, a servo step does not.
+// The tolerance of a millionth of a degree accepts rounding in files, but not a servo step.
 bool differ(const std::optional<double>& a_deg, const std::optional<double>& b_deg) {
   return a_deg && b_deg && std::abs(*a_deg - *b_deg) > 1e-6;
 }
@@ -47,7 +47,7 @@ std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view s
   if (wanted == 0 && available > DepthStatistics::max_frames) {
     throw Error(fmt::format("{} capture", side),
                 fmt::format("{} frames are more than can be used", available),
-                fmt::format("give --frames {}", DepthStatistics::max_frames));
+                fmt::format("use at most {} frames", DepthStatistics::max_frames));
   }
   if (wanted == 0) return available;
   const auto count = static_cast<std::size_t>(wanted);

@@ -1,4 +1,4 @@
-// What every method answers, and what it needs of captures for it.
+// The result that every method returns, and helpers that methods share.
 #pragma once
 
 #include <optional>
@@ -15,47 +15,49 @@
 
 namespace rva {
 
-/// Of a method that knows what it could have found.
+/// What the inspection could have found, from methods that estimate it.
 struct LevelOfDetection {
-  Image<float> least_mm;  ///< height; NaN where nothing could be judged
+  Image<float> least_mm;  ///< least detectable height, mm; NaN where nothing could be judged
   DetectionLevelSummary summary;
 };
 
 struct Detection {
   Findings findings;
-  std::optional<LevelOfDetection> level_of_detection;  ///< of `calibrated`
-  Mask changed;          ///< every changed pixel, blobs below the least size included
+  std::optional<LevelOfDetection> level_of_detection;  ///< set by `calibrated` and `spatial`
+  Mask changed;          ///< every changed pixel, including blobs below the minimum size
   Image<float> final_m;  ///< depth after, metres; 0 where not measured
-  Mask left_out;         ///< of the final depth image, as a person wished; empty where nothing was left out
-  std::vector<std::string>
-      warnings;  ///< for a person, one line each: what makes the result less than it seems
+  Mask left_out;         ///< pixels of the final depth image left out by the user; empty for none
+  /// What limits the result, for the user; one line each.
+  std::vector<std::string> warnings;
 };
 
-/// True when the captures' poses say that the camera moved in between; false where they say nothing.
+/// True if the captures' poses show that the camera moved in between; false if they match or are not stated.
 [[nodiscard]] bool poses_differ(const CaptureInfo& initial, const CaptureInfo& final);
 
-/// @throws Error when both captures state the serial number of their camera, and they differ
+/// Checks that both captures are of one camera.
+/// @throws Error when both state the serial number of their camera and the numbers differ
 void require_one_device(const CaptureInfo& initial, const CaptureInfo& final);
 
-/// How many frames of a capture to use.
+/// Returns how many frames of a capture to use.
 /// @param wanted   0 for all
-/// @param side     "initial", "final", for messages
-/// @param warnings gets one where there are fewer than wanted
-/// @throws Error when there are more than statistics can take
+/// @param side     "initial" or "final", for messages
+/// @param warnings receives one if the capture has fewer frames than wanted
+/// @throws Error when all frames are wanted and there are more than DepthStatistics::max_frames
 [[nodiscard]] std::size_t frames_to_use(const Capture& capture, int wanted, std::string_view side,
                                         std::vector<std::string>& warnings);
 
-/// Of the first frames of a capture; adds what it took to `runtime`.
+/// Computes statistics of the first `frames` frames of a capture and adds the time taken to `runtime`.
 /// @throws Error when a frame cannot be read; Interrupted
 [[nodiscard]] DepthStatistics statistics_of(const Capture& capture, std::size_t frames,
                                             const Progress& progress, Runtime& runtime);
 
-/// Focal length times baseline. Disparities in true pixels need the baseline; where a capture does not state
-/// it, the unit is that of a camera with 50 mm.
+/// Focal length times baseline, m px: the product of a disparity in pixels and the depth in metres. If the
+/// capture does not state its baseline, 50 mm is assumed, and disparities are not in true pixels.
 [[nodiscard]] double disparity_m_px(const CaptureInfo& info);
 
-/// What the figures say against believing an empty list of findings.
-/// @param why such places are, as a rule
+/// Adds warnings if so little was compared, or so many pixels are blind, that an empty list of findings
+/// means little.
+/// @param why the usual reason for blind pixels, which ends the warning
 void warn_of_blindness(const Comparison& comparison, std::string_view why,
                        std::vector<std::string>& warnings);
 

@@ -1,4 +1,4 @@
-// Which things belong together, directly or through others.
+// Disjoint sets: which elements belong together, directly or through others.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace rva {
 
 /// Disjoint sets of the numbers below `count` (Tarjan 1975), with path halving. The representative of a set
-/// is its least member.
+/// is its smallest member.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }

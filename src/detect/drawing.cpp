@@ -25,7 +25,8 @@ Box scaled(const Box& box, const Image<float>& from, const ColorImage& to) {
           std::max(1, static_cast<int>(box.height * along_v))};
 }
 
-// Where the colour imager sees a pixel of the depth image; empty behind it. It must know the transform.
+// Projects a pixel of the depth image into the colour image; empty if the point lies behind the colour
+// imager. Requires is_placed().
 std::optional<Eigen::Vector2d> on_color(const CaptureInfo& capture, const Eigen::Vector2d& pixel,
                                         double depth_m) {
   const Eigen::Vector3d in_color = *capture.color_from_depth * capture.depth.deproject(pixel, depth_m);
@@ -35,7 +36,7 @@ std::optional<Eigen::Vector2d> on_color(const CaptureInfo& capture, const Eigen:
 
 bool is_placed(const CaptureInfo& capture) { return capture.color && capture.color_from_depth; }
 
-// The part of [low, high] that lies on an axis of `length` pixels, as first pixel and count.
+// Clips [low, high] to an axis of `length` pixels; returns the first pixel and the count.
 std::pair<int, int> clipped(double low, double high, int length) {
   const int first = static_cast<int>(std::clamp(std::round(low), 0.0, length - 1.0));
   const int last = static_cast<int>(std::clamp(std::round(high), 0.0, length - 1.0));
@@ -64,7 +65,7 @@ void draw_box(cv::Mat& picture, const Box& box, int id, const cv::Scalar& color)
   cv::putText(picture, label, at, cv::FONT_HERSHEY_SIMPLEX, font, color, 1, cv::LINE_AA);
 }
 
-// A pattern, so that what was left out is not told by colour alone.
+// Marks pixels that were left out by a pattern as well, so that they do not depend on colour alone.
 void hatch(ColorImage& picture, const Mask& left_out) {
   constexpr int period_px = 8;
   for (std::size_t i = 0; i < left_out.size(); ++i) {
@@ -96,7 +97,7 @@ std::optional<Box> box_on_color(const Finding& finding, const Image<float>& fina
   constexpr double edge_px = 0.5;  // the image reaches half a pixel beyond the centres of its outer pixels
   const bool on_image = high.x() >= -edge_px && high.y() >= -edge_px && low.x() < color.width() - edge_px &&
                         low.y() < color.height() - edge_px;
-  if (!on_image) return std::nullopt;  // also where no pixel had a depth: low and high are infinite then
+  if (!on_image) return std::nullopt;  // also if no pixel had a depth, as low and high are infinite then
   const auto [x, box_width] = clipped(low.x(), high.x(), color.width());
   const auto [y, box_height] = clipped(low.y(), high.y(), color.height());
   return Box{x, y, box_width, box_height};

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double mm_per_m = 1000.0;
 
-/// Depth over a region, as far as it was measured.
+/// Valid depths over a region.
 struct RegionDepth {
-  std::vector<float> depths_m;   // after; before, where there is none after
-  std::vector<float> heights_m;  // where there are both
+  std::vector<float> depths_m;   // after, or before where there is none after
+  std::vector<float> heights_m;  // decrease of depth, where measured both before and after
 };
 
 RegionDepth depth_of(const std::vector<std::uint32_t>& pixels, const Comparison& comparison) {
@@ -30,8 +30,8 @@ RegionDepth depth_of(const std::vector<std::uint32_t>& pixels, const Comparison&
   return depth;
 }
 
-// Where depth went missing on a thing that shines, what is left of it may be of anything: a height that
-// contradicts the kind of the change is none.
+// Returns the median height, or nothing if its sign contradicts the kind: where depth went missing on a shiny
+// object, the depth that remains may belong to any surface.
 std::optional<double> height_mm(RegionDepth& depth, std::size_t pixels, ChangeKind kind) {
   if (depth.heights_m.empty() || 2 * depth.heights_m.size() < pixels) return std::nullopt;
   const double height_mm = quantile(depth.heights_m, 0.5) * mm_per_m;
@@ -60,7 +60,7 @@ Finding measure(Region region, ChangeKind kind, const Comparison& comparison, co
   finding.height_mm = height_mm(depth, finding.pixels.size(), kind);
   if (comparison.evidence_is_rarity) {
     finding.score = rarest;
-    // None, if places are scattered by chance (Poisson).
+    // By Poisson statistics: 1 - exp(-n), where n = 10^-rarest is the expected number of such locations.
     finding.p_value = -std::expm1(-std::pow(10.0, -static_cast<double>(rarest)));
   } else {
     finding.score = evidence / std::sqrt(area);

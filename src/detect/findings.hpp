@@ -1,4 +1,4 @@
-// What a detection found, in the same shape whatever the method.
+// Findings of a detection, in the same form for every method.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,43 +20,44 @@
 namespace rva {
 
 enum class ChangeKind {
-  added,       ///< nearer than before; or its depth went missing, as behind glass and on bare metal
-  removed,     ///< farther than before; or depth appeared where there was none
-  appearance,  ///< brighter or darker than before; depth cannot tell
+  added,       ///< nearer than before, or depth went missing, as behind glass and on bare metal
+  removed,     ///< farther than before, or depth appeared where there was none
+  appearance,  ///< brighter or darker than before; depth shows no reliable change
 };
 [[nodiscard]] std::string_view name_of(ChangeKind kind);
 [[nodiscard]] std::optional<ChangeKind> change_kind_from_name(std::string_view name);
 
-/// What speaks for a finding.
+/// Which images support a finding.
 struct Evidence {
   bool depth = true;
-  bool appearance = false;  ///< infrared or colour images look different there
+  bool appearance = false;  ///< infrared or colour images differ there
 
   bool operator==(const Evidence&) const = default;
 };
 
-/// One change, of one kind throughout. Pixels are of the final depth image, positions in the final depth
-/// camera's frame. What a method cannot give is empty.
+/// One change, of a single kind. Pixels are those of the final depth image, positions are in the final depth
+/// camera's frame. Quantities that a method does not provide are empty.
 struct Finding {
   int id = 0;  ///< from 1, most suspicious first
   ChangeKind kind = ChangeKind::added;
   Box box;
-  std::vector<std::uint32_t> pixels;  ///< changed pixels, by position in the rows laid end to end
+  std::vector<std::uint32_t> pixels;  ///< changed pixels, as indices in row-major order
   Eigen::Vector2d centroid{0, 0};     ///< mean of the pixels
-  std::optional<Eigen::Vector3d>
-      position_m;  ///< the centroid at the region's median depth, before where there is none after
+  /// The centroid at the median depth of the region. A pixel without depth after counts with its depth
+  /// before.
+  std::optional<Eigen::Vector3d> position_m;
   std::optional<std::array<double, 2>> size_mm;  ///< the box's width and height at that depth
-  /// Median change of depth over the region, along z: above 0 for `added`, below for `removed`. Empty where
-  /// less than half of the region has a depth both before and after.
+  /// Median decrease of depth over the region, along z: positive for `added`, negative for `removed`. Empty
+  /// if less than half of the region has depth both before and after, or if the sign contradicts the kind.
   std::optional<double> height_mm;
   std::optional<double> score;  ///< larger is more suspicious; comparable within a method
   std::optional<double> p_value;
-  /// The id of the removed finding that an added one has about the size of (moved_things.hpp).
+  /// For an added finding, the id of a removed finding of about the same size (moved_things.hpp).
   std::optional<int> moved_from;
   Evidence evidence;
 };
 
-/// Milliseconds that each stage took.
+/// Time taken by each stage, milliseconds.
 struct Runtime {
   double load_ms = 0.0;
   double statistics_ms = 0.0;
@@ -67,34 +68,35 @@ struct Runtime {
 
 struct Findings {
   std::string method;
-  std::vector<std::pair<std::string, std::variant<int, double>>>
-      parameters;  ///< every option that had a say, by its name in JSON
+  /// Every option that affected the result, by its name in JSON.
+  std::vector<std::pair<std::string, std::variant<int, double>>> parameters;
   std::size_t initial_frames = 0;
   std::size_t final_frames = 0;
   Transform final_from_initial = Transform::Identity();
   Coverage coverage;
   Runtime runtime;
-  /// The share of the final image in which infrared or colour images were compared; empty where none were.
+  /// Share of the final depth image in which infrared or colour images were compared; empty if none were.
   std::optional<double> appearance_judged{};
-  std::vector<Finding> findings;  ///< most suspicious first, those of appearance alone after all others
+  std::vector<Finding> findings;  ///< most suspicious first; those supported by appearance alone come last
 };
 
-/// Position and size of a finding, from its centroid, its box and the median of depths; nothing where there
-/// are none.
-/// @param depths_m of its pixels; reordered
+/// Sets position and size of a finding from its centroid, its box and the median of `depths_m`; does nothing
+/// if there are no depths.
+/// @param depths_m depths of its pixels, metres; reordered
 void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding);
 
-/// The regions of a comparison, measured, the most suspicious first. Pixels that came nearer and pixels that
-/// went farther are never of one region, however close they lie.
+/// Groups the changed pixels of a comparison into regions and measures them; the most suspicious come first.
+/// Pixels that came nearer and pixels that went farther are never grouped, however close they are.
 ///
-/// Where evidence is rarity, the score is that of the rarest pixel, and the p-value the probability that an
-/// inspection without any change shows something as rare. Elsewhere the score is the mean evidence of the
-/// region's pixels times the root of their number: what a sum of independent evidence comes to in deviations
-/// of one pixel. Neighbours are not independent, so it ranks, and says nothing about probability.
+/// If evidence is rarity, the score is that of the rarest pixel, and the p-value the probability that an
+/// inspection without any change shows something as rare. Otherwise the score is the mean evidence of the
+/// region's pixels times the square root of their number, which for independent pixels is their summed
+/// evidence in standard deviations. Neighbouring pixels are not independent, so this score ranks findings but
+/// is no probability.
 [[nodiscard]] std::vector<Finding> find_findings(const Comparison& comparison, const RegionOptions& options,
                                                  const Intrinsics& camera);
 
-/// `detections.json` (docs/detection.md), ending in a line feed.
+/// The content of `detections.json` (docs/detection.md), ending in a line feed.
 [[nodiscard]] std::string to_json(const Findings& findings);
 
 }  // namespace rva

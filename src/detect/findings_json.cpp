@@ -14,7 +14,7 @@ Json to_json_value(const Evidence& evidence) {
   return json;
 }
 
-// @param of_two depth and infrared images were compared
+// @param of_two true if depth and infrared or colour images were compared, so that the evidence is stated
 Json to_json_value(const Finding& finding, bool of_two) {
   Json json;
   json["id"] = finding.id;

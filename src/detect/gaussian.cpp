@@ -9,10 +9,10 @@
 namespace rva {
 namespace {
 
-// Variance of a value that is rounded to a whole number, both sets together.
+// Variance due to rounding to whole depth units, of both sets together.
 constexpr double rounding_variance = 2.0 / 12.0;
 
-// One set's depth of a pixel, in depth units.
+// Distribution of one pixel's depth in one set, in depth units.
 struct Gaussian {
   double mean;
   double deviation;

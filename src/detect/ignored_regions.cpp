@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view format_name = "rva-regions";
 constexpr const char* correct_it = "correct the file (docs/detection.md shows one)";
 
-// By the number of edges that a ray to the right crosses; a centre on an edge counts as inside.
+// True if the point is inside or on an edge, by the parity of the edges that a ray to the right crosses.
 bool contains(const Polygon& polygon, const Eigen::Vector2d& point) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -66,11 +66,11 @@ Mask filled(const std::vector<Polygon>& polygons, int width, int height) {
 
 Polygon parse_polygon(const nlohmann::json& value, const std::string& place) {
   if (!value.is_array() || value.size() < 3 || value.size() > most_corners)
-    throw Error(place, fmt::format("is no list of 3 to {} corners", most_corners), correct_it);
+    throw Error(place, fmt::format("is not a list of 3 to {} corners", most_corners), correct_it);
   Polygon polygon;
   for (const nlohmann::json& corner : value) {
     if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() || !corner[1].is_number())
-      throw Error(place, "has a corner that is no pair of numbers", correct_it);
+      throw Error(place, "has a corner that is not a pair of numbers", correct_it);
     polygon.emplace_back(corner[0].get<double>(), corner[1].get<double>());
     constexpr double far_px = 1e6;
     if (!(polygon.back().cwiseAbs().maxCoeff() <= far_px))
@@ -85,7 +85,7 @@ std::vector<Polygon> parse_polygons(const nlohmann::json& document, const char* 
   if (found == document.end() || found->is_null()) return {};
   if (!found->is_array() || found->size() > most_polygons)
     throw Error(fmt::format("{}: {}", place, key),
-                fmt::format("is no list of up to {} polygons", most_polygons), correct_it);
+                fmt::format("is not a list of up to {} polygons", most_polygons), correct_it);
   std::vector<Polygon> polygons;
   for (std::size_t i = 0; i < found->size(); ++i)
     polygons.push_back(parse_polygon((*found)[i], fmt::format("{}: {}[{}]", place, key, i)));
@@ -108,7 +108,7 @@ Mask mask_from_picture(const std::filesystem::path& file, int width, int height)
     throw Error(printable(file),
                 fmt::format("has {}x{} pixels where the depth image has {}x{}", picture.width(),
                             picture.height(), width, height),
-                "draw the mask on the initial depth image, pixel upon pixel");
+                "draw the mask at the size of the initial depth image");
   Mask mask(width, height);
   std::ranges::transform(picture.pixels(), mask.pixels().begin(),
                          [](const Rgb& pixel) { return pixel == Rgb{} ? std::uint8_t{0} : mask_set; });
@@ -146,7 +146,7 @@ IgnoredRegions parse_regions(const std::string& text, const std::string& place) 
   const nlohmann::json document = parse_json(text, place);
   const JsonObject object(document, place);
   if (object.optional_string("format") != format_name || object.optional_number("version") != 1.0)
-    throw Error(place, fmt::format("is no {} file of version 1", format_name), correct_it);
+    throw Error(place, fmt::format("is not a {} file of version 1", format_name), correct_it);
   return {parse_polygons(document, "ignore", place), parse_polygons(document, "within", place)};
 }
 

@@ -11,24 +11,25 @@
 namespace rva {
 namespace {
 
-// Outlines follow a matcher's windows, so that a side is uncertain by about a pixel and a half whatever its
-// length. Within that and an eighth of its length, two sides are alike; areas accordingly.
+// Outlines follow the matcher's windows, so the length of a side is uncertain by about a pixel and a half,
+// whatever its length. Two sides count as equal if they differ by less than that plus 12 % of their
+// length; areas accordingly.
 constexpr double outline_px = 1.5;
 constexpr double alike_share = 0.12;
-// Heights of small things are off by a few millimetres.
+// Heights of small objects are off by a few millimetres.
 constexpr double height_share = 0.3;
 constexpr double height_noise_mm = 3.0;
 
-/// How large a thing looks, whichever way it is turned in the image.
+/// Size of a finding on the surface of its object, independent of its orientation in the image.
 struct Size {
   double area_mm2 = 0.0;
   double length_mm = 0.0;
   double breadth_mm = 0.0;
-  double pixel_mm = 0.0;  ///< one pixel on the thing's own surface
+  double pixel_mm = 0.0;  ///< edge of one pixel on the surface of the object
   std::optional<double> height_mm;
 };
 
-// The thing's own surface is the nearer of what was there before and after.
+// Median distance of the object's surface, which is the nearer of the surfaces before and after.
 std::optional<double> surface_m(const Finding& finding, const Comparison& comparison) {
   std::vector<float> depths_m;
   for (const std::uint32_t i : finding.pixels) {
@@ -42,7 +43,7 @@ std::optional<double> surface_m(const Finding& finding, const Comparison& compar
   return depths_m.empty() ? std::nullopt : std::optional<double>(quantile(depths_m, 0.5));
 }
 
-// A rectangle of the pixels' second moments: of variance side^2 / 12 along either side.
+// Sides of the rectangle with the second moments of the pixels: along a side, the variance is side^2 / 12.
 Size size_of(const Finding& finding, double distance_m, int width, const Intrinsics& camera) {
   constexpr double mm_per_m = 1000.0;
   Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
@@ -54,7 +55,7 @@ Size size_of(const Finding& finding, double distance_m, int width, const Intrins
     moments += off * off.transpose();
   }
   moments /= static_cast<double>(finding.pixels.size());
-  moments.diagonal() += pixel_mm.cwiseAbs2() / 12.0;  // of a pixel itself
+  moments.diagonal() += pixel_mm.cwiseAbs2() / 12.0;  // variance within a pixel
   const Eigen::Vector2d sides_mm =
       (12.0 * Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(moments).eigenvalues()).cwiseSqrt();
   const std::optional<double> height_mm =
@@ -63,7 +64,7 @@ Size size_of(const Finding& finding, double distance_m, int width, const Intrins
   return {area_mm2, sides_mm[1], sides_mm[0], pixel_mm.mean(), height_mm};
 }
 
-/// What differs, in what may: alike up to 1.
+/// Difference of two sides as a multiple of what is tolerated: equal up to 1.
 double side_difference(double a_mm, double b_mm, double pixel_mm) {
   return std::abs(a_mm - b_mm) / (alike_share * std::max(a_mm, b_mm) + outline_px * pixel_mm);
 }
@@ -106,7 +107,7 @@ Sizes sizes_of(const std::vector<Finding>& findings, const Comparison& compariso
   return sizes;
 }
 
-// Those of `kind` that have a size, by position.
+// Indices of the findings of `kind` that have a size.
 std::vector<std::size_t> sized(const std::vector<Finding>& findings, const Sizes& sizes, ChangeKind kind) {
   std::vector<std::size_t> positions;
   for (std::size_t i = 0; i < findings.size(); ++i) {
@@ -115,7 +116,7 @@ std::vector<std::size_t> sized(const std::vector<Finding>& findings, const Sizes
   return positions;
 }
 
-// Most alike first.
+// Pairs of an added and a removed finding of equal size, the most similar first.
 std::vector<Pair> pairs_alike(const std::vector<Finding>& findings, const Sizes& sizes) {
   std::vector<Pair> alike;
   const std::vector<std::size_t> removed = sized(findings, sizes, ChangeKind::removed);

@@ -1,4 +1,4 @@
-// An object that was moved leaves two findings: one where it was, one where it is.
+// Recognises moved objects, which leave two findings: one at the old position, one at the new.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace rva {
 
-/// Sets `moved_from` of each added finding that has about the size of a removed one: footprint, length and
-/// breadth on the object's own surface, and height, as far as both have one. Each removed finding is named
-/// once at most, pairs that are most alike first.
+/// Sets `moved_from` of each added finding that has about the size of a removed one: area, length and width
+/// on the surface of the object, and height if both have one. Each removed finding is assigned at most once,
+/// the most similar pairs first.
 ///
-/// A footprint is measured in the view, so an object that was turned onto another side, or that is half
-/// hidden now, is not recognised. Like size is no proof: two objects of one kind look the same.
-/// @param findings   of the comparison, with their ids and pixels
+/// The area is measured in the view, so an object that now lies on another side or is half hidden is not
+/// recognised. Equal size is no proof: two objects of one kind have the same size.
+/// @param findings   findings of the comparison, with their ids and pixels
 void find_moved_things(std::vector<Finding>& findings, const Comparison& comparison,
                        const Intrinsics& camera);
 

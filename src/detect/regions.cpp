@@ -22,12 +22,12 @@ struct Corner {
   std::size_t contour;
 };
 
-// Corners of all contours in square cells, so small that any two corners in one cell are near.
+// Corners of all contours, sorted into square cells so small that any two corners in one cell are near.
 class Grid {
  public:
   Grid(const std::vector<Contour>& contours, int width, int height, double near_px)
       : near_px_(near_px),
-        // The largest side with (side - 1) * sqrt(2) < near; two pixels of such a cell are never farther.
+        // The largest side with (side - 1) * sqrt(2) < near: no two pixels of such a cell are farther apart.
         side_(std::max(1, static_cast<int>(std::ceil(std::min(near_px / std::sqrt(2.0), 1e6))))),
         columns_(width / side_ + 1),
         rows_(height / side_ + 1),
@@ -60,8 +60,8 @@ class Grid {
                   static_cast<std::size_t>(column)];
   }
 
-  // The corners of a cell are one group by now, so one near pair joins two cells; each pair of cells is
-  // looked at once, from the upper or left of the two.
+  // The corners of a cell form one group by now, so one near pair joins two cells. Each pair of cells is
+  // examined once, from the upper or left of the two.
   void join_with_neighbours(int column, int row, DisjointSets& groups) {
     const int reach = static_cast<int>(std::ceil(std::min(near_px_, 1e6) / side_));
     const std::vector<Corner>& here = cell(column, row);
@@ -92,7 +92,7 @@ class Grid {
   std::vector<std::vector<Corner>> cells_;
 };
 
-// Borders of the blobs that are large enough, outer ones and those of holes.
+// Borders of the blobs that are large enough: outer borders and those of holes.
 std::vector<Contour> find_contours(const Mask& changed, const Blobs& blobs, int min_blob_px) {
   Mask kept(changed.width(), changed.height());
   for (const Run& run : blobs.runs()) {
@@ -104,8 +104,8 @@ std::vector<Contour> find_contours(const Mask& changed, const Blobs& blobs, int 
   return contours;
 }
 
-// findContours walks a blob's outer border counter-clockwise (in an image whose v runs down) and its holes
-// clockwise; a border without area is a line or a point, so an outer one.
+// findContours walks the outer border of a blob counter-clockwise (in an image whose v runs down) and its
+// holes clockwise. A border without area is a line or a point, and so an outer one.
 bool is_hole(const Contour& contour) { return cv::contourArea(contour, true) > 0.0; }
 
 void extend(Box& box, const cv::Rect& by) {
@@ -127,7 +127,7 @@ void append(std::vector<std::uint32_t>& pixels, const Run& run, int first, int e
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-// Regions as they are put together: boxes from contours first, pixels from blobs then.
+// Assembles regions: first their boxes from contours, then their pixels from blobs.
 class Assembly {
  public:
   Assembly(const Blobs& blobs, int width)
@@ -152,8 +152,8 @@ class Assembly {
     }
   }
 
-  // A blob's pixels go to the region that holds its outer border; a region of holes alone takes those of the
-  // blobs around within its box.
+  // The pixels of a blob go to the region that contains its outer border. A region that consists of holes
+  // only takes the pixels of the surrounding blobs within its box.
   std::vector<Region> with_pixels() && {
     for (const Run& run : blobs_.runs()) {
       const std::size_t region = region_of_blob_[run.blob];

@@ -1,4 +1,4 @@
-// From changed pixels to places: the thesis' drawChanges (appendix B) as a specification.
+// Groups changed pixels into regions, as specified by drawChanges in the thesis (appendix B).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,21 +30,22 @@ struct Box {
   auto operator<=>(const Box&) const = default;
 };
 
-/// A place in the image that changed.
+/// A changed region of the image.
 struct Region {
   Box box;
-  /// Its changed pixels, by position in the rows laid end to end, ascending.
+  /// Indices of its changed pixels in row-major order, ascending.
   std::vector<std::uint32_t> pixels;
 };
 
-/// 8-connected blobs of at least min_blob pixels, of which those whose contours come nearer than join, one by
-/// one in a chain, make one region. From top to bottom, then from left to right, by box.
+/// Groups the 8-connected blobs of at least min_blob pixels: blobs whose contours come nearer to each other
+/// than `join`, directly or in a chain, form one region. Regions are sorted by their boxes from top to
+/// bottom, then from left to right.
 ///
 /// The distance is that of the thesis: between the corners of the contours as OpenCV's CHAIN_APPROX_SIMPLE
-/// keeps them (ends of straight runs), those of holes included. So two long straight borders may run closer
+/// keeps them (ends of straight runs), including those of holes. So two long straight borders may run closer
 /// than `join` and stay apart, and a hole that lies `join` or more from its blob's outer border makes a
-/// region of its own, nested in the other, whose pixels are those of the blob within the hole's box. Cost:
-/// linear in pixels, about linear in blobs.
+/// region of its own, nested in the other, whose pixels are those of the blob within the hole's box. The cost
+/// is linear in pixels and about linear in blobs.
 /// @param changed pixels other than 0 are changed
 [[nodiscard]] std::vector<Region> find_regions(const Mask& changed, const RegionOptions& options);
 

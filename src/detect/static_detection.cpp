@@ -25,13 +25,14 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
                 fmt::format("depth of {}x{} and of {}x{} pixels", a.width, a.height, b.width, b.height),
                 "record both with the same settings");
   }
-  // A hundredth of a pixel: rounding in files passes, another camera or resolution does not.
+  // The tolerance accepts rounding in files, but not another camera or resolution.
   constexpr double tolerance_px = 0.01;
   const bool same = close(a.fx, b.fx, tolerance_px) && close(a.fy, b.fy, tolerance_px) &&
                     close(a.cx, b.cx, tolerance_px) && close(a.cy, b.cy, tolerance_px) &&
                     a.distortion == b.distortion && a.coefficients == b.coefficients;
   if (!same) {
-    throw Error("initial and final", "the depth intrinsics differ, so pixels do not see the same places",
+    throw Error("initial and final",
+                "the depth intrinsics differ, so a pixel does not see the same point in both",
                 "record both with the same camera and settings");
   }
   if (!is_same_unit(initial.depth_unit_m, final.depth_unit_m)) {
@@ -41,7 +42,7 @@ void require_one_camera(const CaptureInfo& initial, const CaptureInfo& final) {
   }
 }
 
-// The depth image that statistics over a single frame were made of.
+// Recovers the depth image from statistics over a single frame.
 DepthImage first_frame(const DepthStatistics& statistics) {
   DepthImage frame(statistics.width(), statistics.height());
   for (std::size_t i = 0; i < frame.size(); ++i) frame[i] = static_cast<std::uint16_t>(statistics.sum(i));
@@ -68,7 +69,7 @@ class Run {
     findings().runtime.total_ms = start.ms();
     throw_if_interrupted();
     warn_of_blindness(comparison,
-                      "depth varied, since something moved while a capture was recorded, or edges flickered",
+                      "depth varied, because something moved while a capture was recorded or edges flickered",
                       result_.warnings);
     findings().method = name_of(options_.method);
     findings().coverage = comparison.coverage;
@@ -127,8 +128,9 @@ class Run {
   Comparison calibrated(const DepthStatistics& before, const DepthStatistics& after) {
     if (has_single_frames()) {
       result_.warnings.emplace_back(
-          "one frame says nothing about noise over time: what differs between the captures in most places "
-          "was taken for noise, and wrong matches may pass for changes (record 10 frames or more)");
+          "a single frame does not show noise over time: differences between the captures that are found in "
+          "most of the image were taken for noise, and wrong matches may be reported as changes (record 10 "
+          "frames or more)");
     }
     state_parameters(options_.calibrated);
     const CaptureInfo& info = final_.info();
@@ -145,9 +147,9 @@ class Run {
 
   Comparison gaussian(const DepthStatistics& before, const DepthStatistics& after) {
     if (has_single_frames()) {
-      throw Error(
-          "gaussian", "one frame has no deviation, and this method needs two of either capture at least",
-          "record more frames or raise --frames (40 make a good inspection), or use --method constant");
+      throw Error("gaussian",
+                  "a single frame has no deviation; this method needs at least two of either capture",
+                  "record and use more frames (40 make a good inspection), or use the constant method");
     }
     state_parameters(options_.gaussian);
     return compare_gaussian(before, after, final_.info().depth_unit_m, options_.gaussian, left_out_);

@@ -1,4 +1,4 @@
-// From two captures of a camera that did not move to findings.
+// Detects changes between two captures of a camera that did not move.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,9 @@
 namespace rva {
 
 enum class StaticMethod {
-  constant,    ///< the first frame of either capture, algorithm 2
-  gaussian,    ///< statistics over all frames, algorithm 3
-  calibrated,  ///< means over all frames against the noise that both captures show
+  constant,    ///< the first frame of either capture (algorithm 2 of the thesis)
+  gaussian,    ///< statistics over all frames (algorithm 3 of the thesis)
+  calibrated,  ///< means over all frames, against a noise model learnt from both captures
 };
 
 struct StaticDetectionOptions {
@@ -42,20 +42,19 @@ struct StaticDetectionOptions {
   }
 };
 
-/// A detection, and the statistics that it rests on: of the frames that the method takes.
+/// A detection and the statistics of the frames that it was computed from.
 struct StaticDetection {
   Detection detection;
   DepthStatistics initial;
   DepthStatistics final;
 };
 
-/// Compares pixel by pixel. That the camera stood still is taken for granted here (cloud/detect.hpp checks
-/// it).
-/// @param left_out pixels of the depth image that a person wants left out; empty for none
+/// Compares two captures pixel by pixel. It assumes that the camera stood still (cloud/detect.hpp
+/// checks this).
+/// @param left_out pixels of the depth image to leave out; empty for none
 /// @throws Error when the captures differ in camera, size, intrinsics or depth unit, when `gaussian` has
-/// fewer
-///         than two frames of either, or a frame cannot be read; UsageError for options out of range;
-///         Interrupted
+///         fewer than two frames of either, or when a frame cannot be read; UsageError for options out of
+///         range; Interrupted
 [[nodiscard]] StaticDetection detect_static(const Capture& initial, const Capture& final,
                                             const StaticDetectionOptions& options, const Progress& progress,
                                             const Mask& left_out = {});

@@ -191,7 +191,7 @@ class DetectTest(program.ProgramTest):
 
     def test_calibrated_says_what_one_frame_lacks(self):
         done = self.succeed('detect', *self.pair(), '--out', self.out, '--frames', 1)
-        self.assertIn('one frame says nothing about noise over time', done.stderr)
+        self.assertIn('a single frame does not show noise over time', done.stderr)
 
     def test_coverage_of_constant_counts_pixels(self):
         self.initial_frames[:, :, 8:12] = 0

@@ -17,19 +17,21 @@
 namespace rva {
 namespace {
 
-// A little less than the matcher's own window, in which a collar shows at best; a tool; a rag.
+// Edges of the pooling windows: a little less than the matcher's own window, the most in which a collar
+// shows; the size of a tool; the size of a rag.
 constexpr std::array<int, 3> windows_px{7, 15, 31};
-// Glass, bare metal and what is dark leave holes, and so do the edges of small things.
+// Glass, bare metal and dark surfaces leave holes in depth, and so do the edges of small objects.
 constexpr int lost_window_px = 9;
-constexpr double lost_deviations = 30.0;  // of a window that lost all of its depth
-// Both signs, sure and unsure, at each scale and of what was lost.
+constexpr double lost_deviations = 30.0;  // evidence of a window that lost all of its depth
+// Number of tails among which the allowed false findings are divided (Bonferroni): two signs times reliable
+// and unreliable pixels, at each scale and for lost depth.
 constexpr double looks = 4.0 * (windows_px.size() + 1);
 
 Image<float> evidence_of(const DisparityChange& change, const Image<float>& drift_px,
                          const Image<float>& deviation_px) {
   Image<float> evidence(change.judged.width(), change.judged.height());
   constexpr auto most = static_cast<float>(most_deviations);
-  constexpr float least_px = 1e-6F;  // no division by zero where nothing was judged
+  constexpr float least_px = 1e-6F;  // avoids a division by zero where nothing was judged
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const float deviations = (change.change_px(i) - drift_px[i]) / std::max(deviation_px[i], least_px);
     evidence[i] = deviation_px[i] > 0.0F ? std::min(std::max(deviations, -most), most) : 0.0F;
@@ -42,7 +44,7 @@ PooledEvidence pool_lost(const Image<float>& lost) {
   return pool(lost, everywhere, lost_window_px, lost_window_px / lost_deviations);
 }
 
-/// A change, held against the drift and the noise of its places.
+/// A change with its drift, its noise and the evidence of each pixel that follows from them.
 struct WeighedChange {
   WeighedChange(const DisparityChange& change, double disparity_by_depth)
       : drift(fit_drift(change)),
@@ -58,8 +60,8 @@ struct WeighedChange {
   Image<float> evidence;
 };
 
-// The depth before is what the camera would have measured had it been as warm as after: heights are of
-// things, not of drift.
+// Depth before is corrected for drift, as if the camera had been as warm as afterwards, so that heights are
+// those of objects and not of drift.
 void fill_depth(const DisparityChange& change, const Image<float>& drift_px, double disparity_m_px,
                 Comparison& comparison) {
   const auto product = static_cast<float>(disparity_m_px);
@@ -89,8 +91,9 @@ Coverage coverage_of(const DisparityChange& change) {
           change.left_out.empty() ? std::nullopt : std::optional(share(omitted, change.judged))};
 }
 
-// Share of the compared pixels that could not be judged. The margin is another matter: it is the same in
-// every view; and what is far is told by its level of detection.
+// Share of the compared pixels that could not be judged. The margin is excluded, as it is the same in
+// every view. Pixels that are merely far away are not blind: their level of detection shows what could be
+// found there.
 double blind_share(const DisparityChange& change, const Image<float>& level_mm) {
   std::size_t compared = 0;
   std::size_t blind = 0;

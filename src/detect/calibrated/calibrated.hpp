@@ -1,4 +1,4 @@
-// The method of this program's own: what changed, by a noise that is learnt from the two captures.
+// The `calibrated` method: detects changes against a noise model that is learnt from the two captures.
 #pragma once
 
 #include <vector>
@@ -30,50 +30,49 @@ struct CalibratedComparison {
   DetectionLevelSummary levels;
 };
 
-/// How the tails of what unchanged places show usually fall off: where an image has few peaks to learn from,
-/// it is taken to be as others are.
+/// Usual slopes of the tails of evidence in unchanged images, for pixels where depth changed and where it was
+/// lost. An image with too few peaks to learn a slope from is assumed to have the usual one.
 struct UsualSlopes {
   ByPlace<UsualSlope> change;
   ByPlace<UsualSlope> loss;
 };
 
-/// The usual slopes of means over several frames, as `script/fit` measures them, and of single frames, within
-/// the intervals of those (docs/statistics.md). A single frame cannot tell wrong matches from noise, so that
-/// all of its places have the same slope.
+/// Usual slopes of means over several frames, as measured by `script/fit`, and of single frames, within the
+/// confidence intervals of those measurements (docs/statistics.md). With a single frame, wrong matches cannot
+/// be distinguished from noise, so all pixels have the same slope.
 inline constexpr UsualSlopes slopes_of_means{{{1.30, 9.70}, {1.25, 6.70}}, {{0.88, 4.84}, {0.76, 6.30}}};
 inline constexpr UsualSlopes slopes_of_single_frames{{{1.05, 7.00}, {1.05, 7.00}},
                                                      {{0.38, 10.36}, {0.38, 10.36}}};
 
-/// Of a camera that did not move.
-/// @param frames of the side that has fewer
+/// Usual slopes for a camera that did not move.
+/// @param frames number of frames of the side that has fewer
 [[nodiscard]] UsualSlopes usual_slopes(std::size_t frames);
 
-/// Heights of the peaks of pooled evidence, of all windows together.
+/// Heights of the peaks of pooled evidence, for all window sizes together.
 struct CalibratedPeaks {
   ByPlace<std::vector<float>> change;
   ByPlace<std::vector<float>> loss;
 };
 
-/// What the tails of a comparison are learnt from.
+/// Returns the peaks from which the tails of a comparison are learnt.
 /// @param disparity_by_depth as for disparity_change()
 [[nodiscard]] CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_depth);
 
-/// Compares means in disparity: takes off the drift, divides by the noise of the place, pools windows of 7,
-/// 15 and 31 pixels, and marks what is higher than `false_findings` places of an unchanged image would be,
-/// both nearer and farther (docs/calibrated.md).
-/// @param initial, final one size, one depth unit
+/// Compares means in disparity (docs/calibrated.md): subtracts the drift, divides by the noise of each pixel,
+/// pools windows of 7, 15 and 31 pixels, and marks nearer and farther pixels above the threshold that
+/// `false_findings` locations of an unchanged inspection exceed on average.
+/// @param initial, final statistics before and after, of one size and depth unit
 /// @param unit_m         metres of one depth unit
-/// @param disparity_m_px focal length times baseline; where that is not known, any: only drift_px and
-/// fixed_px
-///                       depend on it
+/// @param disparity_m_px focal length times baseline; any value if it is not known, since only drift_px and
+///                       fixed_px depend on it
 [[nodiscard]] CalibratedComparison compare_calibrated(const DepthStatistics& initial,
                                                       const DepthStatistics& final, double unit_m,
                                                       double disparity_m_px,
                                                       const CalibratedOptions& options);
 
-/// The same, of a change in disparity that is known already.
+/// Compares as above, given the change in disparity.
 /// @param disparity_by_depth as for disparity_change()
-/// @param slopes             of such changes
+/// @param slopes             usual slopes of changes of this kind
 [[nodiscard]] CalibratedComparison compare_calibrated(const DisparityChange& change,
                                                       double disparity_by_depth, double disparity_m_px,
                                                       const UsualSlopes& slopes,

@@ -11,10 +11,10 @@
 namespace rva {
 namespace {
 
-constexpr float jump = 10.0F;  // in deviations of the median pixel
+constexpr float jump = 10.0F;  // as a multiple of the deviation of the median pixel
 constexpr float nothing = 0.0F;
 
-// Mean disparities, and variances of a frame added to `variance_px2`.
+// Converts depth statistics to mean disparities, and adds the variance of a single frame to `variance_px2`.
 class Converter {
  public:
   Converter(const DepthStatistics& depth, double disparity_by_depth)
@@ -30,7 +30,7 @@ class Converter {
     return static_cast<float>(depth_.count(i)) * share_of_frames_;
   }
 
-  // dd / dz = -d / z.
+  // The standard deviation is scaled by the derivative of disparity by depth, -d / z.
   void convert(std::size_t i, float& disparity_px, float& variance_px2) const {
     if (!depth_.seen(i)) return;
     const float share = share_of_[depth_.count(i)];

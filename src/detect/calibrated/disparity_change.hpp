@@ -1,5 +1,5 @@
-// Two sets of depth images, pixel by pixel, in disparity: there the noise of a stereo camera is as even as it
-// gets, and a millimetre counts for what the camera makes of it at that distance.
+// Change between two sets of depth images, pixel by pixel, in disparity: the noise of a stereo camera is most
+// uniform there, and a change of depth is weighted by how well the camera resolves it at that distance.
 #pragma once
 
 #include "depth/depth_statistics.hpp"
@@ -7,7 +7,7 @@
 
 namespace rva {
 
-/// Nothing is judged so near to the image's border: a matcher lacks half of its window there.
+/// Width of the border in which nothing is judged, since the matcher lacks half of its window there.
 inline constexpr int margin_px = 6;
 
 [[nodiscard]] inline bool inside_margin(int u, int v, int width, int height, int margin = margin_px) {
@@ -23,36 +23,38 @@ struct DisparityChange {
         judged(width, height),
         lost(width, height) {}
 
-  std::size_t frames = 1;     ///< of the set that has fewer
+  std::size_t frames = 1;     ///< number of frames of the set that has fewer
   Image<float> before_px;     ///< mean disparity; 0 where the first set did not see the pixel
   Image<float> after_px;      ///< mean disparity; 0 where the second set did not see the pixel
-  Image<float> deviation_px;  ///< over time, of one frame before less one after; 0 where not judged
+  Image<float> deviation_px;  ///< over time, of the difference of two frames; 0 where not judged
   Mask judged;  ///< set where both sets saw the pixel, within the margin, and its depth does not jump
 
-  /// Share of the frames with a depth, before less after, -1 to 1; 0 in the margin. Above 0, depth went
-  /// missing.
+  /// Share of the frames with depth, before minus after, -1 to 1; 0 in the margin. Positive where depth
+  /// went missing.
   Image<float> lost;
 
-  /// Pixels that a person wants left out: nothing is found there. Empty for none.
+  /// Pixels left out by the user, in which nothing is found; empty for none.
   Mask left_out;
 
-  /// Above 0, something came nearer. Of a pixel that is judged.
+  /// Change of disparity of a judged pixel; positive where something came nearer.
   [[nodiscard]] float change_px(std::size_t i) const { return after_px[i] - before_px[i]; }
 };
 
-/// Nothing is found in these pixels, nor is noise learnt from them, unless they are more than half of the
-/// image: a small region that a person looks at is judged by what the rest of the view shows of the noise.
-/// @param left_out of the change's size; empty for none
+/// Leaves out pixels: nothing is found in them. Noise is not learnt from them either, unless they are more
+/// than half of the image: a small region of interest is judged with the noise of the rest of the view.
+/// @param left_out mask of the size of the change; empty for none
 void leave_out(DisparityChange& change, Mask left_out);
 
-/// Depth that went missing or came back is no evidence any more, as where a tool may have cut depth off.
+/// Discards lost and regained depth as evidence, for captures in which a tool may have removed depth.
 void forget_losses(DisparityChange& change);
 
-/// A pixel jumps when its deviation over time is more than ten times that of the median pixel: its matches
-/// change between places far apart, and their mean is no depth.
+/// Computes the change of mean disparity. Pixels whose deviation over time is more than ten times that of the
+/// median pixel are not judged: their matches alternate between surfaces far apart, and their mean is no
+/// depth of either.
 ///
-/// @param initial, final      one size, one depth unit
-/// @param disparity_by_depth  focal length times baseline: disparity in pixels times depth in depth units
+/// @param initial, final      statistics before and after, of one size and depth unit
+/// @param disparity_by_depth  focal length times baseline: the product of a disparity in pixels and the depth
+///                            in depth units
 [[nodiscard]] DisparityChange disparity_change(const DepthStatistics& initial, const DepthStatistics& final,
                                                double disparity_by_depth);
 

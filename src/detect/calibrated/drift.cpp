@@ -12,15 +12,15 @@ namespace rva {
 namespace {
 
 constexpr int block_px = 32;
-constexpr std::size_t least_in_block = block_px * block_px / 8;  // a quarter of every other pixel
+constexpr std::size_t least_in_block = block_px * block_px / 8;  // a quarter of the pixels that are sampled
 constexpr std::size_t least_blocks = 2 * Drift::terms;
 
 struct Blocks {
-  Eigen::MatrixXd terms;      // one row a block
+  Eigen::MatrixXd terms;      // one row per block
   Eigen::VectorXd change_px;  // medians
 };
 
-// Every other pixel, as on a chessboard: neighbours agree.
+// Samples every other pixel, as on a chessboard, since neighbouring pixels are correlated.
 std::vector<float> changes_in_block(const DisparityChange& change, int left, int top) {
   const int right = std::min(left + block_px, change.judged.width());
   const int bottom = std::min(top + block_px, change.judged.height());
@@ -61,7 +61,7 @@ double deviation_of(const Eigen::VectorXd& residuals) {
   return robust_deviation(sizes);
 }
 
-// 95 % as good as least squares where nothing changed.
+// Tukey's weights, tuned to 95 % of the efficiency of least squares for normal residuals.
 Eigen::VectorXd biweights(const Eigen::VectorXd& residuals, double deviation) {
   constexpr double tuning = 4.685;
   return residuals.unaryExpr([&](double residual) {
@@ -133,7 +133,7 @@ Drift fit_drift(const DisparityChange& change) {
   Drift none(width, height, Drift::Terms::Zero(), Drift::Covariance::Zero());
   const Blocks blocks = block_medians(change, none);
   if (static_cast<std::size_t>(blocks.change_px.size()) < least_blocks) return none;
-  // A rag must not have bent the first guess already: it is level, at the median.
+  // The first estimate is a constant at the median, so that a large object does not tilt it.
   std::vector<double> medians_px(blocks.change_px.begin(), blocks.change_px.end());
   Drift::Terms coefficients_px = Drift::Terms::Zero();
   coefficients_px[0] = quantile(medians_px, 0.5);

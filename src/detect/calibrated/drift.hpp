@@ -1,4 +1,4 @@
-// What changed everywhere: a camera that grew warmer sees every depth a little otherwise.
+// Drift: a smooth change of all disparities, as a camera that grows warmer causes it.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +16,13 @@ class Drift {
 
   Drift(int width, int height, const Terms& coefficients_px, const Covariance& covariance_px2);
 
-  /// At every pixel.
+  /// The drift at every pixel.
   [[nodiscard]] Image<float> px() const;
-  /// How uncertain that is: variance, square pixels.
+  /// Variance of the drift at every pixel, square pixels.
   [[nodiscard]] Image<float> variance_px2() const;
 
-  /// The polynomial's terms 1, x, y, x^2, xy, y^2 at a place, which may lie between pixels.
+  /// The terms 1, x, y, x^2, xy, y^2 of the polynomial at a point of the image, which may lie between pixels.
+  /// x and y are measured from the centre, in halves of the longer side.
   [[nodiscard]] Terms terms_at(double u, double v) const;
 
  private:
@@ -42,9 +43,10 @@ class Drift {
   Covariance covariance_px2_;
 };
 
-/// Through the medians of blocks of 32 x 32 pixels, with Tukey's biweight (Beaton and Tukey 1974), so that
-/// neither debris within a block nor a rag over several has a say while less than half of the image changed.
-/// None, without uncertainty, where fewer than twelve blocks were judged.
+/// Fits the drift to the medians of blocks of 32 x 32 pixels with Tukey's biweight (Beaton and Tukey
+/// 1974), so that neither debris within a block nor an object over several blocks biases it, as long as
+/// less than half of the image changed. Returns a drift of 0 without uncertainty if fewer than twelve
+/// blocks were judged.
 [[nodiscard]] Drift fit_drift(const DisparityChange& change);
 
 }  // namespace rva

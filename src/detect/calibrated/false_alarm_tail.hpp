@@ -1,28 +1,28 @@
-// How many places of an unchanged image show so much evidence by chance.
+// How many locations of an unchanged image show a given amount of evidence by chance.
 #pragma once
 
 #include <vector>
 
 namespace rva {
 
-/// Expected number of places above a height. Places above `onset` fall off exponentially (peaks over
-/// threshold, Pickands 1975), with a slope that is known from few peaks only: averaged over what it may be
-/// (a gamma distribution), places = N (1 + slope x / peaks)^-peaks for an excess x, which is exponential for
-/// many peaks and heavier for few.
+/// Expected number of peaks above a height. The number of peaks above `onset` falls off exponentially (peaks
+/// over threshold, Pickands 1975), with a slope that is known from few peaks only. Averaged over a gamma
+/// distribution of the slope with the given mean and shape `peaks`, the expected number at an excess x is N
+/// (1 + slope x / peaks)^-peaks, which is exponential for many peaks and heavier for few.
 class FalseAlarmTail {
  public:
-  static constexpr double onset = 3.0;  ///< in deviations; higher, few are left to learn from
+  static constexpr double onset = 3.0;  ///< in deviations; a higher one would leave few peaks to learn from
 
-  /// @param places above the onset
-  /// @param slope  per deviation
-  /// @param peaks  that the slope was learnt from
+  /// @param places expected number of peaks above the onset
+  /// @param slope  rate of the exponential decrease, per deviation
+  /// @param peaks  number of peaks from which the slope was learnt
   FalseAlarmTail(double places, double slope, double peaks) : places_(places), slope_(slope), peaks_(peaks) {}
 
-  /// From `onset` on; below it, the number at it.
+  /// Expected number of peaks above `height`; below `onset`, the number at it.
   [[nodiscard]] double expected_above(double height) const;
-  /// log10 of the same, exact where the number is too small for a double.
+  /// log10 of expected_above(), exact where the number is too small for a double.
   [[nodiscard]] double log10_expected_above(double height) const;
-  /// The height that so many places exceed, at least `onset`.
+  /// The height that `expected` peaks exceed on average, at least `onset`.
   [[nodiscard]] double height_of(double expected) const;
 
  private:
@@ -31,17 +31,17 @@ class FalseAlarmTail {
   double peaks_;
 };
 
-/// What is known of a tail's slope beforehand.
+/// Prior knowledge of the slope of a tail.
 struct UsualSlope {
   double slope = 1.0;   ///< per deviation
-  double peaks = 10.0;  ///< it counts as much as a slope that was learnt from so many peaks
+  double peaks = 10.0;  ///< weight of the prior, as the number of peaks that it counts for
 };
 
-/// The most probable tail of an image most of which is unchanged. Only peaks between `onset` and `end` have a
-/// say: those of changes lie beyond, for the most part.
-/// @param peaks       places that no other nearby exceeds, in deviations, of both signs
+/// Fits the most probable tail of an image that is mostly unchanged. Only peaks between `onset` and `end` are
+/// used, since most peaks of changes lie beyond.
+/// @param peaks       heights of local maxima of evidence, in deviations, of both signs
 /// @param end         in deviations, above `onset`
-/// @return of one sign: half of the peaks
+/// @return the tail of one sign, which has half of the peaks
 [[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual,
                                       double end = 7.0);
 

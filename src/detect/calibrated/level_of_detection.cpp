@@ -16,10 +16,10 @@ namespace {
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double class_m = 0.2;
 constexpr double mm_per_m = 1000.0;
-constexpr std::size_t sampling = 3;  // neighbours are alike
+constexpr std::size_t sampling = 3;  // neighbouring pixels are similar
 
-// The evidence of n = w^2 pixels that all change by k deviations is k w; what neighbours agree takes its
-// share.
+// The deviations that each pixel of the window must change by. The pooled evidence of w^2 pixels that all
+// change by k deviations is k w, divided by `agreement` for the correlation of neighbours.
 double needed_deviations(const Scale& scale, double threshold) {
   return (threshold + nine_of_ten_deviations) * scale.evidence.agreement / scale.evidence.window_px;
 }
@@ -36,7 +36,7 @@ const Scale& finest_reachable(std::span<const Scale> scales) {
 Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
                                    const Image<float>& depth_m, const Scale& scale, double disparity_m_px) {
   Image<float> level_mm(depth_m.width(), depth_m.height(), unknown);
-  // No height makes up for evidence that a pixel cannot give: there the level is unknown.
+  // No height can compensate for evidence that a pixel cannot provide, so the level is unknown there.
   const auto mm_per_px_at_1m = [&](double threshold) {
     const double deviations = needed_deviations(scale, threshold);
     return deviations > most_deviations ? unknown
@@ -49,7 +49,7 @@ Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& devia
   cv::blur(as_mat(deviation_px), around, cv::Size(scale.evidence.window_px, scale.evidence.window_px));
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
     if (scale.evidence.pooled[i] == 0) continue;
-    // A thing among noisier pixels is judged with them.
+    // An object is judged together with the pixels around it, which may be noisier.
     const float scaled = unsure[i] != 0 ? unsure_mm_per_px_at_1m : sure_mm_per_px_at_1m;
     level_mm[i] = scaled * std::max(deviation_px[i], around_px[i]) * depth_m[i] * depth_m[i];
   }

@@ -1,4 +1,4 @@
-// What an inspection could have found, and where it could not have found anything.
+// Level of detection: the least height that an inspection could have found at each pixel.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,27 @@
 
 namespace rva {
 
-/// Evidence of a single pixel counts up to so many deviations: one wild pixel is no change.
+/// Evidence of a single pixel is limited to this many deviations, so that one outlier is not taken for
+/// a change.
 inline constexpr double most_deviations = 20.0;
 
-/// What is so many deviations above a threshold is found in nine of ten inspections: normal distribution.
+/// A change whose expected evidence lies this many deviations above a threshold is found in nine of ten
+/// inspections, for a normal distribution.
 inline constexpr double nine_of_ten_deviations = 1.2816;
 
-/// The finest scale whose threshold a change of any height can reach where the matcher is sure; else the
-/// last.
+/// Returns the finest scale whose threshold a change can reach at reliable pixels, given the limit of
+/// most_deviations per pixel; the last scale if there is none.
 [[nodiscard]] const Scale& finest_reachable(std::span<const Scale> scales);
 
-/// The least height of a thing that would have been found at a pixel in nine of ten inspections like this
-/// one, millimetres along z; NaN where nothing could be judged. The thing shows in the depth image as wide as
-/// the scale's window: a matcher with windows of its own shows nothing much smaller, and some things smaller
-/// than that not at all (docs/calibrated.md).
-/// @param unsure         as of unsure_places()
-/// @param deviation_px   of an unchanged pixel's disparity; 0 where not judged
-/// @param depth_m        0 where not measured
-/// @param disparity_m_px focal length times baseline: disparity in pixels times depth in metres
+/// Computes the least height of an object that would have been found at a pixel in nine of ten inspections
+/// like this one, millimetres along z; NaN where nothing could be judged. The object is assumed to appear in
+/// the depth image as wide as the window of the scale. A matcher with windows of its own shows hardly
+/// anything smaller than its window, and some smaller objects not at all (docs/calibrated.md).
+/// @param unsure         as returned by unsure_places()
+/// @param deviation_px   standard deviation of the disparity change of an unchanged pixel; 0 where not judged
+/// @param depth_m        depth after, metres; 0 where not measured
+/// @param disparity_m_px focal length times baseline: the product of a disparity in pixels and the depth
+///                       in metres
 [[nodiscard]] Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
                                                  const Image<float>& depth_m, const Scale& scale,
                                                  double disparity_m_px);
@@ -36,31 +39,33 @@ inline constexpr double nine_of_ten_deviations = 1.2816;
 struct DetectionLevels {
   double from_m = 0.0;
   double to_m = 0.0;
-  std::size_t pixels = 0;  ///< judged, to three
+  std::size_t pixels = 0;  ///< number of judged pixels among every third pixel of the image
   double median_mm = 0.0;
-  double p90_mm = 0.0;  ///< nine tenths of the pixels are as good or better
+  double p90_mm = 0.0;  ///< 90th percentile: nine tenths of the pixels are as good or better
 };
 
 struct DetectionLevelSummary {
   double judged = 0.0;    ///< share of the depth image
-  int window_px = 0;      ///< width in the image of the things that the levels are about
-  double drift_px = 0.0;  ///< what was taken from all disparities, in the middle of the image
-  double fixed_px = 0.0;  ///< noise of a pixel that no number of frames averages away
+  int window_px = 0;      ///< width in the image of the objects to which the levels apply
+  double drift_px = 0.0;  ///< drift subtracted from the disparities, in the middle of the image
+  double fixed_px = 0.0;  ///< noise of a pixel that does not decrease with the number of frames
+  /// Number of independent frames, see NoiseByPlace; empty if it could not be estimated.
   std::optional<double> effective_frames;
-  std::vector<DetectionLevels> by_distance;  ///< near to far, of 0.2 m each, those that hold pixels
+  std::vector<DetectionLevels> by_distance;  ///< classes of 0.2 m that contain pixels, near to far
 };
 
-/// Share of the image that has a level.
+/// Share of the pixels that have a level of detection.
 [[nodiscard]] double judged_share(const Image<float>& level_mm);
 
+/// Summarises levels by distance, in classes of 0.2 m.
 [[nodiscard]] std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm,
                                                               const Image<float>& depth_m);
 
-/// `level_of_detection.json` (docs/calibrated.md), ending in a line feed.
+/// The content of `level_of_detection.json` (docs/calibrated.md), ending in a line feed.
 [[nodiscard]] std::string to_json(const DetectionLevelSummary& summary);
 
-/// Blue where small things would have been found, red where only large ones; black where nothing could be
-/// judged; with a bar of the colours.
+/// Draws levels with a colour bar: blue where small objects would have been found, red where only large ones,
+/// black where nothing could be judged.
 [[nodiscard]] ColorImage draw_level_of_detection(const Image<float>& level_mm);
 
 }  // namespace rva

@@ -11,14 +11,15 @@
 namespace rva {
 namespace {
 
-// A pixel that varies more than its class may do so because it changes level seldom: of its frames no more
-// than these are then independent.
+// A pixel may vary more than its class because it rarely changes level; as few as this many of its frames are
+// then independent.
 constexpr float independent_at_least = 4.0F;
-// Noise differs most where it is greatest: classes are narrower there.
+// Boundaries of the classes, as quantiles of the deviation over time. Classes are narrower where noise is
+// greatest, since it differs most there.
 constexpr std::array<double, 6> class_shares{0.10, 0.30, 0.50, 0.70, 0.85, 0.95};
-constexpr std::size_t class_count = 2 * (class_shares.size() + 1);  // each sure and unsure
-constexpr std::size_t sampling = 11;  // neighbours agree: a few pixels tell as much
-constexpr double lean_px = 50.0;      // sampled pixels that the whole image counts for in every class
+constexpr std::size_t class_count = 2 * (class_shares.size() + 1);  // each for reliable and unreliable pixels
+constexpr std::size_t sampling = 11;  // neighbours are correlated, so a few pixels suffice
+constexpr double lean_px = 50.0;      // weight of the whole image in every class, in sampled pixels
 
 using Edges = std::array<float, class_shares.size()>;
 
@@ -39,7 +40,6 @@ int level_of(float value, const Edges& edges) {
   return level;
 }
 
-/// The class of each pixel.
 Image<std::uint8_t> classes_of(const DisparityChange& change, const Mask& unsure) {
   const Edges edges = edges_of(change.deviation_px, change.judged);
   Image<std::uint8_t> classes(change.judged.width(), change.judged.height());
@@ -50,14 +50,15 @@ Image<std::uint8_t> classes_of(const DisparityChange& change, const Mask& unsure
   return classes;
 }
 
-/// One class of places.
+/// One class of pixels.
 struct Place {
-  std::vector<float> sizes_px;  // of the changes about the drift
+  std::vector<float> sizes_px;  // absolute changes about the drift
   double time_variance_px2 = 0.0;
   double variance_px2 = 0.0;
 };
 
-// Least squares, each class by its number of pixels.
+// Fits variance = fixed^2 + deviation over time^2 / frames by least squares, with each class weighted by its
+// number of pixels.
 void explain(const std::vector<Place>& places, NoiseByPlace& noise) {
   double n = 0.0;
   double x = 0.0;
@@ -85,7 +86,7 @@ double variance_of(std::vector<float>& sizes_px) {
   return deviation_px * deviation_px;
 }
 
-/// Fills the places, and gives the changes of all together.
+/// Fills the classes, and returns the absolute changes of all of them together.
 std::vector<float> gather(const DisparityChange& change, const Image<float>& drift_px,
                           const Image<std::uint8_t>& classes, std::vector<Place>& places) {
   std::vector<float> all;
@@ -121,7 +122,7 @@ NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure, c
     time_variances_px2[k] = static_cast<float>(place.time_variance_px2);
   }
   explain(places, noise);
-  // Of a uniform distribution one unit of depth wide; a unit is d^2 / disparity_by_depth.
+  // Variance of a uniform distribution one depth unit wide; a unit is d^2 / disparity_by_depth in disparity.
   const auto rounding = static_cast<float>(1.0 / (12.0 * disparity_by_depth * disparity_by_depth));
   const auto fourth = [](float number) { return number * number * number * number; };
   for (std::size_t i = 0; i < change.judged.size(); ++i) {

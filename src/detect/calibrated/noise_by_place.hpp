@@ -1,4 +1,5 @@
-// How much disparity differs between two captures where nothing changed: learnt from the captures themselves.
+// Noise model: how much disparity differs between two captures where nothing changed, learnt from the
+// captures themselves.
 #pragma once
 
 #include <optional>
@@ -8,24 +9,25 @@
 namespace rva {
 
 struct NoiseByPlace {
-  Image<float> deviation_px;  ///< of an unchanged pixel, about the drift; 0 where not judged
-  /// What a single frame's deviation over time shrinks to in the mean is that of so many independent frames;
-  /// empty where deviation over time explains nothing, as with one frame a side.
+  Image<float> deviation_px;  ///< of the change of an unchanged pixel about the drift; 0 where not judged
+  /// Averaging over the frames reduces the deviation of a single frame as averaging over this many
+  /// independent frames would. Empty if deviation over time explains nothing, as with one frame per side.
   std::optional<double> effective_frames;
-  double fixed_px = 0.0;  ///< what no number of frames would average away
+  double fixed_px = 0.0;  ///< part of the noise that does not decrease with the number of frames
 };
 
-/// Pixels that vary alike over time, in sure or in unsure places, are of one class, 14 in all. The
-/// deviation of a class is the median size of its change about the drift, as that of a normal distribution:
-/// what changed is in the minority, and cannot pass for noise. Classes of few pixels lean on the whole
-/// image. Rounding of depth sets the least deviation. Added are the uncertainty of the drift and, where a
-/// pixel varies more over time than its class, what the excess would leave in a mean of four frames: such
-/// pixels rest on one level for many frames.
+/// Estimates the noise of each pixel from classes of similar pixels: seven levels of deviation over time,
+/// each for reliable and unreliable pixels, 14 in all. The deviation of a class is estimated from the median
+/// absolute change about the drift, as for a normal distribution, because changed pixels are a minority and
+/// must not count as noise. Classes with few pixels are drawn towards the whole image. The rounding of depth
+/// is the lower limit of the deviation. Added are the uncertainty of the drift and, if a pixel varies more
+/// over time than its class, its excess variance divided by four: such pixels stay at one level for many
+/// frames, so that as few as four frames may be independent.
 ///
-/// Effective frames and fixed part: the line variance = fixed^2 + deviation over time^2 / frames through the
-/// classes.
-/// @param unsure               as of unsure_places()
-/// @param drift_px, drift_variance_px2 of every pixel
+/// Effective frames and the fixed part follow from a straight line through the classes: variance = fixed^2 +
+/// deviation over time^2 / frames.
+/// @param unsure               as returned by unsure_places()
+/// @param drift_px, drift_variance_px2 drift and its variance at every pixel
 /// @param disparity_by_depth           as for disparity_change()
 [[nodiscard]] NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure,
                                           const Image<float>& drift_px,

@@ -13,13 +13,14 @@
 namespace rva {
 namespace {
 
-constexpr float common = -1000.0F;  // less rare than anything
+constexpr float common = -1000.0F;  // below any rarity
 
-/// What one scale saw of one sign, in the part of the image that holds it all; nothing where that is empty.
+/// Significant evidence of one sign at one scale, cropped to the part of the image that contains all of it;
+/// empty if there is none.
 struct Sighting {
   cv::Rect where;
   Mask around;          ///< within half a window of where the threshold is exceeded
-  Image<float> rarity;  ///< there: -log10 of the expected false findings as strong
+  Image<float> rarity;  ///< -log10 of the expected number of false findings as strong
 };
 
 bool exceeds_anywhere(const Scale& scale, float sign) {
@@ -29,7 +30,7 @@ bool exceeds_anywhere(const Scale& scale, float sign) {
   return (sign > 0.0F ? most : -least) > std::min(scale.thresholds.sure, scale.thresholds.unsure);
 }
 
-// 0 where it does not.
+// Evidence of a pixel if it exceeds the threshold, else 0.
 float excess(const Scale& scale, const Mask& unsure, float sign, int u, int v) {
   const float deviations = sign * scale.evidence.deviations(u, v);
   return static_cast<double>(deviations) > scale.thresholds.at(unsure(u, v)) ? deviations : 0.0F;
@@ -73,11 +74,11 @@ Sighting sighting(const Scale& scale, const Mask& unsure, double log10_looks, fl
 }
 
 struct Change {
-  bool known = false;  // a finer scale has outlined it
+  bool known = false;  // already outlined at a finer scale
   float peak = 0.0F;   // in deviations
 };
 
-// `work` gets the pixel within the sighting and in the whole image.
+// Calls `work` with the pixel within the sighting, the pixel in the whole image, and the blob.
 template <typename Work>
 void for_each_pixel(const Sighting& seen, const Blobs& blobs, const Work& work) {
   for (const Run& run : blobs.runs()) {
@@ -115,7 +116,7 @@ void Outlines::add(const Scale& scale, const Image<float>& evidence, float sign)
     const float rarity = seen.rarity(here.x, here.y);
     outlined(at.x, at.y) = mask_set;
     if (comparison_.changed(at.x, at.y) != 0) {
-      // What another scale found of the other kind is not made rarer by this one.
+      // A change of the other kind found at another scale is not made rarer by this one.
       if (comparison_.farther(at.x, at.y) == farther)
         comparison_.evidence(at.x, at.y) = std::max(comparison_.evidence(at.x, at.y), rarity);
     } else if (!changes[blob].known && sign * evidence(at.x, at.y) > half * changes[blob].peak) {

@@ -1,4 +1,4 @@
-// From places that show too much evidence to the pixels that changed.
+// From windows with significant evidence to the pixels that changed.
 #pragma once
 
 #include <array>
@@ -8,19 +8,18 @@
 
 namespace rva {
 
-/// Marks what the scales saw, from fine to coarse: a change has its outline from the first scale that saw it,
-/// later ones only make it rarer. The outline are the pixels with half of the mean evidence of the window
-/// that shows most.
+/// Marks changed pixels, scale by scale from fine to coarse. A change has its outline from the first scale at
+/// which it is significant; coarser scales only make it rarer. The outline consists of the pixels with more
+/// than half of the mean evidence of the window with the most evidence.
 class Outlines {
  public:
-  /// @param unsure     as of unsure_places()
-  /// @param looks      tails that share the false findings, over all scales
-  /// @param comparison its `changed`, `farther` and `evidence`, -log10 of the expected false findings as
-  /// strong, are
-  ///                   filled
+  /// @param unsure     as returned by unsure_places(); must outlive this object
+  /// @param looks      number of tails among which the false findings are divided, over all scales
+  /// @param comparison its `changed`, `farther` and `evidence` (-log10 of the expected number of false
+  ///                   findings as strong) are filled in; must outlive this object
   Outlines(const Mask& unsure, double looks, Comparison& comparison);
 
-  /// @param evidence of single pixels, which the scale pooled
+  /// @param evidence evidence of single pixels, which the scale pooled
   void add(const Scale& scale, const Image<float>& evidence);
 
  private:
@@ -29,7 +28,7 @@ class Outlines {
   const Mask& unsure_;
   double log10_looks_;
   Comparison& comparison_;
-  std::array<Mask, 2> outlined_;  // nearer, farther
+  std::array<Mask, 2> outlined_;  // pixels that a scale has marked already: nearer, farther
 };
 
 }  // namespace rva

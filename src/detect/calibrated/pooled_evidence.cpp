@@ -12,8 +12,8 @@
 namespace rva {
 namespace {
 
-constexpr std::size_t sampling = 17;  // sums over windows hardly differ from pixel to pixel
-// Evidence is summed as integers: exactly, and twice as fast.
+constexpr std::size_t sampling = 17;  // sums over windows change little from pixel to pixel
+// Evidence is summed as integers, which is exact and twice as fast as floating point.
 constexpr double steps_per_deviation = 1024.0;
 
 cv::Mat window_sums(const cv::Mat& values, int window_px) {
@@ -29,7 +29,7 @@ cv::Mat in_steps(const Image<float>& evidence) {
   return steps;
 }
 
-/// Sums over windows in deviations of independent pixels.
+/// Sums over windows, in deviations of a sum of independent pixels.
 class Sums {
  public:
   Sums(const Image<float>& evidence, const Mask& judged, int window_px)

@@ -29,7 +29,7 @@ bool is_highest_around(const PooledEvidence& evidence, Place peak, float sign) {
   return true;
 }
 
-// The places of most evidence in a block, above 0 and below.
+// Returns the pixels of most positive and most negative evidence in a block.
 std::array<Place, 2> extremes_of_block(const Image<float>& deviations, Place corner, int block_px) {
   std::array<Place, 2> extremes{corner, corner};
   float most = deviations(corner.u, corner.v);
@@ -49,7 +49,8 @@ std::array<Place, 2> extremes_of_block(const Image<float>& deviations, Place cor
   return extremes;
 }
 
-// Of both signs.
+// Heights of the peaks of both signs. Only the extremes of each block as wide as a window are candidates,
+// since a peak exceeds all pixels within that distance.
 class Peaks {
  public:
   Peaks(const PooledEvidence& evidence, const Mask& unsure) : evidence_(evidence), unsure_(unsure) {

@@ -1,4 +1,4 @@
-// Evidence pooled over windows of one size, and how much of it is more than chance.
+// Evidence pooled over windows of one size, and the thresholds above which it is significant.
 #pragma once
 
 #include <vector>
@@ -11,19 +11,19 @@ namespace rva {
 
 struct Scale {
   PooledEvidence evidence;
-  ByPlace<FalseAlarmTail> tails;  ///< of the peaks of either sign
+  ByPlace<FalseAlarmTail> tails;  ///< expected number of peaks, for either sign
   ByPlace<double> thresholds;     ///< in deviations of the pooled evidence
 };
 
-/// Heights above the onset of a tail, of both signs. A peak is a place whose evidence no other of its sign
-/// within a window exceeds.
+/// Heights of the peaks above the onset of a tail, of both signs. A peak is a pixel whose evidence no other
+/// of its sign within a distance of one window exceeds.
 [[nodiscard]] ByPlace<std::vector<float>> peaks_of(const PooledEvidence& evidence, const Mask& unsure);
 
-/// Learns from the image itself how the peaks of unchanged places thin out.
-/// @param unsure         as of unsure_places()
-/// @param usual_slopes   of the tails, where there are few peaks to learn them from
-/// @param false_findings peaks beyond the threshold, on average, of each sign in sure and in unsure places of
-///                       an unchanged image
+/// Learns the tails of the peaks of unchanged pixels from the image itself, and sets thresholds by them.
+/// @param unsure         as returned by unsure_places()
+/// @param usual_slopes   prior slopes of the tails, for images with few peaks to learn from
+/// @param false_findings expected number of peaks beyond the threshold in an unchanged image, for each sign
+///                       at reliable and at unreliable pixels
 [[nodiscard]] Scale look_at(PooledEvidence evidence, const Mask& unsure,
                             const ByPlace<UsualSlope>& usual_slopes, double false_findings);
 

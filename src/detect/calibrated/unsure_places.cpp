@@ -10,7 +10,7 @@ namespace rva {
 namespace {
 
 constexpr int time_window_px = 9;
-constexpr int hole_window_px = 17;  // a hole spoils the matches of a window to each side
+constexpr int hole_window_px = 17;  // a hole disturbs the matches within a window on each side of it
 constexpr double steady_share = 0.8;
 constexpr double most_missing = 0.02;
 constexpr std::size_t sampling = 17;
@@ -23,7 +23,7 @@ float steady_px(const DisparityChange& change) {
   return deviations_px.empty() ? 0.0F : quantile(deviations_px, steady_share);
 }
 
-// Share of the window with a disparity, as a mask's mean.
+// Share of the window's pixels that have a disparity, 0 to 255.
 cv::Mat measured_around(const Image<float>& disparity_px) {
   cv::Mat around;
   cv::blur(as_mat(disparity_px) > 0.0, around, cv::Size(hole_window_px, hole_window_px));

@@ -1,4 +1,4 @@
-// Where a stereo matcher is unsure of what it sees.
+// Pixels at which the stereo matcher is unreliable.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace rva {
 
-/// What differs between the places where the matcher is sure and those where it is not.
+/// A quantity that differs between pixels where the matcher is reliable (`sure`) and unreliable (`unsure`).
 template <typename Of>
 struct ByPlace {
   Of sure;
@@ -16,10 +16,12 @@ struct ByPlace {
   [[nodiscard]] const Of& at(std::uint8_t is_unsure) const { return is_unsure != 0 ? unsure : sure; }
 };
 
-/// Set where disparity varies more over time, all around, than at four fifths of the pixels, or where depth
-/// is missing all around in both captures: beside holes, steps and highlights a match that held throughout
-/// one capture may be another in the next. There a change of the same size is likelier to be none. What
-/// debris does to the depth around it is in one capture only, and makes no place unsure by its holes.
+/// Returns a mask that is set where the matcher is unreliable: where the mean variance of disparity over time
+/// in a window of 9 x 9 pixels exceeds the variance that four fifths of the pixels stay below, or where in
+/// both captures more than 2 % of a window of 17 x 17 pixels have no depth. Beside holes, steps and
+/// highlights, a match that stays the same throughout one capture may be another in the next, so a change of
+/// the same size is less likely to be a real one. Holes that debris causes are in one capture only, and do
+/// not make a pixel unreliable.
 [[nodiscard]] Mask unsure_places(const DisparityChange& change);
 
 }  // namespace rva
