@@ -43,8 +43,7 @@ struct Finding {
   Box box;
   std::vector<std::uint32_t> pixels;  ///< changed pixels, as indices in row-major order
   Eigen::Vector2d centroid{0, 0};     ///< mean of the pixels
-  /// The centroid at the median depth of the region. A pixel without depth after counts with its depth
-  /// before.
+  /// The centroid at the median depth of the region, where pixels without depth after count with that before.
   std::optional<Eigen::Vector3d> position_m;
   std::optional<std::array<double, 2>> size_mm;  ///< the box's width and height at that depth
   /// Median decrease of depth over the region, along z: positive for `added`, negative for `removed`. Empty

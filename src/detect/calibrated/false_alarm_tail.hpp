@@ -5,10 +5,11 @@
 
 namespace rva {
 
-/// Expected number of peaks above a height. The number of peaks above `onset` falls off exponentially (peaks
-/// over threshold, Pickands 1975), with a slope that is known from few peaks only. Averaged over a gamma
-/// distribution of the slope with the given mean and shape `peaks`, the expected number at an excess x is N
-/// (1 + slope x / peaks)^-peaks, which is exponential for many peaks and heavier for few.
+/// Expected number of peaks above a height. The number of peaks above `onset` falls off exponentially
+/// (peaks over threshold, Pickands 1975), with a slope that is known from few peaks only. Averaged over a
+/// gamma distribution of the slope with the given mean and shape `peaks`, the expected number at an excess
+/// x is (1 + slope x / peaks)^-peaks times that at the onset, which is exponential for many peaks and
+/// heavier for few.
 class FalseAlarmTail {
  public:
   static constexpr double onset = 3.0;  ///< in deviations; a higher one would leave few peaks to learn from
