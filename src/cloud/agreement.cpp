@@ -14,7 +14,7 @@ std::vector<SampleBlock> blocks_of(const std::vector<SurfaceSample>& samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i % most == 0) blocks.emplace_back();
     SampleBlock& block = blocks.back();
-    if (block.count == 0) block.position_m.fill(Numbers::Ones());  // what is never set must be finite
+    if (block.count == 0) block.position_m.fill(Numbers::Ones());  // unused entries must be finite
     for (std::size_t axis = 0; axis < 3; ++axis)
       block.position_m.at(axis)[block.count] =
           static_cast<float>(samples[i].position_m[static_cast<Eigen::Index>(axis)]);
@@ -36,14 +36,14 @@ Vectors moved(const Transform& by, const Vectors& v) {
   return result;
 }
 
-/// Where the samples of a block fall onto a view's planes.
+/// Comparison of the samples of a block with the planes of a view.
 struct Fall {
   Numbers compared = Numbers::Zero();  // 1 where there is a plane
-  Numbers px = Numbers::Zero();        // the points' disparity less that of the plane at their pixels
-  Vectors gradient;                    // of that by position
+  Numbers px = Numbers::Zero();        // disparity of the points minus that of the plane at their pixels
+  Vectors gradient;                    // derivative of px by position
 };
 
-// As fall() in alignment.cpp has it for one.
+// Computes the same as fall() in alignment.cpp for a block of points.
 Fall fall(const Vectors& points, Eigen::Index count, const PlanarPatches& onto) {
   constexpr float nearest_m = 0.05F;
   const Intrinsics& camera = onto.camera();
@@ -72,7 +72,7 @@ Fall fall(const Vectors& points, Eigen::Index count, const PlanarPatches& onto) 
   return result;
 }
 
-/// Residuals of a block, and what they are by a step (AlignmentResidual).
+/// Residuals of a block and their derivatives by a step (AlignmentResidual).
 struct Residuals {
   Numbers compared;
   Numbers px;
@@ -130,7 +130,8 @@ ViewPair::ViewPair(const PlanarPatches& initial_patches, const PlanarPatches& fi
       final_blocks(blocks_of(final_samples)) {}
 
 double Agreement::score() const {
-  // Stringers a pitch off agree almost as well as those in place; but what they stand in was seen through.
+  // A pose that is off by the pitch of the stringers fits almost as well as the true one, but places
+  // stringers in space that the other view saw through.
   constexpr double against = 3.0;
   return (agreeing - against * in_front) / std::max(1.0, samples);
 }

@@ -3,7 +3,7 @@
 namespace rva {
 namespace {
 
-// By a point's position, of its disparity less that of the plane at its pixel.
+// Derivative, by the point's position, of its disparity minus that of the plane at its pixel.
 Eigen::Vector3d gradient_at(const Eigen::Vector3d& point, const PlanarPatch& patch, const PlanarPatches& of) {
   const double by_z = 1.0 / point.z();
   const double along_u = static_cast<double>(patch.slope_u) * of.camera().fx;
@@ -73,7 +73,7 @@ bool final_on_initial(const SurfaceSample& final_point, const PlanarPatches& ini
   return true;
 }
 
-// A step moves the final view's frame: to it, the initial point moves the other way.
+// A step moves the frame of the final view; relative to it, the initial point moves the opposite way.
 bool initial_on_final(const SurfaceSample& initial_point, const PlanarPatches& final,
                       const Alignment& alignment, const Transform& final_from_initial,
                       AlignmentResidual& residual) {

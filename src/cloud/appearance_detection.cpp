@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::size_t least_captures = 4;
 constexpr std::size_t least_captures_without_dots = 2;
-// What speaks for a finding does so by more than this.
+// Evidence above this many deviations supports a finding.
 constexpr float speaks_deviations = 4.0F;
 constexpr int least_pixels = 3;
-// Blobs of one thing: a collar, and its shadow in what the dots light up.
+// Largest distance of blobs that form one finding, such as a collar and its shadow in the light of the dots.
 constexpr double join_px = 9.0;
 
 std::size_t with_infrared(const Captures& side, Light light) {
@@ -37,7 +37,8 @@ bool has_right_images(const Captures& side) {
       side, [](const auto& capture) { return capture->has_infrared(Imager::right, Light::projector); });
 }
 
-// Where some captures have what others lack; empty where all have images in this light, or none has.
+// The reason why images in this light are not compared, if only some captures have them; empty if all
+// captures have them or none has.
 std::string why_not_comparable(const Captures& initial, const Captures& final, Light light) {
   const std::size_t images = with_infrared(initial, light) + with_infrared(final, light);
   if (images == initial.size() + final.size()) return "";
@@ -58,7 +59,7 @@ void add_significant(const JudgedChange& found, double false_findings, const Mas
   }
 }
 
-// How many places of all lights together would show so much by chance, as -log10.
+// Score: -log10 of the expected number of locations with as much evidence by chance, in all lights together.
 double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<JudgedChange>& lights) {
   double score = -std::numeric_limits<double>::infinity();
   for (const JudgedChange& light : lights) {
@@ -80,11 +81,11 @@ void give_height(float nearer_px, double disparity_m_px, Finding& finding) {
   if (before_px > 0.0) finding.height_mm = mm_per_m * (disparity_m_px / before_px - finding.position_m->z());
 }
 
-/// What the evidence of one light comes to over a finding.
+/// The strongest evidence of one light over a finding, in deviations.
 struct Strongest {
-  float moved = 0.0F;      // of the surface, either way
-  float all = 0.0F;        // of appearance and surface together
-  float nearer_px = 0.0F;  // median
+  float moved = 0.0F;      // motion of the surface, in either direction
+  float all = 0.0F;        // appearance and surface together
+  float nearer_px = 0.0F;  // median change of disparity
 };
 
 Strongest strongest_of(const JudgedChange& light, const std::vector<std::uint32_t>& pixels) {
@@ -100,9 +101,9 @@ Strongest strongest_of(const JudgedChange& light, const std::vector<std::uint32_
   return strongest;
 }
 
-// Where the pairs of both imagers say by themselves that the surface moved, and which way, the kind is how;
-// else it is appearance. Beside a thing, where one imager does not see what the other does, single pixels may
-// say either.
+// Sets kind and evidence of a finding. If the stereo pairs show by themselves that the surface moved, the
+// kind is `added` or `removed`, else `appearance`. The median decides on the direction, since single pixels
+// beside an object, which only one imager sees, may show either.
 void name_evidence(const std::vector<JudgedChange>& lights, double disparity_m_px, Finding& finding) {
   constexpr float least_px = 0.05F;
   finding.kind = ChangeKind::appearance;
@@ -159,7 +160,7 @@ void add_changes(ImageChanges images, InfraredCompared compared, double false_fi
   for (const JudgedChange& change : changes) add_significant(change, of_each_light, detection.left_out, mask);
   std::vector<Finding>& findings = detection.findings.findings;
   give_evidence(mask, findings);
-  // Colour images alone take no finding back: a thing may have the colour of what it lies on.
+  // Colour images do not refute a finding of depth: an object may have the colour of its background.
   if (judged_in_infrared)
     drop_unsupported({*judged_in_infrared, compared, final_view.disparity_m_px}, false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
@@ -203,7 +204,8 @@ void add_appearance(const Captures& initial, const Captures& final, const Compar
   const Stopwatch start;
   const Transform initial_from_final = detection.findings.final_from_initial.inverse();
   if (placed.final_view.disparity_px.empty()) {
-    detection.warnings.emplace_back("the lens bends rays: infrared images were not compared");
+    detection.warnings.emplace_back(
+        "lens distortion is not supported here: infrared images were not compared");
     return;
   }
   if (!came_back_nearly(initial_from_final)) return;

@@ -22,7 +22,8 @@
 namespace rva {
 namespace {
 
-/// @param level that images are brought to, since their exposure follows what lies in the view
+/// Loads the images of a side with their poses.
+/// @param level brightness to which images are scaled, since exposure depends on the content of the view
 std::vector<InfraredView> views_of(const Captures& side, Light light, float level,
                                    const std::vector<Transform>& first_from_view,
                                    const Transform& first_from_reference) {
@@ -38,7 +39,8 @@ std::vector<InfraredView> views_of(const Captures& side, Light light, float leve
   return views;
 }
 
-// Servos are a third of a degree off at most: what turned more was laid upon the wrong thing.
+// True if a view was turned so far that it was registered wrongly: servos are off by a third of a degree
+// at most.
 bool turned_far(const std::vector<InfraredView>& views, const std::vector<Transform>& stated) {
   constexpr double far_deg = 1.0;
   for (std::size_t k = 0; k < views.size(); ++k) {
@@ -54,8 +56,8 @@ std::vector<Transform> poses_of(const std::vector<InfraredView>& views) {
   return poses;
 }
 
-// What is seen between the dots, and half of what pairs show with them: the noise of the first is known,
-// while pairs lean on texture that moved.
+// Adds half of the evidence of pairs with dots to the evidence between the dots. The noise of the latter is
+// known, while pairs depend on a correction for texture that moved.
 AppearanceChange both(AppearanceChange change, const PairedChange& pairs) {
   constexpr float share_of_pairs = 0.5F;
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
@@ -67,7 +69,7 @@ AppearanceChange both(AppearanceChange change, const PairedChange& pairs) {
   return change;
 }
 
-// Where the projector's field ends, dots come and go.
+// Excludes the edge of the projector's field, where dots come and go.
 Mask well_within(const Mask& lit) {
   constexpr int margin_px = 6;
   Mask within(lit.width(), lit.height());
@@ -77,7 +79,7 @@ Mask well_within(const Mask& lit) {
   return within;
 }
 
-// Brightness and geometry fail on different things: their squares are added, as of independent evidence.
+// Combines brightness and geometry, whose errors are independent: the squares of the evidence are added.
 AppearanceChange with_surface(AppearanceChange change, const SurfaceChange& surface) {
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
     if (surface.judged[i] == 0) continue;
@@ -108,7 +110,7 @@ SurfaceChange surface_between(const Captures& initial, const Captures& final, co
   std::vector<StereoView> pairs_before = pairs_of(initial, level, before);
   std::vector<StereoView> pairs_after = pairs_of(final, level, after);
   SurfaceChange change = surface_change(surface, disparity_m_px, pairs_before, pairs_after);
-  // Where the projector's light ends, pairs match what comes and goes with the camera's pose.
+  // At the edge of the projector's field, pairs match light that comes and goes with the camera's pose.
   const Mask field = both_set(within_projectors(surface, before), within_projectors(surface, after));
   for (std::size_t i = 0; i < field.size(); ++i) change.judged[i] &= field[i];
   return change;
@@ -163,10 +165,9 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
   const DotFreeImage image_after = fuse(surface, after);
   align_to(image_after, surface, before);
   if (turned_far(after, stated_after) || turned_far(before, stated_before)) {
-    warnings.emplace_back(
-        light == Light::projector
-            ? "the infrared images could not be laid over each other: depth alone was compared"
-            : "the images under the lamp could not be laid over each other: they were not compared");
+    warnings.emplace_back(light == Light::projector
+                              ? "the infrared images could not be registered: depth alone was compared"
+                              : "the images under the lamp could not be registered: they were not compared");
     return std::nullopt;
   }
   const DotFreeImage image_before = fuse(surface, before);

@@ -1,4 +1,4 @@
-// What infrared images show of change, and how often so much shows by chance.
+// Change between infrared images of both sides, and how often as much is found by chance.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace rva {
 
-/// Lays the images of both sides upon each other and compares them: those under the projector without its
-/// dots, where captures of both sides are from nearly one pose, pair by pair with them, and where both
-/// imagers' images are there, by the surfaces that explain them.
+/// Registers the infrared images of both sides and compares them. Under the projector, they are compared
+/// without its dots; including the dots, in pairs of an initial and a final capture of nearly one pose; and
+/// by the surfaces that explain the stereo pairs, if the images of both imagers are available.
 /// @param initial, final     captures that have infrared images in this light
 /// @param initial_from_final as registered from depth
-/// @param warnings           gets why the images could not be compared
-/// @return empty where they could not
+/// @param warnings           receives the reason if the images could not be compared
+/// @return empty if they could not be compared
 /// @throws Error when an image cannot be read; Interrupted
 [[nodiscard]] std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
                                                          const PlacedCaptures& placed,

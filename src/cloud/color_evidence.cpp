@@ -23,26 +23,27 @@
 namespace rva {
 namespace {
 
-// Colour images are compared as those under a lamp are: without dots, and without what is dark or saturated.
-// Peaks of unchanged ones are held to be as many: in 30 unchanged bays there is none that could be fitted.
+// Colour images are compared like those under a lamp: they have no dots, and dark and saturated pixels are
+// left out. Unchanged colour images are assumed to have as many peaks, since 30 unchanged bays had none that
+// could be fitted.
 constexpr Light no_dots = Light::lamp;
 
-// The light of a room is not the program's own: people and lamps move in it.
+// Ambient light is not controlled by the program: people and lamps move in it.
 constexpr float least_contrast = 0.08F;
 constexpr double most_changed = 0.15;
 constexpr double changed_contrast = 0.15;
 
-/// Colour images of one side, with the pose of the colour imager, as far as it is known.
+/// A colour image with the pose of the colour imager, as far as it is known.
 struct ColorView {
   ColorMeans color;
   Transform color_from_reference;
 };
 
-// Empty where a capture has no colour, or it is dark there.
+// The colour images of a side; empty if a capture has none or is dark.
 std::optional<std::vector<ColorView>> color_views(const Captures& side,
                                                   const std::vector<Transform>& first_from_view,
                                                   const Transform& first_from_reference) {
-  constexpr int frames_of_each = 4;  // captures add up, too, and reading colour takes long
+  constexpr int frames_of_each = 4;  // captures are averaged as well, and reading colour takes long
   std::vector<std::optional<ColorMeans>> colors(side.size());
   parallel_bands(static_cast<int>(side.size()), [&](int first, int end) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
@@ -74,7 +75,7 @@ std::vector<InfraredView> views_of(const std::vector<ColorView>& side, auto&& li
 
 const Image<float>& luminance_of(const ColorMeans& color) { return color.luminance; }
 
-// Takes the poses that the luminance showed.
+// Refines the poses by registering the luminance images.
 void align(const ReferenceSurface& surface, std::vector<ColorView>& initial, std::vector<ColorView>& final) {
   const float level = exposed_level(final.front().color.luminance, no_dots);
   std::vector<InfraredView> after = views_of(final, luminance_of, level);
@@ -86,7 +87,7 @@ void align(const ReferenceSurface& surface, std::vector<ColorView>& initial, std
     initial[k].color_from_reference = before[k].view_from_reference;
 }
 
-// What shows most at each pixel.
+// Keeps the stronger of two changes at each pixel.
 void take_strongest(AppearanceChange from, AppearanceChange& to) {
   drop_faint(from, least_contrast);
   if (to.judged.empty()) {
@@ -104,7 +105,7 @@ void take_strongest(AppearanceChange from, AppearanceChange& to) {
   }
 }
 
-// Where so much differs, it is the light that changed, and what depth shows stands alone.
+// True if so much of the view differs that the lighting must have changed; depth is then used alone.
 bool light_changed(const AppearanceChange& change) {
   const int judged = cv::countNonZero(as_mat(change.judged));
   const int changed = cv::countNonZero(cv::abs(as_mat(change.contrast)) > changed_contrast);
@@ -115,24 +116,24 @@ std::optional<JudgedChange> judged_color(AppearanceChange change, std::vector<st
   if (cv::countNonZero(as_mat(change.judged)) == 0) return std::nullopt;
   if (light_changed(change)) {
     warnings.emplace_back(
-        "the colours of 15 % of the view or more differ, as where light changed: colour images were not "
-        "compared");
+        "the colours of 15 % of the view or more differ, as when the lighting changed: colour images were "
+        "not compared");
     return std::nullopt;
   }
   return with_tail(std::move(change), tail_under_lamp);
 }
 
-/// Colour images as the depth camera would see them.
+/// Colour images in the view of the depth camera.
 struct OnDepth {
   std::array<InfraredView, 3> channels;
-  Mask clear;  ///< where the colour imager sees, and nothing moved
+  Mask clear;  ///< set where the colour imager sees the pixel, and nothing moved
 };
 
 OnDepth on_depth(const Capture& capture, const ColorMeans& color, const ReferenceSurface& surface,
                  const std::array<float, 3>& levels) {
   constexpr float border_px = 6.0F;
-  // Saturated pixels are left out of the level of brightness beside them. Pixels that the colour imager does
-  // not see must be left out, too, so they are marked as saturated.
+  // Saturated pixels are excluded from the brightness level around them. Pixels that the colour imager does
+  // not see must be excluded as well, so they are marked as saturated.
   constexpr float saturated = 1e4F;
   const Warp warp(surface, capture.info().color_from_depth.value(), color.camera);
   OnDepth result{{}, warp.clear_of(color.moving)};
@@ -144,7 +145,8 @@ OnDepth on_depth(const Capture& capture, const ColorMeans& color, const Referenc
   for (std::size_t c = 0; c < levels.size(); ++c) {
     Image<float> light = warp.image(color.channels[c]);
     for (std::size_t i = 0; i < light.size(); ++i)
-      light[i] = result.clear[i] == 0 ? saturated : std::max(light[i], 0.0F);  // cubics overshoot
+      light[i] =
+          result.clear[i] == 0 ? saturated : std::max(light[i], 0.0F);  // cubic interpolation may overshoot
     const float scale = scale_to_level(levels[c], color.channels[c], no_dots);
     result.channels[c] = InfraredView(light, Transform::Identity(), no_dots, scale);
   }
@@ -211,7 +213,7 @@ std::optional<JudgedChange> compare_still(const Capture& initial, const Capture&
   return judged_color(std::move(strongest), warnings);
 }
 
-// A colour image that cannot be read never stops the comparison of depth.
+// Turns an unreadable colour image into a warning, since it must not prevent the comparison of depth.
 std::optional<JudgedChange> unless_unreadable(std::vector<std::string>& warnings, auto&& compare) {
   try {
     return compare();

@@ -13,7 +13,7 @@
 namespace rva {
 namespace {
 
-// Cameras and displays agree on sRGB, which this power is near to.
+// Approximates sRGB, which cameras and displays use, by a power function.
 constexpr double gamma = 2.2;
 constexpr double most = 255.0;
 
@@ -45,7 +45,7 @@ Image<float> luminance_of(const std::array<Image<float>, 3>& channels) {
   return luminance;
 }
 
-// The image no wider than `width`; the pixel convention of Intrinsics holds in both.
+// Reduces an image to the given size. Both images follow the pixel convention of Intrinsics.
 Image<float> reduced(const Image<float>& image, int width, int height) {
   Image<float> result(width, height);
   cv::Mat target = as_mat(result);
@@ -66,7 +66,7 @@ Intrinsics reduced(const Intrinsics& camera, int width, int height) {
   return result;
 }
 
-/// One channel over the frames.
+/// Sum and range of one channel over the frames.
 struct ChannelSums {
   cv::Mat sum;
   cv::Mat least;
@@ -86,7 +86,7 @@ struct ChannelSums {
     }
   }
 
-  // By which share of its light each pixel changes.
+  // Range of each pixel over time, relative to its brightness.
   [[nodiscard]] cv::Mat range() const {
     constexpr double dark = 3.0;
     return (most - least) / (least + dark);
@@ -102,8 +102,8 @@ struct FrameSums {
     ++frames;
   }
 
-  // What moves past, or a shadow of it, changes pixels by more than noise and flicker do: by a tenth of their
-  // light and by six times what the middle pixel changes.
+  // Set where a moving object or its shadow changes a pixel by more than noise and flicker do: by a tenth of
+  // its light and by six times the change of the median pixel.
   [[nodiscard]] Mask moving() const {
     constexpr double least_share = 0.1;
     constexpr double times_usual = 6.0;
@@ -164,7 +164,7 @@ std::optional<ColorMeans> color_means(const Capture& capture, int most_frames) {
 }
 
 bool is_well_lit(const ColorMeans& color) {
-  constexpr float least = 4.0F;  // of the brighter parts; a closed wing has none
+  constexpr float least = 4.0F;  // of the brighter parts; a closed wing is darker
   constexpr float saturated = 250.0F;
   std::vector<float> levels =
       sampled(as_mat(color.luminance), Mask(color.luminance.width(), color.luminance.height(), mask_set));

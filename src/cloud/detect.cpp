@@ -43,15 +43,15 @@ bool is_of_the_thesis(DetectionMethod method) {
          method == DetectionMethod::octree;
 }
 
-// A pixel by pixel comparison of several captures a side takes an exact return: the initial capture whose
-// pose is that of the first final one.
+// Finds the initial capture with the pose of the first final one, since a pixel by pixel comparison requires
+// an exact return.
 const Capture& initial_of_same_view(const Captures& initial, const Capture& final) {
   if (initial.size() == 1) return *initial.front();
   const auto same = std::ranges::find_if(
       initial, [&](const auto& capture) { return !poses_differ(capture->info(), final.info()); });
   if (same == initial.end())
-    throw Error("initial captures", "none was taken from where the first final capture was",
-                "use --method spatial");
+    throw Error("initial captures", "none was taken from the pose of the first final capture",
+                "use the spatial method");
   return **same;
 }
 
@@ -59,7 +59,7 @@ DepthView view_of(const DepthStatistics& statistics, const CaptureInfo& info) {
   return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
 }
 
-/// The views that a static comparison rests on, and whether they lie over each other.
+/// The views of a static comparison, and whether they are aligned.
 struct CheckedViews {
   DepthView initial;
   DepthView final;
@@ -70,7 +70,7 @@ struct CheckedViews {
   }
 };
 
-// A lens that bends rays leaves nothing that could be checked: planes are none then.
+// Empty with lens distortion, for which views cannot be checked: planes in space are not planes in disparity.
 std::optional<CheckedViews> checked_views(const StaticDetection& compared, const CaptureInfo& initial,
                                           const CaptureInfo& final) {
   if (final.depth.distortion != Distortion::none) return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<CheckedViews> checked_views(const StaticDetection& compared, const
   return views;
 }
 
-// "turned by 1.02 degrees and shifted by 0.4 mm"
+// Describes a motion, as in "turned by 1.02 degrees and shifted by 0.4 mm".
 std::string motion_text(const Transform& initial_from_final) {
   const double turn_deg = Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi;
   const double shift_mm = 1000.0 * initial_from_final.translation().norm();
@@ -153,8 +153,8 @@ class Run {
     return spatial_after(*views, std::move(compared.detection));
   }
 
-  // Whether colour images can be compared shows only when they are: until then, depth has all of the false
-  // findings allowed.
+  // Whether colour images can be compared is only known after comparing them; until then, depth has all of
+  // the allowed false findings.
   void add_images(const ComparedImages& images, const CheckedViews& views, StaticDetection& compared) {
     const Capture& initial = *initial_.front();
     std::vector<std::string> warnings;
@@ -167,16 +167,16 @@ class Run {
                          options_.static_camera.regions, compared.detection);
   }
 
-  // The views do not lie over each other.
+  // Handles views that are not aligned: registers them and compares with `spatial`.
   SidesDetection spatial_after(const CheckedViews& views, Detection compared) {
     const Registration registration = views.registration();
     if (!registration.trusted() && views.check.shows_other_view())
       throw RegistrationRefused(
           "initial and final",
-          fmt::format("the captures do not show the same view, nor one that can be laid over it ({})",
+          fmt::format("the captures do not show the same view, and their views cannot be registered ({})",
                       registration.doubt),
-          "give the baseline of this bay, taken from nearly the same place; --method calibrated "
-          "compares pixel by pixel all the same");
+          "give the baseline of this bay, taken from nearly the same pose; the calibrated method "
+          "compares pixel by pixel regardless");
     if (!registration.trusted()) {
       compared.warnings.push_back(warning_of_motion(views.check, registration));
       return {std::move(compared), std::nullopt};
@@ -184,8 +184,8 @@ class Run {
     SidesDetection result = spatial(KnownMotion::bumped);
     result.detection.warnings.insert(
         result.detection.warnings.begin(),
-        fmt::format("the camera {} between the captures: their views were laid over each other and compared "
-                    "with method spatial",
+        fmt::format("the camera {} between the captures: their views were registered and compared with the "
+                    "spatial method",
                     motion_text(registration.initial_from_final)));
     return result;
   }
@@ -195,14 +195,12 @@ class Run {
     StaticDetection compared = compare_pixels(initial);
     std::vector<std::string>& warnings = compared.detection.warnings;
     if (has_several())
-      warnings.push_back(
-          fmt::format("--method {} compared one capture of each side: the others were not used",
-                      name_of(options_.method)));
+      warnings.push_back(fmt::format("method {} compared one capture of each side: the others were not used",
+                                     name_of(options_.method)));
     if (poses_differ(initial.info(), final_info()))
       warnings.emplace_back(
-          "the captures' poses say that the camera moved: pixels were compared all the same, and what "
-          "differs "
-          "may be the view");
+          "according to their poses, the camera moved between the captures: pixels were compared regardless, "
+          "and findings may be due to the motion");
     else if (const auto views = checked_views(compared, initial.info(), final_info());
              views && !views->check.is_aligned())
       warnings.push_back(warning_of_motion(views->check, views->registration()));
@@ -212,17 +210,17 @@ class Run {
   static std::string warning_of_motion(const ViewCheck& check, const Registration& registration) {
     if (registration.trusted())
       return fmt::format(
-          "the camera {} between the captures: pixels were compared all the same, and edges may show as "
-          "changes; --method auto lays the views over each other first",
+          "the camera {} between the captures: pixels were compared regardless, and edges may be reported as "
+          "changes; the auto method registers the views first",
           motion_text(registration.initial_from_final));
     if (check.shows_other_view())
       return fmt::format(
-          "the captures do not show the same view ({}): pixels were compared all the same, and mean little",
+          "the captures do not show the same view ({}): pixels were compared regardless, but the result is "
+          "not meaningful",
           registration.doubt);
     return fmt::format(
-        "the camera moved by about {:.2g} pixels between the captures, and the views cannot be laid over "
-        "each other "
-        "({}): edges may show as changes",
+        "the camera moved by about {:.2g} pixels between the captures, and the views cannot be registered "
+        "({}): edges may be reported as changes",
         check.motion.displacement_px, registration.doubt);
   }
 
@@ -253,7 +251,7 @@ class Run {
     Detection found = detect_by_octree(*initial_.front(), *final_.front(), options_.octree,
                                        options_.static_camera.regions, progress_, left_out_);
     if (has_several())
-      warnings_.emplace_back("--method octree compared one capture of each side: the others were not used");
+      warnings_.emplace_back("method octree compared one capture of each side: the others were not used");
     prepend_warnings(found);
     return {std::move(found), std::nullopt};
   }
@@ -278,7 +276,8 @@ class Run {
   std::vector<std::string> warnings_;
 };
 
-// The coarsest unit of all captures: in a finer one, what is far away would not fit into 16 bits.
+// Both sides with depth in the coarsest unit of all captures: in a finer unit, large depths would not fit
+// into 16 bits.
 struct SidesInOneUnit {
   SidesInOneUnit(const Captures& initial_captures, const Captures& final_captures) {
     std::set<double> units_m;
@@ -298,7 +297,7 @@ struct SidesInOneUnit {
 
   Captures initial;
   Captures final;
-  std::string note;  ///< empty where all have one unit
+  std::string note;  ///< empty if all have the same unit
 
  private:
   static constexpr double mm_per_m = 1000.0;

@@ -1,4 +1,4 @@
-// One door to every detector: which method compares the captures, after the images have shown whether the
+// Entry point of all detection methods: chooses the method, after checking in the images whether the
 // camera moved.
 #pragma once
 
@@ -17,19 +17,19 @@
 namespace rva {
 
 enum class DetectionMethod {
-  automatic,   ///< calibrated where the camera stood still, spatial where it moved
-  constant,    ///< static camera: the thesis' algorithm 2
-  gaussian,    ///< static camera: the thesis' algorithm 3
-  calibrated,  ///< static camera: against the noise that the captures show
-  spatial,     ///< moved camera: by space that was seen through
-  octree,      ///< moved camera: the thesis' pipeline
+  automatic,   ///< calibrated if the camera stood still, spatial if it moved
+  constant,    ///< static camera: algorithm 2 of the thesis
+  gaussian,    ///< static camera: algorithm 3 of the thesis
+  calibrated,  ///< static camera: against a noise model learnt from the captures
+  spatial,     ///< moved camera: by comparing free space
+  octree,      ///< moved camera: the pipeline of the thesis
 };
 [[nodiscard]] std::string_view name_of(DetectionMethod method);
 [[nodiscard]] std::optional<DetectionMethod> detection_method_from_name(std::string_view name);
 
 struct DetectOptions {
   DetectionMethod method = DetectionMethod::automatic;
-  StaticDetectionOptions static_camera;  ///< its method is not used; false findings and regions hold for all
+  StaticDetectionOptions static_camera;  ///< method is ignored; false findings and regions apply to all
   OctreeOptions octree;
 
   static void describe(auto&& self, auto&& visit) {
@@ -40,20 +40,20 @@ struct DetectOptions {
 
 struct SidesDetection {
   Detection detection;  ///< in the view of the first final capture
-  std::optional<Registration>
-      registration;  ///< of the first captures of either side, where they were registered
+  /// Registration of the first captures of either side; empty if they were not registered.
+  std::optional<Registration> registration;
 };
 
-/// Compares two sides of one capture and more.
+/// Compares two sides of one or more captures each.
 ///
-/// `automatic` believes poses that say that the camera was moved, and several captures a side, and goes to
-/// `spatial`. Otherwise it compares pixel by pixel with `calibrated` and checks from the depth images whether
-/// the views lie over each other (view_motion.hpp). Where they do not, it registers them and compares with
-/// `spatial`, and a warning states the motion. A static method that was asked for by name is used in any
-/// case; then the warning says that its result may show the motion rather than changes.
-/// @param initial, final at least one capture each, those of a side from nearly one place
-/// @param left_out       pixels of the first initial depth image that a person wants left out; empty for none
-/// @throws Error when the captures are of different cameras or show different places, when they cannot be
+/// The method `automatic` uses `spatial` for several captures a side, and if the stated poses differ.
+/// Otherwise it compares pixel by pixel with `calibrated` and checks in the depth images whether the views
+/// are aligned (view_motion.hpp). If they are not, it registers them and compares with `spatial`, and a
+/// warning states the motion. A static method requested by name is always used; if the camera moved, a
+/// warning states that the result may show the motion rather than changes.
+/// @param initial, final at least one capture each, those of a side from nearly one pose
+/// @param left_out       pixels of the first initial depth image to leave out; empty for none
+/// @throws Error when the captures are of different cameras or show different views, when they cannot be
 ///         registered, or a frame cannot be read; UsageError for options out of range; Interrupted
 [[nodiscard]] SidesDetection detect(const Captures& initial, const Captures& final,
                                     const DetectOptions& options, const Progress& progress,

@@ -13,23 +13,24 @@
 namespace rva {
 namespace {
 
-// How far edges lie from where they seem to be, in either direction; beside a hole, which is where a matcher
-// gave up on an edge, farther.
+// Largest error of the position of an edge, in either direction. It is greater beside a hole, where the
+// matcher failed at an edge.
 constexpr int edge_reach_px = 2;
 constexpr int hole_reach_px = 4;
-// Where a matcher lacks half of its window, its errors do not stay where they are when the camera moves.
+// Border in which the matcher lacks half of its window. Its errors there depend on the position in the image,
+// so they do not cancel if the camera moves.
 constexpr int border_px = 2 * margin_px;
-// What differs by less within reach is one surface.
+// Disparities within reach that differ by less are one surface.
 constexpr float one_surface_px = 1.2F;
-// Farther than this behind what was seen, a point was hidden.
+// A point farther than this behind a surface was hidden.
 constexpr float behind_px = 1.0F;
-// And by more than this in front, it is another surface.
+// A point farther than this in front of a surface is on another surface.
 constexpr float in_front_px = 1.0F;
 constexpr float nearest_m = 0.05F;
 
 cv::Mat square(int reach_px) { return cv::Mat::ones(2 * reach_px + 1, 2 * reach_px + 1, CV_8U); }
 
-/// A disparity image as something to hold a point against.
+/// A disparity image with the range of disparities around each pixel, for comparison with a point.
 class Surroundings {
  public:
   explicit Surroundings(const Image<float>& disparity_px) : disparity_px_(disparity_px) {
@@ -48,8 +49,8 @@ class Surroundings {
     farther.copyTo(lowest_, beside_holes);
   }
 
-  // How far a disparity lies off the surface at a pixel: from the surface itself where there is one, from all
-  // that is within reach where there is an edge. Empty where nothing was seen, and in the margin.
+  // Disparity minus that of the surface at a pixel: interpolated on a surface; at an edge, the distance from
+  // the range of disparities within reach. Empty where nothing was measured, and in the border.
   [[nodiscard]] std::optional<float> excess_px(float disparity_px, float u, float v) const {
     constexpr auto border = static_cast<float>(border_px);
     const auto right = static_cast<float>(disparity_px_.width() - 1 - border_px);
@@ -85,7 +86,7 @@ float lesser(float a, float b) {
   return std::abs(a) < std::abs(b) ? a : b;
 }
 
-// What the camera would have measured had it been as warm as later.
+// Subtracts the offset, as if the initial camera had been as warm as the final one.
 DepthView without_offset(DepthView view, float offset_px) {
   for (float& disparity_px : view.disparity_px.pixels()) {
     if (disparity_px > 0.0F) disparity_px = std::max(disparity_px - offset_px, 0.0F);
@@ -93,7 +94,8 @@ DepthView without_offset(DepthView view, float offset_px) {
   return view;
 }
 
-// The final view against the initial one, pixel by pixel. Empty where nobody can know.
+// Compares the final view with the initial one, pixel by pixel. Empty where the views do not show whether
+// there is a change.
 class FreeSpace {
  public:
   FreeSpace(const DepthView& initial, const DepthView& final, const Transform& initial_from_final)
@@ -110,14 +112,15 @@ class FreeSpace {
     const std::optional<float> along_initial_ray = before_px(u, v);
     const std::optional<float> along_final_ray = after_px(u, v);
     if (along_initial_ray && along_final_ray) return lesser(*along_initial_ray, *along_final_ray);
-    // In front of a surface that was seen, but where nothing was seen from the first place: nobody knows
-    // whether that space was free.
+    // Without a measurement along the initial ray, a point in front of an initial surface is not judged:
+    // whether that space was free is unknown.
     if (!along_initial_ray) return along_final_ray < in_front_px ? along_final_ray : std::nullopt;
     return *along_initial_ray > -behind_px ? along_initial_ray : std::nullopt;
   }
 
  private:
-  // The final point against what the initial camera saw along its ray through that point. Above 0: in front.
+  // Compares the final point with the surface along the ray of the initial camera through it. Positive
+  // in front.
   [[nodiscard]] std::optional<float> before_px(int u, int v) const {
     const float z = static_cast<float>(final_.disparity_m_px) / final_.disparity_px(u, v);
     const Eigen::Vector3f ray(static_cast<float>((u - final_.camera.cx) / final_.camera.fx),
@@ -132,8 +135,8 @@ class FreeSpace {
         static_cast<float>(camera.fy) * point.y() * by_z + static_cast<float>(camera.cy));
   }
 
-  // The same along the final camera's ray, where the initial view has a surface; a surface that has gone must
-  // lie in front of all that the final camera sees within reach.
+  // The same along the ray of the final camera, where the initial view has a surface. A removed surface must
+  // lie in front of all disparities that the final camera measured within reach.
   [[nodiscard]] std::optional<float> after_px(int u, int v) const {
     const auto column = static_cast<float>(u);
     const auto row = static_cast<float>(v);
@@ -155,7 +158,7 @@ class FreeSpace {
 };
 
 void judge(const FreeSpace& space, const DepthView& final, int u, int v, DisparityChange& change) {
-  constexpr float least_px = 1e-3F;  // of a disparity, and of a deviation: what is judged has both
+  constexpr float least_px = 1e-3F;  // lower limit of a disparity and a deviation, as judged pixels have both
   const float after_px = final.disparity_px(u, v);
   if (after_px <= 0.0F) return;
   change.after_px(u, v) = after_px;

@@ -11,9 +11,9 @@
 namespace rva {
 namespace {
 
-// A view's depth that differs by more is another surface.
+// Disparities that differ by more are on another surface.
 constexpr float one_surface_px = 1.2F;
-constexpr float least_px = 1e-3F;  // of a disparity that there is
+constexpr float least_px = 1e-3F;  // lower limit of a valid disparity
 
 void take_off_drift(DisparityChange& change) {
   const Image<float> drift_px = fit_drift(change).px();
@@ -31,9 +31,9 @@ DepthView after(const std::vector<PlacedChange>& changes, const Intrinsics& came
   return fuse(views);
 }
 
-/// Sums over the views of what changed at one place.
+/// Sums over the views for one point of the surface.
 struct Sums {
-  float before_px = 0.0F;  // of a view that has any
+  float before_px = 0.0F;  // of any view that has one
   float change_px = 0.0F;
   float variance_px2 = 0.0F;
   float count = 0.0F;
@@ -78,7 +78,7 @@ class Fusion {
     fused.judged(u, v) = mask_set;
   }
 
-  // Pixels are taken as they are: a change hardly depends on where within the pixel it is looked at.
+  // Uses the nearest pixel, without interpolation: a change hardly varies within a pixel.
   void add(const DisparityChange& change, const Eigen::Vector3d& point, Sums& sums) const {
     if (point.z() <= 0.0) return;
     const Eigen::Vector2d pixel = surface_.camera.project(point);

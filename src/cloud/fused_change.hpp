@@ -1,4 +1,4 @@
-// Changes seen from nearly one place as a single, better one.
+// Fuses changes observed from nearly one pose.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,17 @@
 
 namespace rva {
 
-/// What changed between two captures of one pose, and where that was.
+/// The change between two captures of one pose, and that pose.
 struct PlacedChange {
   DisparityChange change;
   Transform first_from_view = Transform::Identity();
 };
 
-/// Pixel by pixel, what the matcher gets wrong goes away where a camera comes back exactly, and so does what
-/// a small thing shows where no dot falls on it. A few servo steps aside other dots do: each pixel of the
-/// result, in the first view, is the mean of the changes that the views have on that surface, less each one's
-/// drift; half of the views at least must have it. What was lost is that of the first view.
+/// Fuses the changes of several views into the first one. In a single view that returned exactly, the errors
+/// of the matcher cancel pixel by pixel, but so does a small object on which no dot falls. A few servo steps
+/// away, other dots fall on it. Each pixel of the result is the mean of the changes that the views have on
+/// that surface, each without its drift; at least half of the views must have one. Lost depth is that of the
+/// first view.
 /// @param changes        at least one, all of `camera`
 /// @param disparity_m_px focal length times baseline
 [[nodiscard]] DisparityChange fuse(std::vector<PlacedChange> changes, const Intrinsics& camera,

@@ -16,7 +16,7 @@ struct Fused {
   float deviation_px = 0.0F;
 };
 
-// Of those that agree with the median; nothing where fewer than `least` do.
+// Mean and deviation of the disparities near the median; 0 if there are fewer than `least` of them.
 Fused fuse_pixel(std::vector<float>& seen_px, std::size_t least) {
   if (seen_px.size() < least) return {};
   const auto middle = seen_px.begin() + static_cast<std::ptrdiff_t>(seen_px.size() / 2);

@@ -1,4 +1,4 @@
-// Several views from nearly one place as a single, better one.
+// Fuses several views from nearly one pose.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace rva {
 
-/// A view, and where it was taken.
+/// A view and its pose.
 struct PlacedView {
   DepthView view;
   Transform first_from_view = Transform::Identity();
 };
 
-/// What a matcher gets wrong depends on which dots fall on a surface, and stays however many frames are
-/// taken; views that differ by a few degrees have other dots there. Each pixel of the result, in the first
-/// view's camera, is the mean of what the views have there, but those that lie off the median by more than an
-/// edge would; there must be half of the views at least.
+/// Fuses views into the camera of the first one. The errors of a matcher depend on which dots fall on a
+/// surface, and do not decrease with the number of frames; views that differ by a few degrees have other dots
+/// there. Each pixel of the result is the mean of the disparities of the views, without those that differ
+/// from the median by more than an edge would; at least half of the views must remain.
 /// @param views at least one
-/// @return deviation_px between the views where there are several of them, else that of the only view
+/// @return deviation_px is the deviation between the views if there are several, else that of the only view
 [[nodiscard]] DepthView fuse(const std::vector<PlacedView>& views);
 
 }  // namespace rva

@@ -12,7 +12,7 @@
 namespace rva {
 namespace {
 
-// Of PCL's tutorial.
+// Constants of PCL's tutorial.
 constexpr int iterations_a_step = 2;
 constexpr double settled = 1e-6;
 constexpr double shrink_m = 0.001;
@@ -21,7 +21,7 @@ constexpr double shrink_m = 0.001;
 
 Transform register_incrementally(const PointCloud& initial, const PointCloud& final,
                                  const IncrementalIcpOptions& options, const Progress& progress) {
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // what goes wrong is said below, once
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // failure is reported below, once
   PclCloud::Ptr moved = to_pcl(initial);
   pcl::IterativeClosestPointNonLinear<pcl::PointXYZ, pcl::PointXYZ> icp;
   icp.setInputTarget(to_pcl(final));
@@ -36,8 +36,8 @@ Transform register_incrementally(const PointCloud& initial, const PointCloud& fi
     const auto aligned = pcl::make_shared<PclCloud>();
     icp.align(*aligned);
     if (!icp.hasConverged())
-      throw Error("initial and final", "too few points lie near each other to lay the clouds over each other",
-                  "give a larger --icp-distance, or use --method spatial");
+      throw Error("initial and final", "too few points lie near each other to register the clouds",
+                  "allow a larger distance of corresponding points, or use the spatial method");
     final_from_initial = icp.getFinalTransformation() * final_from_initial;
     const Eigen::Matrix4f last = icp.getLastIncrementalTransformation();
     const bool little = std::abs(static_cast<double>((last - before).sum())) < settled;

@@ -1,4 +1,4 @@
-// The thesis' registration of clouds (chapter 3.3, figure 3.17), with the library that it used.
+// Registration of clouds as in the thesis (chapter 3.3, figure 3.17), with the library used there.
 #pragma once
 
 #include "cloud/point_cloud.hpp"
@@ -22,10 +22,11 @@ struct IncrementalIcpOptions {
   }
 };
 
-/// Lays one cloud over another from where they are (PCL's IterativeClosestPointNonLinear: Levenberg and
-/// Marquardt's method on the nearest points). As in PCL's tutorial "How to incrementally register pairs of
-/// clouds" and in the thesis, every step runs it for two iterations, and the largest distance of
-/// corresponding points shrinks by 1 mm whenever the step's last motion hardly differs from the one before.
+/// Registers the initial cloud to the final one, starting from the identity, with PCL's
+/// IterativeClosestPointNonLinear (Levenberg and Marquardt's method on nearest points). As in PCL's tutorial
+/// "How to incrementally register pairs of clouds" and in the thesis, every step runs it for two iterations,
+/// and the maximum distance of corresponding points shrinks by 1 mm whenever the last motion of the step
+/// hardly differs from the one before.
 /// @return final_from_initial
 /// @throws Error where fewer than three points correspond; Interrupted
 [[nodiscard]] Transform register_incrementally(const PointCloud& initial, const PointCloud& final,

@@ -15,7 +15,7 @@
 namespace rva {
 namespace {
 
-/// Pixels of findings of depth, and those beside them, by the position of the finding in its list plus one.
+/// For each pixel in or beside a finding of depth, the index of the finding plus one; else 0.
 Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int height) {
   constexpr int beside_px = 4;
   Image<std::uint16_t> owner(width, height);
@@ -27,16 +27,16 @@ Image<std::uint16_t> owners(const std::vector<Finding>& findings, int width, int
   return owner;
 }
 
-// Infrared images respond to nearly all that changed in depth: of 64 findings of debris in development, to
-// all but one with eight captures (docs/infrared.md). Where they were compared and show nothing, a finding of
-// depth is believed if it is so many times rarer by chance; and where the pairs of both imagers were
-// compared, too, which measure the same as depth does, or every pixel of a camera that stood still, of whose
-// images depth is made, if it is much rarer still.
+// By how much rarer than allowed a finding of depth must be to be kept without evidence from infrared images.
+// Infrared images respond to nearly all changes of depth: with eight captures, to all but one of 64 findings
+// of debris in development (docs/infrared.md). The factor is much larger where the stereo pairs were compared
+// as well, which measure the same as depth, or every pixel of a camera that stood still, since depth is
+// computed from those images.
 double unsupported_factor(InfraredCompared compared) {
   return compared == InfraredCompared::appearance ? 50.0 : 1e4;
 }
 
-// Depth that came or went counts, too.
+// True also for depth that appeared or went missing.
 bool moved_by_a_pixel(const Finding& finding, double disparity_m_px) {
   if (!finding.height_mm || !finding.position_m) return true;
   constexpr double m_per_mm = 0.001;
@@ -54,7 +54,7 @@ bool is_unsupported(const Finding& finding, const InfraredComparison& infrared, 
          (infrared.compared == InfraredCompared::still && moved_by_a_pixel(finding, infrared.disparity_m_px));
 }
 
-// In their order, from 1; what they say of each other goes along.
+// Numbers findings in their order from 1, and updates their references to each other.
 void number(std::vector<Finding>& findings) {
   std::map<int, int> now_from_before;
   for (Finding& finding : findings) {

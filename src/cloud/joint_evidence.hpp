@@ -1,4 +1,4 @@
-// Findings of depth in the light of infrared images.
+// Combines findings of depth with evidence from infrared images.
 #pragma once
 
 #include <vector>
@@ -9,37 +9,37 @@
 
 namespace rva {
 
-/// Blobs that touch a finding, or come within four pixels of it, are evidence for it and leave the mask: what
-/// stands farther beside it is a thing of its own.
-/// @param significant where infrared images look different beyond chance
+/// Marks findings that a blob of changed appearance touches or comes within four pixels of, and removes such
+/// blobs from the mask. Blobs farther away are objects of their own.
+/// @param significant set where infrared images differ significantly
 void give_evidence(Mask& significant, std::vector<Finding>& findings);
 
-/// Puts the most suspicious first and those of appearance alone after all others, numbers them from 1, and
-/// mends what they say of each other.
+/// Sorts findings, the most suspicious first and those of appearance alone after all others, renumbers them
+/// from 1, and updates their references to each other.
 void order(std::vector<Finding>& findings);
 
-/// What was compared of infrared images: how they look between the dots, or also the surfaces that the pairs
-/// of both imagers show, or, of a camera that stood still, every pixel.
+/// How infrared images were compared: appearance between the dots only; also the surfaces that the stereo
+/// pairs show; or every pixel, for a camera that stood still.
 enum class InfraredCompared { appearance, surfaces, still };
 
-/// True of a finding of surfaces alone, without a difference in brightness, that is more than three times as
-/// high as it is wide: where a pattern repeats, the pairs of one side may match a few pixels of disparity
-/// off, which looks like a spike. A spike that is there changes brightness, too.
+/// True if a finding is from surfaces alone, without a difference in brightness, and is more than three times
+/// as high as it is wide. Where a pattern repeats, the pairs of one side may match a few pixels of disparity
+/// off, which resembles a spike. A real spike changes brightness, too.
 [[nodiscard]] bool is_spike_of_surfaces(const Finding& finding, double focal_px);
 
-/// How infrared images were compared with the same captures.
+/// The comparison of the infrared images of the same captures.
 struct InfraredComparison {
-  const Mask& judged;  ///< where they were compared
+  const Mask& judged;  ///< set where they were compared
   InfraredCompared compared;
   double disparity_m_px;  ///< focal length times baseline
 };
 
-/// Drops findings without evidence in the infrared images where these were compared over most of the finding,
-/// unless depth alone expects fewer such findings than a fiftieth of those allowed, and where surfaces or
-/// every pixel were compared, a ten thousandth. Of a camera that stood still, surfaces that moved by a pixel
-/// of disparity and more, and depth that came or went, are dropped in any case: the dots on them would be
-/// elsewhere, and a matcher that decides otherwise about the same image is what is left. Numbers the others
-/// anew.
+/// Drops findings without evidence in infrared images, if these were compared over most of the finding,
+/// unless depth alone expects fewer such findings by chance than a fiftieth of those allowed, or, if surfaces
+/// or every pixel were compared, a ten thousandth. For a camera that stood still, surfaces that moved by a
+/// pixel of disparity or more, and depth that appeared or went missing, are always dropped without such
+/// evidence: the dots on them would have moved, so the matcher merely decided differently on the same image.
+/// Renumbers the others.
 /// @param false_findings allowed for depth
 void drop_unsupported(const InfraredComparison& infrared, double false_findings, Detection& detection);
 

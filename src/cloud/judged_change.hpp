@@ -1,4 +1,4 @@
-// Change that infrared images show, with how often so much shows by chance.
+// Change in infrared or colour images, with the rate at which as much is found by chance.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace rva {
 
-/// In the view of the first final capture.
+/// All images are in the view of the first final capture.
 struct JudgedChange {
-  /// Deviations of all evidence of this light together: of appearance, 0 where its contrast is no more than
-  /// what stains and reflections have, and of the surface.
+  /// Combined evidence of this light, in deviations: of appearance, 0 where its contrast is no greater than
+  /// that of stains and reflections, and of the surface.
   AppearanceChange change;
-  FalseAlarmTail tail;  ///< of the peaks of these deviations, of either sign
-  /// How far the surface moved, as the pairs of both imagers show it; empty where they were not compared.
+  FalseAlarmTail tail;  ///< expected number of peaks of these deviations, for either sign
+  /// Motion of the surface according to the stereo pairs; empty if they were not compared.
   SurfaceChange surface{};
 };
 
-/// How fast peaks beyond three deviations usually get rarer where nothing changed, as `script/fit` measures
-/// it (docs/statistics.md), and up to where an inspection's own peaks are taken for unchanged: things that
-/// hardly show have peaks beyond.
+/// Usual slope of the tail of peaks beyond three deviations where nothing changed, as measured by
+/// `script/fit` (docs/statistics.md), and the height up to which the peaks of an inspection are assumed to be
+/// unchanged: objects of low contrast have peaks beyond.
 struct UsualTail {
   UsualSlope slope;
   double end;
@@ -31,17 +31,17 @@ inline constexpr UsualTail tail_with_pairs{.slope = {.slope = 1.63, .peaks = 22.
 inline constexpr UsualTail tail_of_still_pair{.slope = {.slope = 2.84, .peaks = 14.52}, .end = 5.0};
 inline constexpr UsualTail tail_under_lamp{.slope = {.slope = 1.23, .peaks = 28.28}, .end = 4.0};
 
-/// By so much stains and reflections change brightness between the dots or under a lamp; a collar changes it
-/// by more.
+/// Contrast up to which stains and reflections change brightness between the dots or under a lamp; a collar
+/// changes it by more.
 inline constexpr float faint_contrast = 0.015F;
 
-/// Nothing where the contrast is no more than `least`.
+/// Sets the evidence to 0 where the contrast is at most `least`.
 void drop_faint(AppearanceChange& change, float least = faint_contrast);
 
-/// Heights of the peaks, of both signs, of what is not beside a thing that changed beyond doubt.
+/// Heights of the peaks of both signs, except beside objects that have certainly changed.
 [[nodiscard]] std::vector<float> peaks_of(const AppearanceChange& change);
 
-/// Learns the tail from what is not beside a thing that changed beyond doubt.
+/// Learns the tail from the pixels that are not beside an object that has certainly changed.
 [[nodiscard]] JudgedChange with_tail(AppearanceChange change, const UsualTail& usual,
                                      SurfaceChange surface = {});
 

@@ -7,7 +7,7 @@
 namespace rva {
 namespace {
 
-// 0 where the point does not project onto the initial image.
+// The mask at the projection of a point; 0 if it does not project onto the initial image.
 std::uint8_t mask_at(const Mask& left_out, const Intrinsics& initial, const Eigen::Vector3d& point) {
   if (point.z() <= 0.0) return 0;
   const Eigen::Vector2d pixel = initial.project(point);

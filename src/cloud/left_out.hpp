@@ -1,4 +1,4 @@
-// What a person left out on the baseline's picture, in the view of a later capture.
+// Transfers the regions left out in the baseline to the view of a later capture.
 #pragma once
 
 #include "depth/image.hpp"
@@ -7,11 +7,11 @@
 
 namespace rva {
 
-/// Set where the final camera sees a point that projects onto a pixel which is left out in the initial image.
-/// Where both views are one, the mask itself, pixels without a depth included.
-/// @param left_out of the initial depth image
+/// Set where a point of the final view projects onto a pixel that is left out in the initial image. If both
+/// views have the same pose and camera, the mask is returned unchanged, including pixels without depth.
+/// @param left_out mask of the initial depth image
 /// @param final_m  depth after, metres; 0 where not measured
-/// @return of the final depth image
+/// @return mask of the final depth image
 [[nodiscard]] Mask carry_over(const Mask& left_out, const Intrinsics& initial, const Intrinsics& final,
                               const Image<float>& final_m, const Transform& initial_from_final);
 

@@ -16,10 +16,10 @@
 namespace rva {
 namespace {
 
-/// A capture whose depth images lack what lies in a mask.
+/// A capture whose depth is set to 0 within a mask.
 class LitCapture : public CaptureView {
  public:
-  /// @param beyond of the size of the depth images, or empty
+  /// @param beyond mask of the size of the depth images, or empty
   LitCapture(const Capture& whole, Mask beyond)
       : CaptureView(whole, whole.info()), beyond_(std::move(beyond)) {}
 
@@ -36,7 +36,7 @@ class LitCapture : public CaptureView {
 };
 
 Mask without_projector(const Capture& capture) {
-  constexpr int beside_px = 10;  // Beside the last dots, half of a window has none.
+  constexpr int beside_px = 10;  // beside the last dots, half of a window has none
   const std::optional<Image<float>> grey = capture.infrared_mean(Imager::left, Light::projector);
   if (!grey) return {};
   const Image<float> log_image = log_grey(*grey);

@@ -1,4 +1,4 @@
-// The thesis' change of clouds (chapter 3.3, figure 3.18), with the library that it used.
+// Change between clouds as in the thesis (chapter 3.3, figure 3.18), with the library used there.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace rva {
 
-/// Points of the final cloud in cells that hold none of the initial one (PCL's
+/// Points of the final cloud in cells that contain no point of the initial one (PCL's
 /// OctreePointCloudChangeDetector).
-/// @param final_from_initial lays the initial cloud over the final one
-/// @param cell_m             edge of a cell, above 0
-/// @return positions in `final`, ascending
+/// @param final_from_initial aligns the initial cloud with the final one
+/// @param cell_m             edge of a cell, metres; above 0
+/// @return indices into `final`, ascending
 [[nodiscard]] std::vector<std::size_t> points_in_new_cells(const PointCloud& initial, const PointCloud& final,
                                                            const Transform& final_from_initial,
                                                            double cell_m);

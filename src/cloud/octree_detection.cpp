@@ -23,7 +23,7 @@ PointCloud cloud_of(const DepthFrame& frame, const OctreeOptions& options, const
   PointCloud cloud = deproject(frame.depth, frame.info.depth, frame.info.depth_unit_m, crop_of(options));
   if (cloud.points_m.empty())
     throw Error(std::string(side) + " capture", "no point is left of its first depth image",
-                "crop less (--octree-far, --octree-above, --octree-below)");
+                "crop less: raise the limits of distance and of height above and below the camera");
   return cloud;
 }
 
@@ -113,8 +113,9 @@ Detection detect_by_octree(const Capture& initial, const Capture& final, const O
   detection.changed = std::move(comparison.changed);
   detection.final_m = std::move(comparison.final_m);
   detection.warnings.emplace_back(
-      "octree calls what came into view a change, sees nothing that went, and does not know how far off its "
-      "registration is");
+      "the octree method reports newly visible surfaces as changes, does not detect removed objects, and "
+      "does "
+      "not estimate the error of its registration");
   return detection;
 }
 

@@ -1,4 +1,4 @@
-// The thesis' spatial detection (chapter 3.3, figure 3.15): the baseline that `spatial` is held against.
+// Spatial detection as in the thesis (chapter 3.3, figure 3.15), as a reference for `spatial`.
 #pragma once
 
 #include "cloud/incremental_icp.hpp"
@@ -31,37 +31,39 @@ struct OctreeOptions {
   }
 };
 
-/// A depth image, and what is known of it.
+/// A depth image with the description of its capture.
 struct DepthFrame {
   const DepthImage& depth;
   const CaptureInfo& info;
 };
 
-/// Two clouds, cropped, in the frames of their cameras, and where one lies in the other.
+/// Two cropped clouds in the frames of their cameras, and the transform between them.
 struct RegisteredClouds {
   PointCloud initial;
   PointCloud final;
   Transform final_from_initial = Transform::Identity();
 };
 
-/// @throws Error where nothing is left, where the clouds cannot be registered, or where the lens bends rays;
-///         Interrupted
+/// Deprojects, crops and registers two depth images.
+/// @throws Error when no point is left, when the clouds cannot be registered, or when the camera has lens
+///         distortion; Interrupted
 [[nodiscard]] RegisteredClouds register_clouds(const DepthFrame& initial, const DepthFrame& final,
                                                const OctreeOptions& options, const Progress& progress);
 
-/// What stands in cells that were empty before, pixel by pixel of the final image.
-/// @param cell_m   edge of a cell, above 0
-/// @param left_out as of is_left_out(), of the final image
+/// Marks the pixels of the final image whose points lie in cells that were empty before.
+/// @param cell_m   edge of a cell, metres; above 0
+/// @param left_out pixels of the final image to leave out, see is_left_out()
 [[nodiscard]] Comparison compare_clouds(const RegisteredClouds& clouds, const DepthFrame& final,
                                         double cell_m, const Mask& left_out = {});
 
-/// Deprojects the first depth image of either capture, crops, registers from no motion at all, whatever poses
-/// say, and calls the points in cells that were empty before changed.
+/// Deprojects the first depth image of either capture, crops, registers starting from the identity regardless
+/// of stated poses, and marks points in cells that were empty before as changed.
 ///
-/// Thesis: one cloud of either side, 20 steps of registration, cells of 5 cm. It knows nothing of noise, nor
-/// of what was hidden before: newly visible area is change. Nothing that was removed is found.
-/// @throws Error where the clouds cannot be registered or the lens bends rays; UsageError for options out of
-///         range; Interrupted
+/// Parameters of the thesis: one cloud of either side, 20 steps of registration, cells of 5 cm. The
+/// method models neither noise nor occlusion: newly visible surfaces count as changes. Removed objects
+/// are not found.
+/// @throws Error when the clouds cannot be registered or the camera has lens distortion; UsageError for
+///         options out of range; Interrupted
 [[nodiscard]] Detection detect_by_octree(const Capture& initial, const Capture& final,
                                          const OctreeOptions& options, const RegionOptions& regions,
                                          const Progress& progress, const Mask& left_out = {});

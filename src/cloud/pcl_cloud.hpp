@@ -1,4 +1,4 @@
-// Our clouds as PCL takes them.
+// Conversion of point clouds for PCL.
 #pragma once
 
 #include <pcl/point_cloud.h>

@@ -8,10 +8,10 @@
 namespace rva {
 namespace {
 
-// Beyond this about its plane, a window holds an edge or a wrong match.
+// Largest deviation from the plane, root mean square; beyond it, a window contains an edge or a wrong match.
 constexpr double planar_px = 0.4;
 
-/// Sums over a window for a plane by least squares.
+/// Sums over a window for fitting a plane by least squares.
 class PlaneFit {
  public:
   void add(double u, double v, double d) {
@@ -27,7 +27,7 @@ class PlaneFit {
     dd_ += d * d;
   }
 
-  // The plane at (0, 0); none where the pixels do not lie on one.
+  // The plane about (0, 0); empty if the pixels do not lie on one.
   [[nodiscard]] PlanarPatch plane(double least_pixels) const {
     if (n_ < least_pixels) return {};
     const double uu = uu_ - u_ * u_ / n_;
@@ -37,7 +37,7 @@ class PlaneFit {
     const double vd = vd_ - v_ * d_ / n_;
     const double dd = dd_ - d_ * d_ / n_;
     const double determinant = uu * vv - uv * uv;
-    if (determinant < 0.25 * n_ * n_) return {};  // pixels in a row
+    if (determinant < 0.25 * n_ * n_) return {};  // the pixels are nearly collinear
     const double slope_u = (ud * vv - vd * uv) / determinant;
     const double slope_v = (vd * uu - ud * uv) / determinant;
     const double left = dd - slope_u * ud - slope_v * vd;

@@ -1,4 +1,4 @@
-// A view as a grid of small planes.
+// Approximates a view by a grid of small planes.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,19 +8,20 @@
 
 namespace rva {
 
-/// disparity = disparity_px + slope_u (u - u0) + slope_v (v - v0) about its centre: a plane in space is one
-/// in disparity, exactly.
+/// A plane about the centre (u0, v0) of the patch: disparity = disparity_px + slope_u (u - u0) + slope_v (v -
+/// v0). A plane in space is exactly a plane in disparity.
 struct PlanarPatch {
   float disparity_px = 0.0F;  ///< at the centre; 0 where there is no plane
   float slope_u = 0.0F;       ///< px of disparity per px
   float slope_v = 0.0F;
 };
 
-/// Patches on a grid of `step_px`, each fitted to a window of pixels around its centre. Where a window holds
-/// an edge, or holes in more than half of it, there is none.
+/// Patches on a grid of `step_px`, each fitted to a window of pixels around its centre. A patch is empty if
+/// its window contains an edge, or has no disparity in more than half of its pixels.
 class PlanarPatches {
  public:
-  /// @param step_px   of the grid; window_px not below it
+  /// @param step_px   spacing of the grid
+  /// @param window_px edge of a window, at least step_px
   PlanarPatches(const DepthView& view, int step_px, int window_px);
 
   [[nodiscard]] int columns() const { return patches_.width(); }
@@ -29,7 +30,7 @@ class PlanarPatches {
   /// The patch in whose cell a pixel lies; null outside the image and where there is no plane.
   template <std::floating_point Number>
   [[nodiscard]] const PlanarPatch* find(Number u, Number v) const {
-    // Compared as numbers first: what is far outside has no int.
+    // Compared before the conversion to int, which values far outside would overflow.
     constexpr auto left = static_cast<Number>(-0.5);
     if (!(u > left && v > left && u < static_cast<Number>(camera_.width) &&
           v < static_cast<Number>(camera_.height)))
@@ -42,7 +43,7 @@ class PlanarPatches {
   }
   /// Pixel at the centre of a column or row of the grid.
   [[nodiscard]] double centre_px(int index) const { return step_px_ * (index + 0.5) - 0.5; }
-  /// What the patch's plane has at a pixel of its cell.
+  /// Disparity of the plane of a patch at a pixel of its cell.
   template <std::floating_point Number>
   [[nodiscard]] Number disparity_px(const PlanarPatch& patch, Number u, Number v) const {
     const Number du = u - static_cast<Number>(centre_px(index_of(u)));
@@ -55,7 +56,7 @@ class PlanarPatches {
   [[nodiscard]] double disparity_m_px() const { return disparity_m_px_; }
 
  private:
-  // Pixels that lie on the image are -0.5 and more, so that cutting off rounds down.
+  // Pixels of the image are at least -0.5, so that truncation rounds down.
   template <std::floating_point Number>
   [[nodiscard]] int index_of(Number pixel) const {
     return static_cast<int>((pixel + static_cast<Number>(0.5)) * static_cast<Number>(by_step_px_));

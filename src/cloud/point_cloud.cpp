@@ -17,7 +17,7 @@ struct Range {
   float high = 0.0F;
 };
 
-// Depths at which a ray that goes so far aside by depth lies between two planes along it.
+// Depths at which a ray with the lateral slope `aside_by_z` lies between two planes parallel to the axis.
 Range depths_between(float low_m, float high_m, float aside_by_z) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   if (aside_by_z == 0.0F)
@@ -26,7 +26,7 @@ Range depths_between(float low_m, float high_m, float aside_by_z) {
   return {low, high};
 }
 
-/// Deprojects row by row, in memory that stays near the processor.
+/// Deprojects row by row, so that the working memory stays in the cache.
 class Deprojection {
  public:
   Deprojection(const Intrinsics& camera, double unit_m, const Eigen::AlignedBox3f& within_m)
@@ -43,7 +43,7 @@ class Deprojection {
 
   void append(std::span<const std::uint16_t> depth, float down_by_z, std::uint32_t pixel, PointCloud& cloud) {
     look_at(depth, down_by_z);
-    // Surfaces make long runs.
+    // Points are appended in runs, which are long on surfaces.
     for (std::size_t first = next(0, 1); first < depth.size();) {
       const std::size_t end = next(first, 0);
       append_run(first, end, down_by_z, cloud);
@@ -68,7 +68,8 @@ class Deprojection {
     }
   }
 
-  // The first column from `from` on that counts, or does not; behind the last one where there is none.
+  // The first column at or after `from` whose count equals `count`; one past the last column if there
+  // is none.
   [[nodiscard]] std::size_t next(std::size_t from, int count) const {
     const void* const found = std::memchr(counts_.data() + from, count, counts_.size() - from);
     return found == nullptr
@@ -86,7 +87,7 @@ class Deprojection {
   float unit_m_;
   Eigen::AlignedBox3f within_m_;
   std::vector<float> right_by_z_;
-  std::vector<float> low_m_;  // depths of each column that lie in the box
+  std::vector<float> low_m_;  // range of depths of each column within the box
   std::vector<float> high_m_;
   std::vector<float> z_m_;
   std::vector<std::uint8_t> counts_;  // 1 where a point lies in the box
@@ -105,8 +106,8 @@ void deproject(const DepthImage& depth, const Intrinsics& camera, double unit_m,
                const Eigen::AlignedBox3f& within_m, PointCloud& cloud) {
   assert(depth.width() == camera.width && depth.height() == camera.height);
   if (camera.distortion != Distortion::none)
-    throw Error("depth intrinsics", "the lens bends rays, and points can only be told without",
-                "record rectified depth, as stereo cameras give it");
+    throw Error("depth intrinsics", "lens distortion is not supported here",
+                "record rectified depth, as stereo cameras provide it");
   cloud.points_m.clear();
   cloud.pixels.clear();
   cloud.points_m.reserve(depth.size());

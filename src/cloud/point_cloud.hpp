@@ -1,4 +1,4 @@
-// Depth images as points in space.
+// Converts depth images to point clouds.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,19 +13,19 @@ namespace rva {
 
 struct PointCloud {
   std::vector<Eigen::Vector3f> points_m;  ///< in the camera's frame
-  std::vector<std::uint32_t> pixels;      ///< of each point, by position in the rows laid end to end
+  std::vector<std::uint32_t> pixels;      ///< pixel of each point, as an index in row-major order
 };
 
-/// Every measured pixel as a point, where it lies in a box: what PassThrough filters of the thesis (chapter
-/// 3.3, figure 3.16) leave.
-/// @param camera   of the image's size
-/// @param unit_m   metres of one step of the image
-/// @param within_m in the camera's frame
-/// @throws Error where the lens bends rays
+/// Converts every measured pixel to a point, if it lies in a box, as the PassThrough filters of the thesis do
+/// (chapter 3.3, figure 3.16).
+/// @param camera   intrinsics, of the size of the image
+/// @param unit_m   metres of one depth unit
+/// @param within_m the box, in the camera's frame
+/// @throws Error when the camera has lens distortion
 [[nodiscard]] PointCloud deproject(const DepthImage& depth, const Intrinsics& camera, double unit_m,
                                    const Eigen::AlignedBox3f& within_m);
 
-/// The same into a cloud that was there, whose memory is used again: for one frame after the other.
+/// The same, reusing the memory of an existing cloud for one frame after the other.
 void deproject(const DepthImage& depth, const Intrinsics& camera, double unit_m,
                const Eigen::AlignedBox3f& within_m, PointCloud& cloud);
 

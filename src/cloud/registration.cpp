@@ -19,10 +19,10 @@ namespace {
 
 constexpr int coarse_step_px = 8;
 constexpr int fine_step_px = 4;
-constexpr int window_px = 8;           // of a patch: about the matcher's own
-constexpr double last_reach_px = 0.6;  // four deviations of a matcher's fixed pattern
+constexpr int window_px = 8;           // of a patch: about that of the matcher
+constexpr double last_reach_px = 0.6;  // four deviations of the fixed-pattern noise of a matcher
 
-// Gauss and Newton, a little damped: directions that nothing holds stay where they are.
+// One Gauss-Newton step, slightly damped so that unconstrained directions do not move.
 AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
   AlignmentInformation information = sum.information;
   AlignmentStep gradient = sum.gradient;
@@ -32,6 +32,7 @@ AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
   return -information.ldlt().solve(gradient);
 }
 
+/// Schedule of a minimisation, during which the reach of the biweight shrinks geometrically.
 struct Descent {
   int steps = 1;
   double first_reach_px = 1.0;
@@ -60,7 +61,7 @@ double distance_m(const Transform& a, const Transform& b) {
   return between.translation().norm() + bay_m * Eigen::AngleAxisd(between.linear()).angle();
 }
 
-// The best ones, best first; of those that came to one place, one.
+// Keeps the `count` best candidates, best first, and only the best of those that converged to one pose.
 void keep_best(std::size_t count, std::vector<Candidate>& candidates) {
   constexpr double same_m = 0.02;
   std::ranges::stable_sort(candidates, std::greater{}, &Candidate::score);
@@ -91,7 +92,7 @@ std::vector<Candidate> candidates_at(const RegistrationGuess& guess) {
   return candidates;
 }
 
-// In the words of a person who looks along the camera.
+// Describes a direction as seen by an observer looking along the camera.
 std::string_view name_of_direction(const Eigen::Matrix<double, 6, 1>& direction) {
   constexpr std::array<std::string_view, 6> names{
       "a turn up or down",     "a turn left or right", "a turn about the line of sight",
@@ -113,16 +114,16 @@ std::string doubt_of(const Registration& registration, const RegistrationUncerta
     return fmt::format("only {:.0f} % of what both views show lies on the same surfaces",
                        100.0 * registration.agreeing);
   if (uncertainty.worst_m > worst_share * uncertainty.distance_m)
-    return fmt::format("nothing in view holds {}", name_of_direction(uncertainty.worst));
+    return fmt::format("nothing in view constrains {}", name_of_direction(uncertainty.worst));
   if (candidates.size() > 1 && candidates[1].score > clearly_better * candidates[0].score) {
     const double apart_m =
         distance_m(candidates[0].alignment.initial_from_final, candidates[1].alignment.initial_from_final);
-    return fmt::format("two places {:.0f} mm apart explain the views equally well", 1000.0 * apart_m);
+    return fmt::format("two poses {:.0f} mm apart explain the views equally well", 1000.0 * apart_m);
   }
   return {};
 }
 
-/// Both views, as planes at two resolutions.
+/// Planar patches of both views at two resolutions.
 struct Planes {
   PlanarPatches initial_coarse;
   PlanarPatches final_coarse;
@@ -130,7 +131,8 @@ struct Planes {
   PlanarPatches final_fine;
 };
 
-/// @param every so many patches a sample is taken of, in the search
+/// Searches in stages from coarse to fine: each keeps fewer candidates and ends with a smaller reach.
+/// @param every distance between samples in the search, in patches
 Registration search(const Planes& planes, const RegistrationGuess& guess, int every) {
   std::vector<Candidate> candidates = candidates_at(guess);
   const ViewPair coarse(planes.initial_coarse, planes.final_coarse, every);
@@ -163,7 +165,7 @@ Registration register_views(const DepthView& initial, const DepthView& final,
       PlanarPatches(initial, coarse_step_px, window_px), PlanarPatches(final, coarse_step_px, window_px),
       PlanarPatches(initial, fine_step_px, window_px), PlanarPatches(final, fine_step_px, window_px)};
   Registration result = search(planes, guess, 4);
-  // Few samples suffice as a rule; a place that they leave in doubt deserves more.
+  // Few samples usually suffice; a doubtful result is searched again with more.
   return result.trusted() ? result : search(planes, guess, 2);
 }
 

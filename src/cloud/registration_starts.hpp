@@ -1,4 +1,4 @@
-// Where a camera may have been put back.
+// Start poses for the registration of a camera that was put back.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace rva {
 
-/// Poses around a guess, so dense that one of them is within the reach of a coarse registration of any camera
-/// that was moved by up to 0.5 m and turned by up to 20 degrees about what is vertical to the robot, tilted
-/// down by 0 to 40 degrees: turns, and shifts to the side and along the view.
+/// Poses around a guess, spaced so that a coarse registration converges from one of them for any camera that
+/// was moved by up to 0.5 m and turned by up to 20 degrees about the vertical axis of the robot, tilted down
+/// by 0 to 40 degrees: turns, and shifts sideways and along the view.
 [[nodiscard]] std::vector<Transform> starts_around(const Transform& initial_from_final);
 
 }  // namespace rva

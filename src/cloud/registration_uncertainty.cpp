@@ -10,12 +10,13 @@
 namespace rva {
 namespace {
 
-// What all tiles have in common, no scatter shows: on simulated wings errors are three times as large.
+// Factor for errors common to all tiles, which scatter does not show: on simulated wings, errors are three
+// times as large.
 constexpr double shared = 10.0;
 constexpr std::size_t tile_columns = 6;
 constexpr std::size_t tile_rows = 4;
 
-/// Sums by tile of the camera that saw the samples.
+/// Sums for each tile of the image of the camera that saw the samples.
 class Tiles {
  public:
   void add(const SurfaceSample& point, const Intrinsics& camera, const AlignmentResidual& residual,
@@ -51,17 +52,18 @@ double median_distance_m(const std::vector<SurfaceSample>& points) {
   return distances_m.empty() ? 1.0 : quantile(distances_m, 0.5);
 }
 
-// Rotations in metres at that distance, and so is the offset, so that all directions compare.
+// Scales rotations and the offset to metres at that distance, so that all directions are comparable.
 AlignmentStep scales(double distance_m, double disparity_m_px) {
   AlignmentStep by;
   by << distance_m, distance_m, distance_m, 1.0, 1.0, 1.0, distance_m * distance_m / disparity_m_px;
   return by;
 }
 
-// Directions that nothing holds are as uncertain as a metre, or a radian at one.
+// Unconstrained directions get a standard deviation of one metre, or of one radian at a distance of
+// one metre.
 AlignmentInformation covariance_of(const AlignmentInformation& held, const AlignmentInformation& scatter) {
   constexpr double nothing = 1e-9;
-  constexpr double next_to_nothing = 1e-4;  // of what holds the direction that is held best
+  constexpr double next_to_nothing = 1e-4;  // of the information on the best constrained direction
   const Eigen::SelfAdjointEigenSolver<AlignmentInformation> directions(held);
   const double least = std::max(nothing, next_to_nothing * directions.eigenvalues().maxCoeff());
   AlignmentInformation inverse = AlignmentInformation::Zero();
@@ -98,7 +100,7 @@ RegistrationUncertainty uncertainty(const ViewPair& views, const Alignment& alig
   const AlignmentStep unit = scales(result.distance_m, views.final.disparity_m_px()).cwiseInverse();
   AlignmentInformation held = of_final.held() + of_initial.held();
   held(6, 6) += offset_prior;
-  // The same surfaces are sampled in both views: each says the same twice.
+  // Both views sample the same surfaces, so each residual occurs twice, which doubles the scatter.
   const AlignmentInformation scatter = 2.0 * (of_final.scatter() + of_initial.scatter());
   const PoseCovariance covariance = covariance_of(unit.asDiagonal() * held * unit.asDiagonal(),
                                                   unit.asDiagonal() * scatter * unit.asDiagonal())

@@ -7,13 +7,13 @@
 namespace rva {
 namespace {
 
-// Steeper than this from pixel to pixel is an edge, not a surface that anybody could compare.
+// A larger difference between neighbouring pixels is an edge rather than a surface that can be compared.
 constexpr float edge_px = 1.0F;
 
 struct Vertex {
   float u = 0.0F;
   float v = 0.0F;
-  float disparity_px = 0.0F;  // 0: none
+  float disparity_px = 0.0F;  // 0 if invalid
 };
 
 // All pixels of a view, moved and projected. On a row, points and their depths are linear in the pixel.
@@ -49,7 +49,7 @@ float cross(const Vertex& a, const Vertex& b, float u, float v) {
   return (b.u - a.u) * (v - a.v) - (b.v - a.v) * (u - a.u);
 }
 
-// Disparity is linear over the picture of a triangle. Those seen from behind have no front to show.
+// Draws a triangle, over which disparity is linear. Triangles seen from behind are not drawn.
 void draw(const Vertex& a, const Vertex& b, const Vertex& c, Image<float>& picture) {
   const float area = cross(a, b, c.u, c.v);
   if (!(area > 0.0F)) return;

@@ -1,4 +1,4 @@
-// One view as another camera would see it.
+// Renders a view as another camera would see it.
 #pragma once
 
 #include "cloud/depth_view.hpp"
@@ -6,8 +6,8 @@
 
 namespace rva {
 
-/// The surfaces that a view saw, in the disparity of another camera; the nearest where several lie behind
-/// each other, 0 where there is none. Neighbouring pixels span a surface unless an edge runs between them.
+/// The surfaces of a view as disparity in another camera: the nearest one along each ray, 0 where there is
+/// none. Neighbouring pixels span a surface unless there is an edge between them.
 [[nodiscard]] Image<float> render(const DepthView& view, const Intrinsics& camera, double disparity_m_px,
                                   const Transform& camera_from_view);
 

@@ -23,14 +23,15 @@
 namespace rva {
 namespace {
 
-// Where the captures' poses put one in the frame of the other; empty where they say nothing about each other.
+// The pose of one capture in the frame of the other, according to their stated poses; empty if those have no
+// common base.
 std::optional<Transform> known_transform(const CaptureInfo& to, const CaptureInfo& from) {
   if (!to.pose || !from.pose || !to.pose->base || to.pose->base != from.pose->base) return std::nullopt;
   if (!to.pose->world_from_camera || !from.pose->world_from_camera) return std::nullopt;
   return to.pose->world_from_camera->inverse() * *from.pose->world_from_camera;
 }
 
-// Of each final capture the initial one of the same pose, by position; none where one of them has none.
+// For each final capture, the index of the initial one with the same pose; empty if one of them has none.
 std::vector<std::size_t> exact_returns(const Captures& initial, const Captures& final) {
   std::vector<std::size_t> returns;
   for (const auto& capture : final) {
@@ -51,7 +52,7 @@ struct Compared {
   Registration registration;
 };
 
-/// A capture, and what its frames come to.
+/// A capture with the statistics of its frames.
 struct Seen {
   const CaptureInfo& info;
   DepthStatistics statistics;
@@ -91,8 +92,8 @@ class Run {
     findings().runtime.total_ms = start.ms();
     throw_if_interrupted();
     warn_of_blindness(comparison,
-                      "edges and what is far differ too much from place to place (more captures a side, a "
-                      "servo step or a few apart, help)",
+                      "noise at edges and at large distances is too high there (more captures a side, one or "
+                      "a few servo steps apart, help)",
                       detection_.warnings);
     findings().method = "spatial";
     findings().coverage = comparison.coverage;
@@ -120,7 +121,8 @@ class Run {
     return seen;
   }
 
-  // Servos report the same step and yet stand up to half a step apart: the images decide.
+  // Checks exact returns in the images, since servos that report the same step may be up to half a
+  // step apart.
   bool are_aligned(const std::vector<Seen>& before, const std::vector<Seen>& after,
                    const std::vector<std::size_t>& returns) {
     for (std::size_t k = 0; k < after.size(); ++k) {
@@ -128,8 +130,8 @@ class Run {
       const ViewCheck check = check_views(before[returns[k]].view(), after[k].view());
       if (check.is_aligned()) continue;
       detection_.warnings.push_back(fmt::format(
-          "captures whose poses are stated as equal show views {:.2g} pixels apart: they were laid over each "
-          "other instead of being compared pixel by pixel",
+          "captures whose poses are stated as equal show views {:.2g} pixels apart: they were registered "
+          "instead of being compared pixel by pixel",
           std::max(check.motion.displacement_px, check.registered_px)));
       return false;
     }
@@ -158,12 +160,12 @@ class Run {
     return {std::move(calibrated), std::move(registration)};
   }
 
-  // Where the camera came back exactly, what its matcher gets wrong cancels pixel by pixel.
+  // After an exact return, the errors of the matcher cancel pixel by pixel.
   Compared from_the_same_places(const std::vector<Seen>& initial, const std::vector<Seen>& final,
                                 const std::vector<std::size_t>& returns) {
     const CaptureInfo& first = final.front().info;
     const double disparity_by_depth = disparity_m_px(first) / first.depth_unit_m;
-    // A lens that bends rays leaves nothing to check a pose by: planes are none then.
+    // With lens distortion, poses cannot be checked: planes in space are not planes in disparity.
     const std::optional<DepthView> first_view =
         first.depth.distortion == Distortion::none ? std::optional(final.front().view()) : std::nullopt;
     const auto placed = [&](const Seen& seen) {
@@ -194,7 +196,7 @@ class Run {
     return {std::move(calibrated), std::move(registration)};
   }
 
-  // Where a person left something out, as the final view shows it.
+  // Transfers the regions left out by the user to the final view.
   void leave_out_regions(const std::vector<Seen>& initial, const std::vector<Seen>& final,
                          SpatialChange& change, const Transform& initial_from_final) {
     if (left_out_.empty()) return;
@@ -228,7 +230,7 @@ class Run {
     return options_.pairs && !images_take_a_share && !placed_.final_view.disparity_px.empty();
   }
 
-  // All captures of a side as one view, in the first one's camera.
+  // Fuses all captures of a side into one view, in the camera of the first one.
   [[nodiscard]] static DepthView fused(const std::vector<Seen>& side, std::string_view name,
                                        std::vector<Transform>& first_from_view_of) {
     std::vector<PlacedView> views;
@@ -243,11 +245,11 @@ class Run {
     return fuse(views);
   }
 
-  // Where a capture of a side stands, in the frame of the side's first capture.
+  // The pose of a capture in the frame of the side's first capture.
   [[nodiscard]] static Transform place(const DepthView& first, const DepthView& view,
                                        const CaptureInfo& first_info, const CaptureInfo& info,
                                        std::string_view name) {
-    // About as much as a pose within a twentieth of a degree, and twice what registration itself is off.
+    // About the effect of a twentieth of a degree, and twice the error of the registration itself.
     constexpr double contradicted_px = 0.4;
     if (const auto known = known_transform(first_info, info)) {
       const Registration nearby = register_views(first, view, {*known, true});
@@ -258,8 +260,8 @@ class Run {
     const Registration registration = register_views(first, view);
     if (!registration.trusted())
       throw RegistrationRefused(fmt::format("{} captures", name),
-                                "they could not be laid over each other: " + registration.doubt,
-                                "record them from one base with poses, or from nearly one place");
+                                "they could not be registered: " + registration.doubt,
+                                "record them from one base with poses, or from nearly one pose");
     return registration.initial_from_final;
   }
 
@@ -268,16 +270,16 @@ class Run {
     if (const auto known = known_transform(initial, final)) {
       Registration nearby = register_views(before, after, {*known, true});
       if (nearby.trusted()) return nearby;
-      detection_.warnings.push_back(
-          fmt::format("the views do not fit the poses that the captures state ({}): they were laid over each "
-                      "other without",
-                      nearby.doubt));
+      detection_.warnings.push_back(fmt::format(
+          "the views contradict the poses that the captures state ({}): they were registered without "
+          "them",
+          nearby.doubt));
     }
     Registration registration = register_views(before, after);
     if (!registration.trusted())
       throw RegistrationRefused(
-          "initial and final", "the views could not be laid over each other: " + registration.doubt,
-          "record both so that they show the same ribs and stringers, from places less far apart");
+          "initial and final", "the views could not be registered: " + registration.doubt,
+          "record both so that they show the same ribs and stringers, from poses closer together");
     return registration;
   }
 
@@ -286,7 +288,7 @@ class Run {
   const Mask& left_out_;
   Detection detection_;
   PlacedCaptures placed_;
-  std::size_t fewest_captures_ = 0;  // of the side that has fewer
+  std::size_t fewest_captures_ = 0;  // number on the side that has fewer
 };
 
 }  // namespace

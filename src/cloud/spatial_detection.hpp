@@ -1,4 +1,4 @@
-// From captures of a camera that was moved in between to findings.
+// Detects changes between captures of a camera that was moved in between.
 #pragma once
 
 #include <memory>
@@ -21,11 +21,11 @@ struct SpatialDetectionOptions {
   CalibratedOptions calibrated;
   RegionOptions regions;
   KnownMotion known = KnownMotion::moved;
-  /// Share of the allowed false findings that is left to depth where the camera came back nearly: infrared
-  /// images take the rest there.
+  /// Share of the allowed false findings that is assigned to depth if the camera returned nearly; the rest is
+  /// assigned to infrared images there.
   double share = 1.0;
-  /// Changes of depth are held against the pairs of both imagers (surface_support.hpp), but where infrared
-  /// images take a share. Every capture must have them.
+  /// Whether changes of depth are checked against the stereo pairs (surface_support.hpp), except where
+  /// infrared images have a share of the false findings. Every capture must have the images of both imagers.
   bool pairs = false;
 
   static void describe(auto&& self, auto&& visit) {
@@ -36,12 +36,11 @@ struct SpatialDetectionOptions {
   }
 };
 
-/// Where the captures of either side were taken, and the surface that the final ones saw.
+/// Poses of the captures of either side, and the surface seen by the final ones.
 struct PlacedCaptures {
-  std::vector<Transform>
-      first_from_initial;                   ///< in the frame of the first initial capture, that one included
-  std::vector<Transform> first_from_final;  ///< in the frame of the first final one
-  DepthView final_view;                     ///< of the final captures together, in the first one's camera
+  std::vector<Transform> first_from_initial;  ///< in the frame of the first initial capture, itself included
+  std::vector<Transform> first_from_final;    ///< in the frame of the first final one
+  DepthView final_view;                       ///< of all final captures, in the camera of the first one
 };
 
 struct SpatialDetection {
@@ -53,19 +52,20 @@ struct SpatialDetection {
 /// True within 3 degrees and 20 mm: farther away, surfaces hide others, and light comes from elsewhere.
 [[nodiscard]] bool came_back_nearly(const Transform& initial_from_final);
 
-/// Lays the views over each other, and compares what each saw through with what the other saw there
-/// (docs/spatial.md). Poses of one base are where the search begins; they are believed to the last digit
-/// where the images do not contradict them. Where each final capture has an initial one of the same pose and
-/// the images show no motion between the two, they are compared pixel by pixel.
-/// @param initial, final captures of one side from nearly one place, one at least
-/// @param left_out       pixels of the first initial depth image that a person wants left out; empty for none
-/// @throws Error when the registration is not to be trusted, the lens bends rays, the captures of one side
-///         differ in camera, or a frame cannot be read; UsageError for options out of range; Interrupted
+/// Registers the views, and compares the space that each saw through with the surfaces that the other saw
+/// there (docs/spatial.md). The search starts from the stated poses if these have the same base; they are
+/// used exactly unless the images contradict them. If each final capture has an initial one of the same pose
+/// and the images show no motion between the two, captures are compared pixel by pixel.
+/// @param initial, final captures of one side from nearly one pose, at least one each
+/// @param left_out       pixels of the first initial depth image to leave out; empty for none
+/// @throws Error when the registration is not reliable, the camera has lens distortion, the captures of one
+///         side differ in camera, or a frame cannot be read; UsageError for options out of range; Interrupted
 [[nodiscard]] SpatialDetection detect_spatial(const Captures& initial, const Captures& final,
                                               const SpatialDetectionOptions& options,
                                               const Progress& progress, const Mask& left_out = {});
 
-/// `registration.json`: the transform, its covariance, and how well the views agree (docs/spatial.md).
+/// The content of `registration.json`: the transform, its covariance, and how well the views
+/// fit (docs/spatial.md).
 [[nodiscard]] std::string to_json(const Registration& registration);
 
 }  // namespace rva

@@ -16,7 +16,8 @@ InfraredView view_of(const Capture& capture, Light light, float level) {
   return {grey, Transform::Identity(), light, scale_to_level(level, grey, light)};
 }
 
-// Pixels are compared with pixels, in whatever light there was on both sides.
+// True if both images lack dots or have the same other problem: that does not matter, as pixels are compared
+// in whatever light both had.
 bool are_both_without_dots(const InfraredView& before, const InfraredView& after, Light light) {
   return light == Light::projector && problem_of(before, light) == problem_of(after, light);
 }

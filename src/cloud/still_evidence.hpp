@@ -1,4 +1,4 @@
-// What infrared images of a camera that stood still show of change.
+// Change between infrared images of a camera that stood still.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,13 @@
 
 namespace rva {
 
-/// Compares one capture a side, pixel upon pixel and dots included. Where both imagers' images are there, how
-/// far the surface moved is measured from the pairs: it names what changed, but finds nothing by itself,
-/// since one pair of small windows matches wrongly too often.
+/// Compares one capture a side, pixel by pixel including the dots. If the images of both imagers are
+/// available, the motion of the surface is measured from the stereo pairs. It determines the kind of a
+/// change, but no finding rests on it alone, since a single pair with small windows is matched wrongly
+/// too often.
 /// @param initial, final captures that have the left imager's image in this light
-/// @param warnings       gets why images under the lamp could not be compared
-/// @return empty where they could not
+/// @param warnings       receives the reason if the images could not be compared
+/// @return empty if they could not be compared
 /// @throws Error when an image cannot be read
 [[nodiscard]] std::optional<JudgedChange> still_change_between(const Capture& initial, const Capture& final,
                                                                const DepthView& final_view, Light light,

@@ -7,7 +7,7 @@
 namespace rva {
 namespace {
 
-// A pixel and more is beyond the parabola that costs are about their least.
+// Changes of a pixel or more are outside the range in which costs are parabolic about their minimum.
 constexpr double most_px = 1.0;
 constexpr double mm_per_m = 1000.0;
 

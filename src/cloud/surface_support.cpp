@@ -18,8 +18,8 @@
 namespace rva {
 namespace {
 
-// Mean over a blob of the variances by which the pairs object: between what false changes had in development
-// and what debris had (docs/infrared.md).
+// Thresholds of the mean objection over a blob, in variances: between those of false changes and those of
+// debris in development (docs/infrared.md).
 constexpr double least_variances = 12.0;
 constexpr double least_variances_nearby = 6.0;
 constexpr std::size_t least_interior_px = 5;
@@ -39,7 +39,7 @@ std::vector<StereoView> pairs_of(const Captures& side, const std::vector<Transfo
   return pairs;
 }
 
-// In the final view. What was not seen before counts as unchanged.
+// Surface of one side in the final view. Pixels without depth on this side count as unchanged.
 ReferenceSurface surface_of(const Image<float>& depth_m, const Image<float>& otherwise_m,
                             const DepthView& view) {
   Image<float> disparity_px(depth_m.width(), depth_m.height());
@@ -54,14 +54,14 @@ bool is_measured(const Comparison& comparison, std::size_t i) {
   return comparison.initial_m[i] > 0.0F && comparison.final_m[i] > 0.0F;
 }
 
-// Where no pair sees what depth claims to have measured, nothing objects.
+// Pixels that no pair sees count with an objection of 0.
 double mean_over(const std::vector<std::uint32_t>& pixels, const Image<float>& variances) {
   double sum = 0.0;
   for (const std::uint32_t i : pixels) sum += static_cast<double>(variances[i]);
   return sum / static_cast<double>(pixels.size());
 }
 
-// Set where all of the shape, laid upon the pixel, lies on the blob.
+// Set at pixels where the shape, centred there, lies entirely on the blob.
 Mask eroded(const std::vector<std::uint32_t>& pixels, int width, int height, const cv::Mat& shape) {
   Mask blob(width, height);
   for (const std::uint32_t i : pixels) blob[i] = mask_set;
@@ -70,7 +70,7 @@ Mask eroded(const std::vector<std::uint32_t>& pixels, int width, int height, con
   return blob;
 }
 
-// The pixels at least two from the blob's edge.
+// The pixels of a blob whose neighbourhood of 5 x 5 pixels lies on it.
 std::vector<std::uint32_t> interior_of(const std::vector<std::uint32_t>& pixels, int width, int height) {
   const Mask inner = eroded(pixels, width, height, cv::Mat::ones(5, 5, CV_8U));
   std::vector<std::uint32_t> interior;
@@ -78,9 +78,10 @@ std::vector<std::uint32_t> interior_of(const std::vector<std::uint32_t>& pixels,
   return interior;
 }
 
-// Either matcher may put an edge four pixels, half of its window, from where it is. Two of them are allowed
-// for in either view (free_space.cpp), which leaves lines of up to four pixels of what did not change.
-// Windows of five pixels on such a line see the surfaces beside it, on both sides.
+// True if a blob is too thick to be a misplaced edge. Either matcher may misplace an edge by four pixels,
+// half of its window. Two of them are tolerated in either view (free_space.cpp), which leaves lines of up to
+// four pixels where nothing changed. Windows of five pixels on such a line include the surfaces on both sides
+// of it.
 bool is_thicker_than_an_edge(const std::vector<std::uint32_t>& pixels, int width, int height) {
   constexpr int thicker_px = 5;
   cv::Mat disc = cv::Mat::ones(thicker_px, thicker_px, CV_8U);
@@ -90,8 +91,8 @@ bool is_thicker_than_an_edge(const std::vector<std::uint32_t>& pixels, int width
   return std::ranges::count(eroded(pixels, width, height, disc).pixels(), mask_set) > 0;
 }
 
-// Near the camera, a wrong match of a few pixels is smaller than any debris, and stands far before or behind
-// what is around it.
+// True if a blob is a wrong match near the camera: a few pixels that are smaller there than any debris, and
+// lie far in front of or behind their surroundings.
 bool is_spike(const std::vector<std::uint32_t>& pixels, const Comparison& comparison, double focal_px) {
   constexpr float least_width_m = 0.002F;
   constexpr float most_height_per_width = 20.0F;
@@ -108,8 +109,9 @@ bool is_spike(const std::vector<std::uint32_t>& pixels, const Comparison& compar
 
 enum class Support { none, some, unknown };
 
-// Views do not lie over each other to the last pixel, and an edge that is a pixel off is objected to by both
-// sides: what has an interior is judged by that, what has none by the least objection within a pixel.
+// Decides whether the pairs support a blob. Registration is not exact to the last pixel, and both sides
+// object to an edge that is a pixel off. A blob with an interior is therefore judged by its interior, and one
+// without by the least objection within a pixel.
 Support support_of(const Region& blob, const SurfaceObjection& objection, const Comparison& comparison,
                    double focal_px, bool edges_may_be_off) {
   std::vector<std::uint32_t> measured;
@@ -168,8 +170,8 @@ void keep_supported(const Captures& initial, const Captures& final, const Placed
   const auto shown_by_depth = static_cast<float>(-std::log10(false_findings));
   const std::size_t captures = std::min(initial.size(), final.size());
   const auto rarer = static_cast<float>(std::log10(rarity_of_support(captures, initial_from_final)));
-  // The mean of several views has its edges where they are. Of a camera that came back nearly, depth proposes
-  // no more than is allowed, and a key may be no thicker than a line.
+  // With several views, the mean has its edges in the right position. For a camera that returned nearly,
+  // depth proposes no more than is allowed, and a key may be no thicker than a line.
   const bool edges_may_be_off = captures < least_views_of_an_edge && !came_back_nearly(initial_from_final);
   for (const Region& blob : find_regions(comparison.changed, {.min_blob_px = 0, .join_px = 0.0})) {
     const Support support = support_of(blob, objection, comparison, view.camera.fx, edges_may_be_off);

@@ -24,7 +24,7 @@ bool ViewCheck::shows_other_view() const {
 }
 
 ViewCheck check_views(const DepthView& initial, const DepthView& final) {
-  // Debris seldom fills so much of a view; a camera that turned by degrees changes more.
+  // Debris rarely fills this share of a view; a camera that turned by degrees changes more.
   constexpr double much = 0.1;
   ViewCheck check{view_motion(initial, final), std::nullopt};
   if (check.motion.noticed() || check.motion.differing < much) return check;

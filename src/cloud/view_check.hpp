@@ -1,4 +1,4 @@
-// Whether two views may be compared pixel by pixel.
+// Checks whether two views may be compared pixel by pixel.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace rva {
 
-/// What the depth images of two captures of one camera show of a motion in between.
+/// Motion of a camera between two captures, according to their depth images.
 struct ViewCheck {
   ViewMotion motion;
-  /// Where much differs, of a motion that may be too large for `motion`.
+  /// Registration if much of the view differs, for motions too large for `motion`.
   std::optional<Registration> registration;
-  double registered_px = 0.0;  ///< the displacement in the image that the registration found
+  double registered_px = 0.0;  ///< displacement in the image according to the registration
 
-  /// True where nothing shows that the camera moved.
+  /// True if nothing indicates that the camera moved.
   [[nodiscard]] bool is_aligned() const;
-  /// True where no small motion explains what differs.
+  /// True if no small motion explains the differences.
   [[nodiscard]] bool shows_other_view() const;
 
  private:
@@ -27,11 +27,11 @@ struct ViewCheck {
 
 [[nodiscard]] ViewCheck check_views(const DepthView& initial, const DepthView& final);
 
-/// How far apart two places put what a view shows, in the image of the camera there: root mean square, px.
+/// Distance in the image between the projections of a view for two poses: root mean square, px.
 [[nodiscard]] double displacement_px(const DepthView& view, const Transform& camera_from_view,
                                      const Transform& other);
 
-/// Registration of views that are meant to lie over each other: nearby first, then anywhere.
+/// Registers views that are meant to be aligned: first near the identity, then anywhere.
 [[nodiscard]] Registration register_near_views(const DepthView& initial, const DepthView& final);
 
 }  // namespace rva

@@ -17,7 +17,7 @@ namespace rva {
 namespace {
 
 constexpr int motion_terms = 6;  // rotation vector, translation
-constexpr int drift_terms = 6;   // as Drift has them
+constexpr int drift_terms = 6;   // as in Drift
 constexpr int all_terms = motion_terms + drift_terms;
 using Terms = Eigen::Matrix<double, all_terms, 1>;
 using Information = Eigen::Matrix<double, all_terms, all_terms>;
@@ -30,23 +30,23 @@ constexpr std::size_t least_samples = 300;
 
 /// A pixel that both views saw.
 struct Sample {
-  Terms by_terms;  ///< change of disparity by each term, px
+  Terms by_terms;  ///< derivative of disparity by each term, px
   double change_px = 0.0;
-  Eigen::Matrix<double, 2, motion_terms> flow;  ///< motion in the image by each term, px
+  Eigen::Matrix<double, 2, motion_terms> flow;  ///< derivative of the position in the image by each term, px
   std::size_t tile = 0;
 };
 
-/// The mean of both views' disparity, smoothed, and what changed between them.
+/// The smoothed mean of the disparities of both views, and the change between them.
 struct SmoothedPair {
   cv::Mat mean_px;
   cv::Mat change_px;
   cv::Mat slope_u;
   cv::Mat slope_v;
-  cv::Mat seen;  // set where all of these rest on measurements
+  cv::Mat seen;  // set where all of these are based on measurements
 };
 
-// A projector's pattern leaves errors that stay where they are in the image when the camera turns, and hide
-// the motion: smoothing takes most of them away, and leaves edges.
+// Errors due to the projector's pattern stay at the same pixels when the camera turns, and mask the motion.
+// Smoothing removes most of them and keeps edges.
 constexpr double smoothing_px = 2.0;
 
 cv::Mat smoothed(const cv::Mat& disparity_px, const cv::Mat& weight, const cv::Mat& weight_around) {
@@ -77,7 +77,8 @@ SmoothedPair smoothed_pair(const DepthView& initial, const DepthView& final) {
   return pair;
 }
 
-/// What a small motion of each kind does to a point: point_after = point + rotation x point + translation.
+/// Derivative of a point by each term of a small motion: point_after = point + rotation x point
+/// + translation.
 Eigen::Matrix<double, 3, motion_terms> motions_of(const Eigen::Vector3d& point) {
   Eigen::Matrix<double, 3, motion_terms> moved;
   moved.col(0) << 0.0, -point.z(), point.y();
@@ -87,8 +88,8 @@ Eigen::Matrix<double, 3, motion_terms> motions_of(const Eigen::Vector3d& point) 
   return moved;
 }
 
-/// A surface that moves by `flow` in the image and along the line of sight leaves at a pixel what it brings
-/// along, less the slope that it carries over the pixel.
+/// The change of disparity at a pixel due to a motion is the change of the disparity of the surface point
+/// minus the slope of disparity times the flow.
 Sample sample_at(int u, int v, const SmoothedPair& pair, const Intrinsics& camera, double disparity_m_px) {
   const auto disparity_px = static_cast<double>(pair.mean_px.at<float>(v, u));
   const double z_m = disparity_m_px / disparity_px;
@@ -143,7 +144,7 @@ double residual_px(const Sample& sample, const Terms& terms) {
   return sample.change_px - sample.by_terms.dot(terms);
 }
 
-/// Motion and drift, and what of each sample they rest on.
+/// Motion and drift, with the weights of the samples.
 struct Fit {
   Terms terms = Terms::Zero();
   Information information = Information::Zero();
@@ -151,7 +152,7 @@ struct Fit {
 };
 
 void reweigh(const std::vector<Sample>& samples, Fit& fit) {
-  constexpr double tuning = 4.685;  // 95 % as good as least squares where nothing changed (Beaton and Tukey)
+  constexpr double tuning = 4.685;  // 95 % of the efficiency of least squares (Beaton and Tukey)
   constexpr double least_reach_px = 0.15;
   std::vector<double> sizes_px;
   for (const Sample& sample : samples) sizes_px.push_back(std::abs(residual_px(sample, fit.terms)));
@@ -162,7 +163,7 @@ void reweigh(const std::vector<Sample>& samples, Fit& fit) {
   }
 }
 
-// Directions that nothing holds stay at no motion.
+// Solves the weighted least squares. Damping keeps unconstrained directions of motion at 0.
 void solve(const std::vector<Sample>& samples, Fit& fit) {
   constexpr double damping = 1e-4;
   fit.information.setZero();
@@ -203,7 +204,7 @@ Eigen::Matrix<double, motion_terms, motion_terms> covariance_of_motion(const std
   return (inverse * scatter * inverse).topLeftCorner<motion_terms, motion_terms>();
 }
 
-// Root mean square in the image, and its standard error.
+// Computes the root mean square displacement in the image and its standard error.
 void measure_displacement(const std::vector<Sample>& samples, const Fit& fit, ViewMotion& motion) {
   const MotionTerms terms = fit.terms.head<motion_terms>();
   const auto covariance = covariance_of_motion(samples, fit);
@@ -218,7 +219,7 @@ void measure_displacement(const std::vector<Sample>& samples, const Fit& fit, Vi
   motion.uncertainty_px = std::sqrt(std::max(0.0, variance / count));
 }
 
-// What the motion does to disparity, less what a drift would do as well.
+// Derivative of disparity by the motion, without the part that a drift explains as well.
 MotionTerms terms_beside_drift(const Sample& sample,
                                const Eigen::Matrix<double, drift_terms, motion_terms>& as_drift) {
   return sample.by_terms.head<motion_terms>() - as_drift.transpose() * sample.by_terms.tail<drift_terms>();
@@ -262,8 +263,8 @@ void measure_support(const std::vector<Sample>& samples, const Fit& fit, ViewMot
 }  // namespace
 
 bool ViewMotion::noticed() const {
-  // Captures of one pose show up to 0.12 px and 2.9 standard errors, those of poses 0.05 degrees apart 0.19
-  // px and 7 of them or more (docs/spatial.md).
+  // Captures of one pose show up to 0.12 px and 2.9 standard errors; those of poses 0.05 degrees apart show
+  // 0.19 px and at least 7 standard errors (docs/spatial.md).
   constexpr double least_px = 0.12;
   constexpr double least_deviations = 3.5;
   if (displacement_px < least_px || displacement_px < least_deviations * uncertainty_px) return false;

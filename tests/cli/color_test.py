@@ -105,7 +105,7 @@ class ColorTest(program.ProgramTest):
             image[:, image.shape[1] * 2 // 3:] *= 0.7
             cv2.imwrite(str(file), image.astype('uint8'))
         result, said = self.compare([self.recorded / 'still' / 'before'], [after])
-        self.assertIn('as where light changed', said)
+        self.assertIn('as when the lighting changed', said)
         self.assertNotIn('appearance', result['coverage'])
 
 

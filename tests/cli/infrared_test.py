@@ -156,7 +156,7 @@ class InfraredTest(program.ProgramTest):
             self.describe(capture, depth={**depth, 'distortion_model': 'brown_conrady', 'distortion': [0.05, -0.02, 0, 0, 0]})
         result, said = self.compare(self.before, self.after)
         self.assertNotIn('appearance', result['coverage'])
-        self.assertIn('the lens bends rays', said)
+        self.assertIn('lens distortion is not supported', said)
 
     def test_a_scale_that_cannot_be_is_refused(self):
         for bad in ({'scale': 0}, {'scale': 256, 'frames': 1e300}, {'scale': 256, 'frames': 0}):

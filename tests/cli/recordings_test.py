@@ -60,7 +60,7 @@ class RecordingsTest(program.ProgramTest):
                 out = self.folder / frame
                 done = self.rva('detect', room / 'frame000', room / frame, '--method', 'spatial', '--out', out)
                 if done.returncode == 1:
-                    self.check_line(done.stderr, ['laid over each other'])
+                    self.check_line(done.stderr, ['could not be registered'])
                     continue
                 laid.append(frame)
                 found = json.loads((out / 'detections.json').read_text())

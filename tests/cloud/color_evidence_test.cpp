@@ -180,7 +180,7 @@ TEST(ColorEvidence, IsNoneWhereTheLightOfAQuarterOfTheViewChanged) {
   std::vector<std::string> warnings;
   const auto change = compare(*capture_of({painted}, 13), *capture_of({shaded}, 14), warnings);
   EXPECT_FALSE(change) << greatest(*change);
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("as where light changed")));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("as when the lighting changed")));
 }
 
 TEST(ColorEvidence, ThatCannotBeReadIsNamedAndStopsNothing) {

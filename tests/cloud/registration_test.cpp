@@ -79,7 +79,7 @@ TEST(Registration, NamesWhatABareWallLeavesFree) {
   const Registration found = register_views(look(wall, pose(0, 0, 0, 0), {0.1, 0.0, 41}),
                                             look(wall, pose(0.1, 0, 3, 0), {0.1, 0.0, 42}));
   EXPECT_FALSE(found.trusted());
-  EXPECT_THAT(found.doubt, testing::HasSubstr("nothing in view holds"));
+  EXPECT_THAT(found.doubt, testing::HasSubstr("nothing in view constrains"));
 }
 
 TEST(Registration, DoesNotTrustViewsOfDifferentPlaces) {

@@ -79,7 +79,7 @@ TEST(SpatialDetection, RefusesRatherThanGuesses) {
                          side(wall, {{pose(0.1, 0, 3, 0), "b2", 13}}), {}, {});
     FAIL() << "a wall holds no shift along it";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("nothing in view holds"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("nothing in view constrains"));
   }
   Captures bent = side(bay(), {{before, "b1", 14}});
   CaptureInfo info = bent[0]->info();
