@@ -21,7 +21,7 @@ Mask judged_pixels(const DotFreeImage& a, const DotFreeImage& b, const Mask& lit
   return judged;
 }
 
-/// The least and the greatest value within half a pixel.
+/// The least and the greatest value of an image within half a pixel.
 struct Range {
   cv::Mat least;
   cv::Mat most;
@@ -45,7 +45,8 @@ float beyond(float value, float least, float most) {
   return value > most ? value - most : std::min(value - least, 0.0F);
 }
 
-// What either image has beyond the other's range; the lesser of both, where they agree in sign.
+// By how much either image exceeds the range of the other; the smaller of both if they have the same
+// direction, else 0.
 Image<float> beyond_misregistration(const cv::Mat& before, const cv::Mat& after) {
   const Range range_before = within_half_a_pixel(before);
   const Range range_after = within_half_a_pixel(after);
@@ -91,7 +92,8 @@ AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeIma
     change.deviations[i] = change.contrast[i] / deviation;
     bulk[i] = plain.ptr<float>()[i] / deviation;
   }
-  // Neighbours share noise through interpolation and lenses: how much, the unchanged bulk of the image shows.
+  // Noise of neighbouring pixels is correlated by interpolation and lenses. The unchanged majority of the
+  // image shows by how much that increases the deviation.
   const float agreement = std::max(deviation_of(as_mat(bulk), change.judged), 1.0F);
   for (float& deviations : change.deviations.pixels()) deviations /= agreement;
   return change;

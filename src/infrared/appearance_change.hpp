@@ -1,4 +1,4 @@
-// What looks different after the work, in the light of the projector between its dots.
+// Change of brightness between dot-free infrared images, in the light of the projector or a lamp.
 #pragma once
 
 #include "depth/image.hpp"
@@ -6,17 +6,17 @@
 
 namespace rva {
 
-/// All images are in the reference's view.
+/// The change at each pixel of the reference view.
 struct AppearanceChange {
-  /// Logarithm of the brightness after over that before, mean of a window of 5 x 5, as far as images half a
-  /// pixel off do not explain it; above 0 for brighter. 0 where not judged.
+  /// Logarithm of the ratio of brightness after to that before, averaged over a window of 5 x 5 pixels, as
+  /// far as a misregistration of half a pixel does not explain it; positive for brighter. 0 where not judged.
   Image<float> contrast;
-  Image<float> deviations;  ///< the same in deviations of its noise
-  Mask judged;              ///< set where either side shows most of the window
+  Image<float> deviations;  ///< contrast in standard deviations of its noise
+  Mask judged;              ///< set where both sides show most of the window
 };
 
-/// Takes off what differs over wide windows (exposure, the level of ambient light), and weighs what is left
-/// by how much the views of one side differ among themselves nearby.
+/// Removes differences over wide windows (exposure, the level of ambient light), and weights the remainder by
+/// how much the views of one side differ from each other nearby.
 /// @param lit pixels to judge (lit_in_all() of both sides)
 [[nodiscard]] AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeImage& final,
                                                  const Mask& lit);

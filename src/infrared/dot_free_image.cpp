@@ -18,7 +18,7 @@ cv::Mat window_sum(const Image<float>& values, int window_px) {
   return sums;
 }
 
-/// Sums over the views, pixel by pixel.
+/// Sums over the views for each pixel.
 struct Samples {
   Samples(int width, int height) : sum(width, height), squares(width, height), count(width, height) {}
 
@@ -30,7 +30,7 @@ struct Samples {
       ++count[i];
     }
   }
-  // The variance of a single sample, from the differences between the samples of each pixel nearby.
+  // The variance of a single sample, from the differences between the samples of each pixel in a window.
   [[nodiscard]] Image<float> variance() const {
     constexpr int window_px = 9;
     constexpr float least_differences = 16.0F;  // of the 81 pixels of the window
@@ -57,7 +57,7 @@ struct Samples {
   Image<std::uint8_t> count;
 };
 
-// Brightness is cut off there, and a thing that stands in it may not show.
+// Pixels in which brightness is clipped, so that an object may not show.
 Mask saturated_pixels(const Image<float>& grey) {
   constexpr float brightest = 250.0F;
   Mask mask(grey.width(), grey.height());
@@ -67,8 +67,8 @@ Mask saturated_pixels(const Image<float>& grey) {
   return mask;
 }
 
-// Where next to no light of the lamp comes back, an image shows the level of the imager itself. That does not
-// follow exposure, so that it changes when images are brought to one level.
+// Pixels to which hardly any light of the lamp returns. They show the black level of the imager, which does
+// not depend on exposure and would change when images are scaled to one level.
 Mask without_light(const Image<float>& grey) {
   constexpr float least_grey = 3.0F;
   Mask mask(grey.width(), grey.height());

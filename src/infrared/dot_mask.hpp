@@ -1,20 +1,21 @@
-// Where a projector's dots cover an infrared image.
+// Detects the dots of a projector in infrared images.
 #pragma once
 
 #include "depth/image.hpp"
 
 namespace rva {
 
-/// Speckle and the surface's own brightness multiply light: in the logarithm, both are the same everywhere.
-/// @param grey levels of 8 bits, 0 to 255, with fractions
-/// @param scale by which grey levels are multiplied first
-/// @return log(grey + 3); the 3 keeps the noise of what is dark within bounds
+/// The logarithm of brightness. Speckle and reflectance multiply light, so that in the logarithm their
+/// contrast is independent of brightness.
+/// @param grey  8-bit grey levels, 0 to 255, with fractions
+/// @param scale factor applied to grey levels first
+/// @return log(scale * grey + 3); the 3 limits the noise of dark pixels
 [[nodiscard]] Image<float> log_grey(const Image<float>& grey, float scale = 1.0F);
 
-/// A dot is narrower than 7 pixels and brighter than what is around it by more than the image's own noise
-/// explains: the image, smoothed by 0.7 pixels, less its opening by 7 x 7, over 0.1 and 2.5 deviations.
-/// Widened by a pixel.
-/// @param log_image as of log_grey()
+/// Detects dots, which are narrower than 7 pixels and brighter than their surroundings by more than the noise
+/// of the image explains: set where the image, smoothed by 0.7 pixels, exceeds its opening by 7 x 7 pixels by
+/// more than 0.1 plus 2.5 deviations of the noise. The result is dilated by a pixel.
+/// @param log_image as returned by log_grey()
 [[nodiscard]] Mask dot_mask(const Image<float>& log_image);
 
 }  // namespace rva

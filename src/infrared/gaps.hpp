@@ -1,4 +1,4 @@
-// Images with gaps.
+// Fills gaps in images.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -7,9 +7,9 @@
 
 namespace rva {
 
-/// Each gap gets the value of the nearest pixel that is none.
-/// @param gaps 8 bits, of the image's size: not 0 at a gap
-/// @return false, with the image as it was, when every pixel is a gap
+/// Fills each gap with the value of the nearest pixel that is not a gap.
+/// @param gaps 8 bits, of the size of the image: not 0 at a gap
+/// @return false, with the image unchanged, if every pixel is a gap
 bool fill_gaps(const cv::Mat& gaps, Image<float>& image);
 
 }  // namespace rva

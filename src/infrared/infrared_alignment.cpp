@@ -19,7 +19,7 @@ constexpr int border_px = 3;
 constexpr float tukey_log = 0.2F;
 constexpr double settled_rad = 0.002 * std::numbers::pi / 180.0;
 
-/// The mean of the set pixels around each; `missing` where hardly any is.
+/// The weighted mean around each pixel; `missing` where there is hardly any weight.
 cv::Mat masked_mean(const cv::Mat& values, const cv::Mat& weights, const auto& blur, const cv::Mat& missing) {
   constexpr double hardly_any = 0.05;
   cv::Mat sum;
@@ -34,7 +34,7 @@ cv::Mat masked_mean(const cv::Mat& values, const cv::Mat& weights, const auto& b
 const auto narrow = [](const cv::Mat& from, cv::Mat& to) { cv::GaussianBlur(from, to, {}, smoothing_px); };
 const auto wide = [](const cv::Mat& from, cv::Mat& to) { cv::blur(from, to, {wide_px, wide_px}); };
 
-/// A view's image without its dots, smooth, made once for all steps.
+/// The smoothed image of a view without its dots, computed once for all steps.
 struct SmoothView {
   SmoothView() = default;
   explicit SmoothView(const InfraredView& view) : clear(view.dots.width(), view.dots.height()) {
@@ -42,12 +42,12 @@ struct SmoothView {
     const cv::Mat mean =
         masked_mean(as_mat(view.log_image), as_weights(between_dots), narrow, as_mat(view.log_image));
     cv::Mat target = as_mat(clear);
-    cv::erode(between_dots, target, cv::Mat::ones(3, 3, CV_8U));  // beside a dot, the mean leans to one side
+    cv::erode(between_dots, target, cv::Mat::ones(3, 3, CV_8U));  // beside a dot, the mean is biased
     image = Image<float>(clear.width(), clear.height());
     cv::Mat image_target = as_mat(image);
     mean.copyTo(image_target);
   }
-  // The four pixels around lie within the image, and none is under a dot.
+  // True if the four surrounding pixels lie within the image and none is under a dot.
   [[nodiscard]] bool shows(const Eigen::Vector2f& at) const {
     if (!(at.x() >= 0.0F && at.y() >= 0.0F)) return false;
     const int u = static_cast<int>(at.x());
@@ -69,12 +69,12 @@ std::vector<SmoothView> smooth_views(const std::vector<InfraredView>& views) {
   return smooth;
 }
 
-/// What views are laid upon.
+/// The image to which views are registered.
 class Target {
  public:
   Target(const DotFreeImage& image, const ReferenceSurface& surface)
       : surface_(surface), weights_(as_weights(as_mat(image.samples) > 0)) {
-    constexpr double per_px = 1.0 / 8.0;  // of Sobel's sums
+    constexpr double per_px = 1.0 / 8.0;  // scale of Sobel's sums
     const Image<float> filled = without_gaps(image);
     smooth_ = masked_mean(as_mat(filled), weights_, narrow, as_mat(filled));
     cv::Sobel(smooth_, along_u_, CV_32F, 1, 0, 3, per_px);
@@ -82,8 +82,8 @@ class Target {
     choose_pixels();
   }
 
-  /// The view's pose after one step. A second step upon the same image would be held back by the view's own
-  /// noise, of which the image has a share.
+  /// The pose of the view after one step. A second step towards the same image would be impeded by the noise
+  /// of the view itself, which is part of that image.
   [[nodiscard]] Transform step(const SmoothView& smooth, const InfraredView& view) const {
     return turned(view.view_from_reference, -turn_between(smooth, view));
   }
@@ -95,7 +95,7 @@ class Target {
                        : view_from_reference;
   }
 
-  // Where the image is flat, nothing is learnt about the pose.
+  // Chooses the steepest pixels, since flat parts of the image do not constrain the pose.
   void choose_pixels() {
     constexpr double most_share = 0.3;
     std::vector<float> steepness;
@@ -116,7 +116,7 @@ class Target {
     return std::hypot(along_u_.at<float>(v, u), along_v_.at<float>(v, u));
   }
 
-  // How the smooth image at a pixel changes with a turn of the camera.
+  // Derivative of the smoothed image at a pixel by a rotation of the camera.
   [[nodiscard]] Eigen::Vector3d slope(const cv::Point& pixel) const {
     const Intrinsics& camera = surface_.camera;
     const double x = (pixel.x - camera.cx) / camera.fx;
@@ -148,7 +148,8 @@ class Target {
       normal.noalias() += weight * j * j.transpose();
       right += weight * static_cast<double>(r) * j;
     }
-    // The gradients' own noise makes the image seem steeper than it is, and each step fall short.
+    // Compensates for noise in the gradients, which makes the image seem steeper than it is and shortens
+    // each step.
     constexpr double gain = 1.3;
     return gain * normal.ldlt().solve(right);
   }
@@ -159,8 +160,8 @@ class Target {
   cv::Mat along_u_;
   cv::Mat along_v_;
   std::vector<cv::Point> pixels_;
-  // What is known of a turn beforehand, so that images that show nothing turn nothing: a sixth of a degree,
-  // in residuals of which ten neighbours share the noise.
+  // Prior of a rotation, which keeps poses unchanged if images show nothing: a standard deviation of a sixth
+  // of a degree, for residuals whose noise ten neighbouring pixels share.
   static constexpr double usual_turn_rad = 0.16 * std::numbers::pi / 180.0;
   static constexpr double noise_log = 0.02;
   static constexpr double prior = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
@@ -176,7 +177,8 @@ std::vector<Transform> stepped(const Target& target, const std::vector<SmoothVie
   return poses;
 }
 
-// @return true when no view turned any more
+// Applies the poses.
+// @return true when no view was rotated by more than settled_rad
 bool take(const std::vector<Transform>& poses, std::vector<InfraredView>& views) {
   double most_rad = 0.0;
   for (std::size_t k = 0; k < views.size(); ++k) {

@@ -1,4 +1,4 @@
-// Poses from the infrared images themselves: a hundredth of a degree where servos know a third of one.
+// Refines poses by the infrared images, to a hundredth of a degree where servos report a third of one.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace rva {
 
-/// Refines where the views of one side were taken. The first one stays: it is the reference.
+/// Refines the poses of the views of one side. The first view is the reference and stays fixed.
 ///
-/// In turns, the views are fused and each is turned until it lies upon the result (Gauss and Newton, over
-/// three rotations), pixels under dots left out, what differs in brightness over a wide window taken off,
-/// outliers given Tukey's weights. Positions are taken as known: a turn of a sixth of a degree about the
-/// robot's joints shifts the camera by 0.3 mm, which a turn of its own makes up for but for a tenth of a
-/// pixel. With six degrees of freedom poses wandered along what a turn and a shift have in common, and twice
-/// as much differed.
+/// Alternately, the views are fused, and each is rotated until it matches the result: Gauss-Newton over three
+/// rotations, without pixels under dots, with differences of brightness over a wide window removed, and with
+/// Tukey's weights for outliers. Positions are assumed to be known: a rotation by a sixth of a degree about
+/// the joints of the robot shifts the camera by 0.3 mm, for which a further rotation compensates to within a
+/// tenth of a pixel. With six degrees of freedom, poses drifted along combinations of rotation and
+/// translation that look the same, and twice as much differed between images.
 /// @param views at least one; their poses are known to half a degree
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views);
 

@@ -21,8 +21,8 @@ double share_of(const Mask& mask) {
 
 Mask everywhere(const Image<float>& image) { return {image.width(), image.height(), mask_set}; }
 
-// How much brighter the brightest dots are than what lies between them, in log_grey(). A mask of dots finds
-// some in noise.
+// How much brighter the brightest dots are than the pixels between dots, in log_grey(). It shows whether the
+// dots are real, as dot_mask() finds some in noise.
 float rise_of_dots(const InfraredView& view) {
   Mask between = view.dots;
   for (std::uint8_t& pixel : between.pixels()) pixel = pixel == 0 ? mask_set : std::uint8_t{0};

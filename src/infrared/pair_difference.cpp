@@ -14,7 +14,7 @@ namespace {
 
 constexpr float border_px = 4.0F;
 
-// A saturated dot shows nothing of what it falls on, nor do the pixels beside it.
+// Set at saturated dots and the pixels beside them, which do not show the surface.
 Mask saturated(const InfraredView& view) {
   constexpr float nearly_white = 5.49F;  // the logarithm of 240 levels of 255
   Mask mask(view.dots.width(), view.dots.height());
@@ -25,7 +25,7 @@ Mask saturated(const InfraredView& view) {
 
 Image<float> steepness_of(const cv::Mat& image) {
   constexpr double smoothing_px = 0.5;
-  constexpr double per_px = 1.0 / 8.0;  // of Sobel's sums
+  constexpr double per_px = 1.0 / 8.0;  // scale of Sobel's sums
   cv::Mat smooth;
   cv::GaussianBlur(image, smooth, {}, smoothing_px);
   cv::Mat along_u;
@@ -38,7 +38,7 @@ Image<float> steepness_of(const cv::Mat& image) {
   return steepness;
 }
 
-// How texture moved by the difference of both poses changes what the camera's pixels see.
+// Change of brightness at a pixel due to texture that moved by the difference of both poses.
 float moved_texture(const Image<float>& texture, int u, int v, const Eigen::Vector2f& shift) {
   const Eigen::Vector2f at(static_cast<float>(u) + shift.x(), static_cast<float>(v) + shift.y());
   const Eigen::Vector2f most(static_cast<float>(texture.width() - 1),
@@ -85,8 +85,8 @@ PixelNoise::PixelNoise(const std::vector<PairDifference>& differences) {
       if (difference.valid[i] != 0) sizes[kind_of(difference, i)].push_back(std::abs(difference.change[i]));
     }
   }
-  constexpr float unknown = 1.0F;  // more than any that was learnt
-  constexpr float least = 1e-3F;   // of images that are equal to the last bit
+  constexpr float unknown = 1.0F;  // larger than any learnt deviation
+  constexpr float least = 1e-3F;   // for images that are exactly equal
   for (std::size_t kind = 0; kind < kinds; ++kind)
     deviation_[kind] =
         sizes[kind].size() < least_samples ? unknown : std::max(robust_deviation(sizes[kind]), least);

@@ -1,4 +1,4 @@
-// Two infrared images from nearly one pose: what differs, pixel by pixel.
+// Difference of two infrared images of nearly one pose, pixel by pixel.
 #pragma once
 
 #include <array>
@@ -11,23 +11,23 @@
 
 namespace rva {
 
-/// What one pair shows, in the reference's view.
+/// Difference of one pair, in the reference view.
 struct PairDifference {
-  Image<float>
-      change;  ///< of the logarithm, without what texture explains, less its level; 0 where not valid
-  Image<float> brightness;  ///< the lesser one's logarithm, as of log_grey()
-  Image<float> steepness;   ///< of both images' mean, per pixel
-  Mask valid;               ///< unset where either is saturated, or near a border
+  /// Change of the logarithm, without the effect of moved texture and without its level; 0 where not valid.
+  Image<float> change;
+  Image<float> brightness;  ///< logarithm of the darker image, as returned by log_grey()
+  Image<float> steepness;   ///< gradient of the mean of both images, per pixel
+  Mask valid;               ///< unset where either image is saturated, and near a border
 };
 
-/// Both images are taken pixel upon pixel as the camera took them, since the projector turns with it. Texture
-/// moved by the difference of both poses.
-/// @param texture of the surface, without gaps
+/// Compares two images pixel by pixel in camera coordinates, since the projector turns with the camera and
+/// dots stay at their pixels. Texture moved by the difference of both poses, which is corrected.
+/// @param texture image of the surface, without gaps
 [[nodiscard]] PairDifference pair_difference(const InfraredView& initial, const InfraredView& final,
                                              const ReferenceSurface& surface, const Image<float>& texture);
 
-/// The deviation of pixels by how bright and how steep the image is there: where a dot falls off, half a
-/// pixel matters. Learnt from what differs itself, most of which is unchanged.
+/// Standard deviation of the difference as a function of brightness and steepness of the image: at the flank
+/// of a dot, half a pixel matters. It is learnt from the differences themselves, most of which are unchanged.
 class PixelNoise {
  public:
   explicit PixelNoise(const std::vector<PairDifference>& differences);
@@ -38,7 +38,7 @@ class PixelNoise {
 
  private:
   static constexpr std::array steep{0.02F, 0.05F, 0.1F, 0.15F, 0.2F, 0.3F, 0.4F, 0.6F, 0.8F};
-  // Logarithms of grey levels and three.
+  // Logarithms of grey levels plus three, as in log_grey().
   static constexpr std::array bright{1.4F, 1.6F, 1.8F, 2.1F, 2.4F, 2.8F, 3.1F, 3.6F, 4.1F, 4.6F};
   static constexpr std::size_t kinds = (steep.size() + 1) * (bright.size() + 1);
 

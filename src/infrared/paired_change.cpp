@@ -30,8 +30,8 @@ double turn_deg(const InfraredView& a, const InfraredView& b) {
   return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
 }
 
-// Servos rest within half a step of where they should, on either side and in both joints: 0.46 degrees
-// together.
+// Pairs of views of nearly one pose. Servos come to rest within half a step of their target, in either
+// direction and in both joints: 0.46 degrees in total.
 std::vector<Pair> pairs_of(const std::vector<InfraredView>& initial, const std::vector<InfraredView>& final) {
   constexpr double nearly_one_pose_deg = 0.6;
   std::vector<Pair> pairs;
@@ -44,11 +44,11 @@ std::vector<Pair> pairs_of(const std::vector<InfraredView>& initial, const std::
   return pairs;
 }
 
-/// One pair's evidence around each pixel.
+/// Evidence of one pair in the window around each pixel.
 struct PairEvidence {
-  cv::Mat deviations;  ///< of the window's sum
-  cv::Mat contrast;    ///< the window's mean
-  cv::Mat pixels;      ///< of the window that are valid
+  cv::Mat deviations;  ///< sum over the window, in deviations
+  cv::Mat contrast;    ///< mean over the window
+  cv::Mat pixels;      ///< number of valid pixels of the window
 };
 
 PairEvidence evidence_of(const PairDifference& difference, const PixelNoise& noise) {
@@ -97,7 +97,7 @@ struct PixelValues {
   }
 };
 
-// Judges pixels that at least half of the pairs see, and no fewer than `fewest`.
+// Takes the median over the pairs at pixels seen by at least half of the pairs and at least `fewest`.
 PairedChange median_over(const std::vector<PairEvidence>& pairs, std::size_t fewest, const Mask& lit) {
   PairedChange change{Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
                       Mask(lit.width(), lit.height())};
@@ -120,7 +120,8 @@ PairedChange median_over(const std::vector<PairEvidence>& pairs, std::size_t few
   return change;
 }
 
-// Neighbours share noise, and medians spread less than what they are of: how much, the unchanged bulk shows.
+// Normalises deviations by those of the unchanged majority, since noise of neighbouring pixels is correlated,
+// and a median scatters less than its values.
 void divide_by_bulk(PairedChange& change) {
   const float deviation = deviation_of(as_mat(change.deviations), change.judged);
   if (deviation <= 0.0F) return;
@@ -160,10 +161,11 @@ PairedChange paired_change(const ReferenceSurface& surface, const std::vector<In
 
 namespace {
 
-// In a hole that no dot falls into, most counts are 0, and the few that are not look rare.
+// Least mean brightness, in grey levels: in a hole into which no dot falls, most pixels are 0, and the few
+// others would seem significant.
 constexpr float least_light = 2.0F;
 
-// The mean of 15 x 15 pixels, in grey levels as of InfraredView's scale.
+// The mean over 15 x 15 pixels, in grey levels scaled as in InfraredView.
 cv::Mat light_around(const InfraredView& view) {
   constexpr double floor_grey = 3.0;  // of log_grey()
   constexpr int around_px = 15;
@@ -178,7 +180,7 @@ cv::Mat light_around(const InfraredView& view) {
 
 PairedChange still_change(const ReferenceSurface& surface, const InfraredView& initial,
                           const InfraredView& final, const Mask& lit) {
-  constexpr int margin_px = 6;  // Within it, windows lie in the image whole.
+  constexpr int margin_px = 6;  // within it, windows lie entirely in the image
   const int width = surface.camera.width;
   const int height = surface.camera.height;
   const PairDifference difference = pair_difference(initial, final, surface, Image<float>(width, height));

@@ -14,7 +14,7 @@ cv::Mat widened(const cv::Mat& mask, int by_px) {
   return wide;
 }
 
-// The parts of a mask that reach the image's border.
+// The parts of a mask that touch the border of the image.
 cv::Mat touching_border(const cv::Mat& mask) {
   constexpr int frame_px = 1;
   cv::Mat framed;
@@ -25,9 +25,9 @@ cv::Mat touching_border(const cv::Mat& mask) {
   return (parts == frame)(cv::Rect(frame_px, frame_px, mask.cols, mask.rows));
 }
 
-// Where a window has next to none, which is so from some nine pixels beyond the last dots on where it is 25
-// pixels wide. Beyond the image it continues as at the border, or the reflection of dots would fill a strip
-// that is darker.
+// Set where a window contains hardly any dots, which for windows of 25 pixels begins about nine pixels beyond
+// the last dots. The border pixels are repeated outside the image, since a reflection of dots would fill a
+// darker strip along the border.
 cv::Mat few_dots(const Mask& dots, cv::Size window_px) {
   constexpr double least_dots = 0.03 * mask_set;  // share of the window; within the field it is 0.2 and more
   cv::Mat share;
@@ -37,14 +37,14 @@ cv::Mat few_dots(const Mask& dots, cv::Size window_px) {
 
 const cv::Size square_px{25, 25};
 
-// Narrow strips along a border count, too.
+// The area beyond the field, including narrow strips along a border.
 cv::Mat beyond_field(const Mask& dots) {
   const cv::Size upright_px{13, 61};
   const cv::Size lying_px{61, 13};
   return touching_border(few_dots(dots, square_px) | few_dots(dots, upright_px) | few_dots(dots, lying_px));
 }
 
-// Light of other sources that a matcher could use.
+// Set where other light sources are bright enough for a matcher.
 cv::Mat is_bright(const Image<float>& log_image) {
   constexpr int window_px = 15;
   constexpr float bright_grey = 10.0F;

@@ -1,4 +1,4 @@
-// The surface in one camera's view, by which images of other views are laid upon it.
+// The surface in the view of one camera, by which images of other views are warped to it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,21 +11,21 @@
 
 namespace rva {
 
-/// Depth without holes. Between views a degree apart, an error of a tenth of the depth moves a pixel by a few
-/// hundredths.
+/// Inverse depth without holes. Between views a degree apart, an error of a tenth of the depth moves a pixel
+/// by a few hundredths of a pixel.
 struct ReferenceSurface {
   Intrinsics camera;                 ///< without lens distortion
   Image<float> inverse_depth_per_m;  ///< above 0
 };
 
-/// A pixel without a disparity gets that of the nearest one that has it.
+/// Converts a disparity image. A pixel without a disparity gets that of the nearest one that has it.
 /// @param disparity_px   0 where there is none
 /// @param disparity_m_px focal length times baseline
-/// @return an empty image when no pixel has a disparity
+/// @return an empty image if no pixel has a disparity
 [[nodiscard]] ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>& disparity_px,
                                                  double disparity_m_px);
 
-/// Where single pixels of the reference are seen in another view.
+/// Projects single pixels of the reference into another view.
 class ViewOfSurface {
  public:
   /// @param camera of the view, without lens distortion; the reference's own where it is not given
@@ -33,7 +33,7 @@ class ViewOfSurface {
   ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference,
                 const Intrinsics& camera);
 
-  /// In pixels of the view, which may lie outside its image.
+  /// The position in pixels of the view, which may lie outside its image.
   [[nodiscard]] Eigen::Vector2f seen_at(int u, int v) const {
     const float inverse = surface_.inverse_depth_per_m(u, v);
     const Eigen::Vector3f ray = ray_of_corner_ + static_cast<float>(u) * ray_along_u_ +
@@ -53,9 +53,9 @@ class ViewOfSurface {
   Eigen::Vector3f shift_;
 };
 
-/// Weights of four neighbouring samples at `t` from the second towards the third, 0 to 1: Catmull and Rom's,
-/// the only cubic of four taps that gives a slope back as it is. OpenCV's is 0.04 px off there, and its table
-/// has steps of a thirty-second of a pixel.
+/// Weights of four neighbouring samples at `t`, 0 to 1, from the second towards the third, by Catmull and
+/// Rom: the only cubic of four taps that reproduces a linear slope exactly. OpenCV's cubic is off by 0.04 px
+/// there, and its table has steps of a thirty-second of a pixel.
 [[nodiscard]] inline Eigen::Array4f cubic_weights(float t) {
   const float t2 = t * t;
   const float t3 = t2 * t;
@@ -67,7 +67,7 @@ class ViewOfSurface {
 /// border take the value of the nearest pixel.
 [[nodiscard]] float cubic_at_border(const Image<float>& image, const Eigen::Vector2f& at);
 
-/// The image between its pixels, by Catmull and Rom's cubic.
+/// Interpolates an image with the cubic of Catmull and Rom.
 /// @param at within [0, width - 1] x [0, height - 1]
 [[nodiscard]] inline float cubic_at(const Image<float>& image, const Eigen::Vector2f& at) {
   const int left = static_cast<int>(at.x());
@@ -81,18 +81,18 @@ class ViewOfSurface {
   return (cubic_weights(at.x() - static_cast<float>(left)) * columns).sum();
 }
 
-/// Where each pixel of the reference is seen in another view.
+/// Maps every pixel of the reference to another view.
 class Warp {
  public:
   /// @param camera as for ViewOfSurface
   Warp(const ReferenceSurface& surface, const Transform& view_from_reference);
   Warp(const ReferenceSurface& surface, const Transform& view_from_reference, const Intrinsics& camera);
 
-  /// By cubic interpolation; 0 outside the view.
+  /// Warps an image of the view to the reference, by cubic interpolation; 0 outside the view.
   [[nodiscard]] Image<float> image(const Image<float>& of_view) const;
-  /// Set where none of the pixels around it is set, and all are within the view.
+  /// Set where none of the surrounding pixels of the view is set and all are within the view.
   [[nodiscard]] Mask clear_of(const Mask& of_view) const;
-  /// False where the pixel is seen within `within_px` of the view's border, or not at all.
+  /// False if the pixel is seen within `within_px` of the border of the view, or not at all.
   [[nodiscard]] bool inside(int u, int v, float within_px) const {
     return u_.at<float>(v, u) >= within_px && v_.at<float>(v, u) >= within_px &&
            u_.at<float>(v, u) <= static_cast<float>(view_width_ - 1) - within_px &&
