@@ -12,7 +12,7 @@ namespace rva {
 
 namespace {
 
-// Disparities are lanes: of every sum over disparities the compiler makes vector instructions.
+// Number of disparities computed at once: the compiler vectorises every sum over disparities.
 constexpr int lanes = 128;
 
 /// A cost and its disparity in one number, so that the least number is the best match: halved costs, at most
@@ -47,7 +47,7 @@ class CostRows {
     for (; next_ <= v + half; ++next_) exchange(next_);
   }
 
-  /// Sums over the columns' window, at all disparities. @param sums `lanes` a pixel
+  /// Sums the column sums over the window, for all disparities. @param sums `lanes` per pixel
   void sum_along_row(std::vector<std::uint16_t>& sums) const {
     const int half = window_ / 2;
     std::uint16_t running[lanes] = {};
@@ -73,12 +73,12 @@ class CostRows {
     for (int d = 0; d < lanes; ++d) sums[d] = static_cast<std::uint16_t>(sums[d] + in[d] - out[d]);
   }
 
-  // The row's costs enter the columns' sums; those of `window` rows ago, which lie where it goes, leave.
+  // Adds the costs of a row to the column sums, and subtracts those of `window` rows ago, which it replaces.
   void exchange(int row) {
     const int v = std::clamp(row, 0, left_.height() - 1);
     const int slot = ((row % window_) + window_) % window_;
     std::uint8_t* const costs = &history_[static_cast<std::size_t>(slot) * row_size()];
-    // Backwards, so that a growing disparity is a growing address.
+    // Reversed, so that increasing disparities have increasing addresses.
     std::vector<std::uint16_t> backwards(static_cast<std::size_t>(width_) + lanes, 0);
     for (int u = 0; u < width_; ++u) backwards[static_cast<std::size_t>(width_ - 1 - u)] = right_(u, v);
     for (int u = 0; u < width_; ++u) {
@@ -117,7 +117,7 @@ Key least(const Key* keys, int first, int end) {
   return best;
 }
 
-/// Best matches of one row, seen from either imager.
+/// Best matches of one row, for either imager.
 class RowWinners {
  public:
   RowWinners(int width, const BlockMatchingOptions& options)
@@ -141,7 +141,7 @@ class RowWinners {
   }
 
  private:
-  // Backwards, as the costs are: what pixel u pairs with at disparity d has index last - u + d.
+  // Reversed, like the costs: the match of pixel u at disparity d has index last - u + d.
   [[nodiscard]] Key right_backwards(int u) const {
     return right_[left_.size() - 1 - static_cast<std::size_t>(u)];
   }
@@ -156,7 +156,7 @@ class RowWinners {
     const int disparity = disparity_of(best);
     const Key second = std::min(least(keys, 1, disparity - 1), least(keys, disparity + 2, end));
     const bool unique = cost_of(best) < cost_of(second) * (1.0 - options_.uniqueness);
-    // At the left edge there is nothing to be better than.
+    // At the left edge there may be no other cost to compare with.
     const bool compared = best != worst && second != worst;
     left_[static_cast<std::size_t>(u)] = compared && unique ? static_cast<std::uint8_t>(disparity) : no_match;
   }

@@ -10,7 +10,7 @@ namespace rva {
 
 namespace {
 
-// A star: near neighbours for detail, far ones for dots that lie some pixels away.
+// Neighbours in a star: near ones for detail, far ones for dots that are some pixels away.
 constexpr std::array<std::pair<int, int>, 16> neighbours{{{-1, -1},
                                                           {1, -1},
                                                           {-1, 1},

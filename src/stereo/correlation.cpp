@@ -15,10 +15,10 @@
 namespace rva {
 namespace {
 
-// Differences beyond this say no more than that the pixels differ; sums over 13 x 13 of them stay in 16 bits.
+// Larger differences carry no more information. Sums over 13 x 13 pixels of this stay within 16 bits.
 constexpr int most_difference = 255;
 
-// What an image has beyond its mean around each pixel, within ten bits and a sign.
+// Subtracts the mean around each pixel; the result has ten bits and a sign.
 Image<std::int16_t> band_passed(const InfraredImage& image, int mean_px) {
   cv::Mat mean;
   const cv::Mat pixels(image.height(), image.width(), CV_16U, const_cast<std::uint16_t*>(image.data()));
@@ -31,7 +31,7 @@ Image<std::int16_t> band_passed(const InfraredImage& image, int mean_px) {
   return result;
 }
 
-/// Sums of differences over a window, at all disparities, row by row.
+/// Sums of differences over a window, at all disparities, computed row by row.
 class WindowCosts {
  public:
   WindowCosts(const Image<std::int16_t>& left, const Image<std::int16_t>& right, int window_px)
@@ -67,7 +67,8 @@ class WindowCosts {
   }
   void add_row(int row, int sign) {
     const int v = std::clamp(row, 0, left_.height() - 1);
-    // Backwards, so that a growing disparity is a growing address; outside the image, the first pixel counts.
+    // Reversed, so that increasing disparities have increasing addresses; outside the image, the first pixel
+    // is repeated.
     const int width = left_.width();
     std::vector<std::int16_t> backwards(static_cast<std::size_t>(width) + cost_lanes, right_(0, v));
     for (int u = 0; u < width; ++u) backwards[static_cast<std::size_t>(width - 1 - u)] = right_(u, v);

@@ -1,4 +1,4 @@
-// Matching by differences of brightness in a window, the plainest of matchers.
+// Matching by absolute differences of brightness in a window, the simplest matcher.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@ namespace rva {
 
 struct CorrelationOptions {
   int window_px = 9;         ///< edge of the square, odd, at most 13
-  int mean_px = 15;          ///< edge of the square whose mean is taken away from each pixel first, odd
+  int mean_px = 15;          ///< edge of the square whose mean is subtracted from each pixel first, odd
   double uniqueness = 0.05;  ///< as in BlockMatchingOptions
-  double least_texture =
-      2.0;  ///< levels by which costs beside the best one must rise, for each pixel of the window
+  /// Least curvature of the costs at the best one, in grey levels per pixel of the window.
+  double least_texture = 2.0;
 };
 
-/// Sums of absolute differences of both images, local means apart (a band-pass, as usual before it), the
-/// least of which wins; sub-pixel by a parabola, which draws answers towards whole pixels ("pixel locking").
+/// Minimises sums of absolute differences of both images, after subtraction of local means (the usual
+/// band-pass). The result is refined by a parabola, which biases it towards whole pixels ("pixel locking").
 /// @return disparity of each pixel of the left image in 1/32 px, 0 where there is no match
 [[nodiscard]] Image<std::uint16_t> match_by_correlation(const InfraredImage& left, const InfraredImage& right,
                                                         const CorrelationOptions& options = {});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint16_t worst = std::numeric_limits<std::uint16_t>::max();
 
-// A cost with its disparity in the low bits: the least one of several is the lowest disparity of least cost.
+// A cost with its disparity in the low bits: the minimum is the lowest disparity of the least cost.
 constexpr int disparity_bits = 7;
 static_assert(cost_lanes == 1 << disparity_bits);
 
@@ -22,7 +22,7 @@ std::uint32_t ranked(std::uint16_t cost, int disparity) {
 
 int disparity_of(std::uint32_t rank) { return static_cast<int>(rank & (cost_lanes - 1U)); }
 
-/// One row, seen from either imager.
+/// Costs of one row, for either imager.
 class Row {
  public:
   Row(const std::uint16_t* costs, int width, const WinnerOptions& options)
@@ -38,7 +38,7 @@ class Row {
     }
   }
 
-  // 0 where there is none.
+  // Disparity of a pixel in 1 / 2^fraction_bits px; 0 if there is no match.
   [[nodiscard]] std::uint16_t disparity(int u) const {
     const std::uint16_t* const cost = at(u);
     const int most = std::min(options_.search_px, u);
@@ -55,7 +55,8 @@ class Row {
   [[nodiscard]] const std::uint16_t* at(int u) const {
     return costs_ + static_cast<std::ptrdiff_t>(u) * cost_lanes;
   }
-  // The right imager's pixels from the last to the first, so that a growing disparity is a growing address.
+  // Index of a pixel of the right image, from the last to the first, so that increasing disparities have
+  // increasing addresses.
   [[nodiscard]] std::size_t backwards(int u) const { return static_cast<std::size_t>(width_ - 1 - u); }
 
   static int best_of(const std::uint16_t* cost, int most) {

@@ -1,4 +1,4 @@
-// Matching costs of every pixel at every disparity, and the best of them.
+// Matching costs of every pixel at every disparity, and the choice of the best.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace rva {
 
-/// Disparities are lanes: of every loop over disparities the compiler makes vector instructions.
+/// Number of disparities per pixel: the compiler vectorises every loop over disparities.
 inline constexpr int cost_lanes = 128;
 
-/// Costs of the left image's pixels, `cost_lanes` each: what pixel u sees, the right imager sees at u -
-/// disparity.
+/// Costs of the pixels of the left image, `cost_lanes` each. At disparity d, pixel u of the left image is
+/// compared with pixel u - d of the right one.
 class CostVolume {
  public:
   CostVolume(int width, int height)
@@ -39,18 +39,19 @@ class CostVolume {
 
 struct WinnerOptions {
   int search_px = 126;  ///< largest disparity, below cost_lanes - 1
-  double uniqueness =
-      0.03;  ///< the best cost must be lower than any other (apart from its neighbours) by this share
-  int left_right_px = 1;    ///< how far the match of the match may be from where it began
-  int least_curvature = 0;  ///< of the costs beside the best one; flatter ones tell nothing
-  int fraction_bits = 5;    ///< the answer is rounded to 1 / 2^bits of a pixel
+  /// The best cost must be lower than any other (apart from its neighbours) by this share.
+  double uniqueness = 0.03;
+  int left_right_px = 1;    ///< tolerance of the left-right check
+  int least_curvature = 0;  ///< least second difference of the costs at the best one
+  int fraction_bits = 5;    ///< the result is rounded to 1 / 2^bits of a pixel
 };
 
-/// The least cost of each pixel of a row, checked from right to left, refined by a parabola through it and
-/// its neighbours (which draws answers towards whole pixels where costs are not parabolas: Shimizu and
+/// Chooses the least cost of each pixel of a row, with a left-right check, refined by a parabola through it
+/// and its neighbours (which biases results towards whole pixels where costs are not parabolic: Shimizu and
 /// Okutomi, ICCV 2001).
-/// @param row_costs   `cost_lanes` for each pixel of the row, as CostVolume has them
-/// @param disparities of each pixel of the left image in 1 / 2^fraction_bits px, 0 where there is no match
+/// @param row_costs   `cost_lanes` for each pixel of the row, as in CostVolume
+/// @param disparities result for each pixel of the left image in 1 / 2^fraction_bits px, 0 where there is
+///                    no match
 void choose_winners(const std::uint16_t* row_costs, int width, const WinnerOptions& options,
                     std::uint16_t* disparities);
 

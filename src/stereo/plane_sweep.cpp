@@ -16,8 +16,8 @@ int labels_of(const SweepOptions& options) {
   return 2 * static_cast<int>(std::lround(options.range_px / options.step_px)) + 1;
 }
 
-/// Differences between the left and the right image of one view, label by label, along one row of the
-/// reference.
+/// Differences between the left and the right image of one view at all labels, along one row of
+/// the reference.
 class RowDifferences {
  public:
   RowDifferences(const ReferenceSurface& start, double disparity_m_px, const StereoView& view,
@@ -37,8 +37,8 @@ class RowDifferences {
     segment_.resize(static_cast<std::size_t>(columns) + 4);
   }
 
-  /// @param differences `labels` numbers a pixel
-  /// @param seen        1 where the view sees the pixel at every label, else 0, and the differences are 0
+  /// @param differences `labels` numbers per pixel; 0 if the view does not see the pixel
+  /// @param seen        1 if the view sees the pixel at every label, else 0
   void row(int v, float* differences, float* seen) {
     const int width = start_.inverse_depth_per_m.width();
     for (int u = 0; u < width; ++u, differences += labels_, ++seen) {
@@ -48,7 +48,7 @@ class RowDifferences {
   }
 
  private:
-  // The disparity in the view of what the reference sees at the pixel.
+  // The disparity in the view of the surface point at a pixel of the reference.
   [[nodiscard]] float disparity_of(int u, int v) const {
     const Intrinsics& camera = start_.camera;
     const float inverse = start_.inverse_depth_per_m(u, v);
@@ -61,7 +61,7 @@ class RowDifferences {
   RVA_VECTOR_CLONES bool differences_at(int u, int v, float* differences) {
     const Eigen::Vector2f at = where_.seen_at(u, v);
     const Image<float>& right = view_.right;
-    // From the largest disparity, which lies farthest to the left.
+    // The column of the largest disparity, which is farthest to the left.
     const float first_u = at.x() - disparity_of(u, v) - excess_px_ - range_px_;
     const int top = static_cast<int>(std::floor(at.y()));
     const int left = static_cast<int>(std::floor(first_u));
@@ -83,7 +83,7 @@ class RowDifferences {
       const int whole = static_cast<int>(shifted);
       const Eigen::Array4f across = cubic_weights(shifted - static_cast<float>(whole));
       const float* samples = segment_.data() + whole;
-      // A label is a disparity: the first sample, farthest to the left, is the last label's.
+      // The first sample is farthest to the left and belongs to the last label.
       for (int label = labels_ - 1 - phase; label >= 0; label -= per_px_, ++samples)
         differences[label] = seen - (across[0] * samples[0] + across[1] * samples[1] +
                                      across[2] * samples[2] + across[3] * samples[3]);
@@ -101,11 +101,11 @@ class RowDifferences {
   float disparity_m_px_;
   Eigen::Vector3f depth_of_ray_;
   float depth_shift_ = 0.0F;
-  std::vector<float> segment_;  // of the right image, at the height of the pixel
+  std::vector<float> segment_;  // of the right image, interpolated at the row of the pixel
 };
 
 /// Sums over square windows that slide down the rows of one view: of differences, of their squares, and of
-/// how many there are.
+/// their number.
 class WindowCosts {
  public:
   WindowCosts(int width, int labels, int window_px)
@@ -124,7 +124,7 @@ class WindowCosts {
     }
   }
 
-  /// Where the next row goes, which takes the place of the oldest.
+  /// One row of differences. The next row replaces the oldest one.
   struct Row {
     std::vector<float> differences;
     std::vector<float> seen;
@@ -134,7 +134,7 @@ class WindowCosts {
     return row;
   }
 
-  /// Adds the costs of the row in the middle of those given.
+  /// Adds the costs of the middle row of those given.
   RVA_VECTOR_CLONES void add_to(SweptCosts& costs, int v) {
     sum_columns();
     std::fill(along_.begin(), along_.end(), 0.0F);
@@ -152,15 +152,16 @@ class WindowCosts {
   }
 
  private:
-  static constexpr float least_count = 1.5F;  // more than one
+  static constexpr float least_count = 1.5F;  // at least two samples
 
-  // From top to bottom, whichever row of the band this is: sums of floating point depend on their order.
+  // Sums from top to bottom regardless of the position in the band, since sums of floating point depend on
+  // their order.
   void sum_columns() {
     std::fill(counts_.begin(), counts_.end(), 0.0F);
     for (const Row& row : rows_) {
       for (std::size_t u = 0; u < counts_.size(); ++u) counts_[u] += row.seen[u];
     }
-    constexpr std::size_t few = 64;  // that stay in the nearest cache while all rows are added
+    constexpr std::size_t few = 64;  // so that they stay in the nearest cache while all rows are added
     for (std::size_t first = 0; first < sums_.size(); first += few)
       sum_rows(first, std::min(few, sums_.size() - first));
   }
@@ -211,7 +212,8 @@ struct Rows {
   int end;
 };
 
-// Rows of the image beyond its border count for nothing. The costs may be of these rows alone.
+// Adds the costs of one view. Rows outside the image do not contribute. `costs` may consist of these
+// rows only.
 void add_view(const ReferenceSurface& start, double disparity_m_px, const StereoView& view,
               const SweepOptions& options, const Rows& rows, SweptCosts& costs) {
   RowDifferences differences(start, disparity_m_px, view, options);
@@ -231,7 +233,7 @@ void add_view(const ReferenceSurface& start, double disparity_m_px, const Stereo
   }
 }
 
-// Where the costs of each pixel are least.
+// Appends the disparity of the least cost of each pixel.
 void add_best(const SweptCosts& costs, std::vector<float>& best_px) {
   for (int v = 0; v < costs.freedom.height(); ++v) {
     for (int u = 0; u < costs.freedom.width(); ++u) {
@@ -240,7 +242,7 @@ void add_best(const SweptCosts& costs, std::vector<float>& best_px) {
   }
 }
 
-// The median over strips of rows, which is enough.
+// The median over strips of rows, which are a sufficient sample.
 float excess_px(const ReferenceSurface& surface, double disparity_m_px, const StereoView& view) {
   constexpr SweepOptions labels{.window_px = 9, .range_px = 1.5, .step_px = 0.25};
   constexpr int strip_px = 4;

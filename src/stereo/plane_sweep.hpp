@@ -1,4 +1,4 @@
-// Infrared pairs of many poses, matched at the same places: costs of disparities about a surface.
+// Plane sweep: matching costs of infrared pairs of many poses, at the pixels of one reference view.
 #pragma once
 
 #include <span>
@@ -10,40 +10,41 @@
 
 namespace rva {
 
-/// The rectified pair of a capture, as of log_grey(): speckle multiplies light, so that in the logarithm it
-/// weighs the same everywhere.
+/// The rectified pair of a capture, as returned by log_grey(): speckle multiplies light, so that in the
+/// logarithm its contrast is independent of brightness.
 struct StereoView {
   Image<float> left;
   Image<float> right;
   Transform view_from_reference = Transform::Identity();  ///< of the left imager
-  double excess_px = 0.0;  ///< disparity of this pair beyond that of the surface: temperature bends cameras
+  double excess_px = 0.0;  ///< disparity of this pair minus that of the surface, due to temperature
 };
 
-/// Labels are disparities of the reference view beside those of a start surface.
+/// Labels are disparities of the reference view relative to those of a start surface.
 struct SweepOptions {
-  int window_px = 5;      ///< edge of the window that costs are summed over, odd
-  double range_px = 3.0;  ///< to either side of the start
-  double step_px = 0.25;  ///< a whole number of steps is a pixel
+  int window_px = 5;      ///< edge of the window over which costs are summed, odd
+  double range_px = 3.0;  ///< range of labels to either side of the start
+  double step_px = 0.25;  ///< spacing of labels; a pixel is a whole number of steps
 };
 
-/// How badly the pairs agree with each label, for each pixel of the reference.
+/// Costs of each label for each pixel of the reference: how badly it explains the pairs.
 class SweptCosts {
  public:
   SweptCosts(int width, int height, const SweepOptions& options);
 
   [[nodiscard]] int labels() const { return labels_; }
-  /// Disparity beside the start.
+  /// Disparity of a label relative to the start, in pixels; labels may be fractional.
   [[nodiscard]] float offset_px(float label) const { return first_px_ + label * step_px_; }
 
-  /// Sums over the pairs of the squared difference of log brightness between left and right, over the window,
-  /// the window's mean difference apart.
+  /// Costs of all labels at a pixel: sums over the pairs of the squared difference of log brightness between
+  /// left and right, over the window, without the mean difference of the window.
   [[nodiscard]] std::span<const float> at(int u, int v) const { return {row(u, v), row(u, v) + labels_}; }
   [[nodiscard]] std::span<float> at(int u, int v) {
     float* const first = costs_.data() + index(u, v);
     return {first, first + labels_};
   }
 
-  /// Differences that each sum is made of: pixels of the window over all pairs that see it, less one a pair.
+  /// Degrees of freedom of each sum: pixels of the window over all pairs that see it, minus one for
+  /// each pair.
   Image<float> freedom;
 
  private:
@@ -60,22 +61,24 @@ class SweptCosts {
   std::vector<float> costs_;
 };
 
-/// Plane sweep about a surface that windows follow, so that slopes do not tear them.
-/// @param start          of the reference
+/// Computes costs about a surface. Windows follow the surface, so that sloped surfaces are matched
+/// without distortion.
+/// @param start          surface in the reference view
 /// @param disparity_m_px focal length times baseline
-/// @param views          at least one, of the start's size
+/// @param views          at least one, of the size of the start
 [[nodiscard]] SweptCosts sweep(const ReferenceSurface& start, double disparity_m_px,
                                std::span<const StereoView> views, const SweepOptions& options = {});
 
-/// How far the disparity of each pair is from that of the surface, in the middle of all it sees: a camera's
-/// temperature shifts it by a tenth of a pixel from capture to capture. Set in `views`.
+/// Adds to excess_px of each pair the median difference of its disparity from that of the surface. The
+/// temperature of a camera shifts it by a tenth of a pixel from capture to capture.
 void align_disparities(const ReferenceSurface& surface, double disparity_m_px, std::span<StereoView> views);
 
-/// The least of some costs, between labels by a parabola through the least one and its neighbours.
+/// The minimum of some costs, interpolated between labels by a parabola through the least one and
+/// its neighbours.
 struct Minimum {
   float label = 0.0F;
   float cost = 0.0F;
-  float rise = 0.0F;  ///< of the cost, one label beside the least, on the parabola; 0 where there is none
+  float rise = 0.0F;  ///< of the parabola one label beside the minimum; 0 if there is no parabola
 };
 [[nodiscard]] Minimum minimum_of(std::span<const float> costs);
 

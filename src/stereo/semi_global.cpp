@@ -12,7 +12,7 @@
 namespace rva {
 namespace {
 
-/// Costs along one path at one pixel, with room on either side so that neighbours need no test.
+/// Costs along one path at one pixel, padded on either side so that neighbours need no range check.
 struct PathCosts {
   static constexpr std::uint16_t out_of_range = 0x3FFF;
   std::array<std::uint16_t, cost_lanes + 2> padded{};
@@ -28,7 +28,8 @@ class CensusCosts {
   CensusCosts(const InfraredImage& left, const InfraredImage& right, int threshold)
       : left_(census(left, threshold)), right_(census(right, threshold)) {}
 
-  // Bits in which two pixels differ, at all disparities; outside the image, the first pixel counts.
+  // Number of bits in which two pixels differ, at all disparities. Outside the image, the first pixel
+  // is repeated.
   void at(int u, int v, std::array<std::uint16_t, cost_lanes>& costs) const {
     std::array<std::uint16_t, cost_lanes> others{};
     const int inside = std::min(u, cost_lanes - 1);

@@ -20,7 +20,7 @@ namespace {
 constexpr int shifts = 5;      // whole-pixel shifts around the start: -2 to 2
 constexpr int border_px = 24;  // on every side, so that no window leaves the image
 
-/// An image with its border pixels repeated around it.
+/// An image with its border pixels repeated outside.
 class Bordered {
  public:
   template <typename Value>
@@ -42,14 +42,15 @@ class Bordered {
 };
 
 #ifdef __SSE2__
-/// Weighted sums of a window's gradient times the right image, at all shifts at once. The compiler does not
-/// find multiply-and-add in loops as short as a window's row, so it is written out.
+/// Weighted sums of the gradient of a window times the right image, at all shifts at once. It is written with
+/// intrinsics, since the compiler does not find multiply-and-add in loops as short as a row of a window.
 class ProductSums {
  public:
   ProductSums() {
     for (__m128i& sum : sums_) sum = _mm_setzero_si128();
   }
-  /// @param weights of the row, at most WindowWeights::greatest squared: weighted gradients stay in 16 bits
+  /// @param weights weights of the row, at most WindowWeights::greatest squared, so that weighted gradients
+  ///                fit into 16 bits
   void add_row(const std::int16_t* gradient, const std::int16_t* right, const WindowWeights::Row& weights) {
     const __m128i low = _mm_mullo_epi16(load(gradient), load(weights.data()));
     const __m128i high = _mm_mullo_epi16(load(gradient + 8), load(weights.data() + 8));
@@ -77,7 +78,7 @@ class ProductSums {
   __m128i sums_[shifts];
 };
 #else
-/// As above, for other processors: the same sums.
+/// The same sums for other processors.
 class ProductSums {
  public:
   void add_row(const std::int16_t* gradient, const std::int16_t* right, const WindowWeights::Row& weights) {
@@ -94,7 +95,7 @@ class ProductSums {
 };
 #endif
 
-/// What a window says of a pair of images, at five shifts around a disparity.
+/// Sums over a window of both images, at five shifts around a disparity.
 struct WindowPair {
   std::array<std::int32_t, shifts> gradient_right;  // sum of the left gradient times right
   std::array<std::int32_t, shifts> right;
@@ -160,7 +161,7 @@ std::array<double, shifts> cubic_weights(double shift) {
   std::array<double, shifts> weights{};
   const bool negative = shift < 0.0;
   const double t = negative ? shift + 1.0 : shift;
-  const std::size_t first = negative ? 0 : 1;  // index of the whole shift two below the next one above
+  const std::size_t first = negative ? 0 : 1;  // index of the first of the four samples
   weights[first] = t * (-0.5 + t * (1.0 - 0.5 * t));
   weights[first + 1] = 1.0 + t * t * (-2.5 + 1.5 * t);
   weights[first + 2] = t * (0.5 + t * (2.0 - 1.5 * t));
@@ -168,9 +169,11 @@ std::array<double, shifts> cubic_weights(double shift) {
   return weights;
 }
 
-constexpr double settled_px = 1.0 / 256.0;  // an eighth of what the answer is rounded to
+constexpr double settled_px = 1.0 / 256.0;  // an eighth of the step to which the result is rounded
 
-/// The shift, -1 to 1, at which the right window agrees with the left one; NaN where it leaves that range.
+/// Finds the shift, -1 to 1, at which the right window matches the left one; NaN if it leaves that range.
+/// Each Gauss-Newton step divides the sum of the gradient times the difference of the windows, without their
+/// means, by the sum of the squared gradient (`curvature`).
 double best_shift(const WindowPair& sums, int steps, double mean_gradient, double curvature) {
   const double constant = sums.gradient_left - mean_gradient * sums.left;
   double shift = 0.0;
@@ -190,6 +193,7 @@ double best_shift(const WindowPair& sums, int steps, double mean_gradient, doubl
 double refine(const WindowPair& sums, int disparity, double total_weight, const SubpixelOptions& options) {
   const double mean_gradient = sums.gradient / total_weight;
   const double curvature = sums.gradient_gradient - mean_gradient * sums.gradient;
+  // The gradient is a difference over two pixels, so its square is four times that of the gradient per pixel.
   if (curvature / total_weight < 4.0 * options.least_texture * options.least_texture) return NAN;
   return disparity + best_shift(sums, options.steps, mean_gradient, curvature);
 }

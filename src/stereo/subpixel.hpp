@@ -1,4 +1,4 @@
-// Disparity between whole pixels.
+// Refines disparities to fractions of a pixel.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,18 @@
 namespace rva {
 
 struct SubpixelOptions {
-  int window_px = 11;        ///< edge of the square that is fitted, odd, at most 11; weights fade towards it
-  int steps = 3;             ///< of Gauss and Newton
-  int fraction_bits = 5;     ///< the answer is rounded to 1 / 2^bits of a pixel
+  int window_px = 11;        ///< edge of the fitted square, odd, at most 11; weights decrease towards it
+  int steps = 3;             ///< number of Gauss-Newton steps
+  int fraction_bits = 5;     ///< the result is rounded to 1 / 2^bits of a pixel
   double least_texture = 4;  ///< root mean square of the window's gradient along the row, levels per pixel
 };
 
-/// Least squares along the row: the shift between the windows, mean brightness apart, at which they agree
-/// best (Lucas and Kanade 1981, with the left image's gradient; the right one interpolated by cubics).
+/// Finds, by least squares along the row, the shift at which the windows match best apart from their mean
+/// brightness (Lucas and Kanade 1981, with the gradient of the left image and cubic interpolation of the
+/// right one).
 /// @param whole whole-pixel disparities of `left`, from match_blocks()
 /// @return disparity in 1 / 2^fraction_bits px; 0 where there was no match, the window has too little
-///         texture to tell, or the answer is more than a pixel away from where it began
+///         texture, or the result is more than a pixel from the start
 [[nodiscard]] Image<std::uint16_t> refine_disparity(const InfraredImage& left, const InfraredImage& right,
                                                     const Image<std::uint8_t>& whole,
                                                     const SubpixelOptions& options);

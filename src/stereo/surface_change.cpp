@@ -19,7 +19,7 @@ constexpr SweepOptions fine{.window_px = 5, .range_px = 2.0, .step_px = 0.25};
 constexpr int mean_px = 5;
 static_assert(surface_window_px == fine.window_px + mean_px - 1);
 
-// What explains the pairs of both sides together: every second one of each will do.
+// The surface that explains the pairs of both sides together; every second pair of each side suffices.
 ReferenceSurface common_surface(const ReferenceSurface& start, double disparity_m_px,
                                 std::span<const StereoView> before, std::span<const StereoView> after) {
   std::vector<StereoView> some;
@@ -31,10 +31,10 @@ ReferenceSurface common_surface(const ReferenceSurface& start, double disparity_
 
 /// The comparison of one pixel's costs.
 struct Ratio {
-  float objection = 0.0F;  // by how much the common minimum is worse than both of their own
-  float residual = 0.0F;   // what is left of the best costs
+  float objection = 0.0F;  // excess of the common minimum over the sum of the separate ones
+  float residual = 0.0F;   // sum of the separate minima
   float nearer_labels = 0.0F;
-  float rise = 0.0F;  // of the objection, for surfaces one label apart
+  float rise = 0.0F;  // objection for surfaces one label apart
 };
 
 Ratio ratio_of(std::span<const float> before, std::span<const float> after, std::vector<float>& both) {
@@ -42,13 +42,13 @@ Ratio ratio_of(std::span<const float> before, std::span<const float> after, std:
   const Minimum of_before = minimum_of(before);
   const Minimum of_after = minimum_of(after);
   const float own = of_before.cost + of_after.cost;
-  // The least of the sum of two parabolas that are one label apart.
+  // The minimum of the sum of two parabolas whose minima are one label apart.
   const float rises = of_before.rise + of_after.rise;
   const float rise = rises > 0.0F ? of_before.rise * of_after.rise / rises : 0.0F;
   return {std::max(minimum_of(both).cost - own, 0.0F), own, of_after.label - of_before.label, rise};
 }
 
-/// What the ratio of each pixel is made of.
+/// The quantities of Ratio at each pixel.
 struct Ratios {
   Ratios(int width, int height)
       : objection(width, height),
@@ -66,7 +66,7 @@ struct Ratios {
   Mask judged;
 };
 
-// Half of what a pixel has that all pairs see.
+// Half of the degrees of freedom of a pixel that all pairs see.
 float least_freedom(const SweptCosts& costs) {
   return std::max(0.5F * *std::ranges::max_element(costs.freedom.pixels()), 1.0F);
 }
@@ -94,8 +94,9 @@ Ratios ratios_of(const SweptCosts& before, const SweptCosts& after) {
   return ratios;
 }
 
-// The root of the ratio is a deviation where noise is that of its surroundings. Neighbours share windows,
-// which makes it larger: by how much, the unchanged bulk of the image shows.
+// Converts ratios to deviations. The square root of the objection over the noise of its surroundings is a
+// deviation. It is larger since neighbouring pixels share windows; the unchanged majority of the image shows
+// by how much.
 SurfaceChange weighed(Ratios ratios) {
   constexpr int noise_px = 15;
   constexpr float least_noise = 1e-9F;

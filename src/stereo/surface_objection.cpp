@@ -12,11 +12,11 @@ namespace {
 
 constexpr SweepOptions nearby{.window_px = 5, .range_px = 1.0, .step_px = 0.5};
 
-/// The least costs of one side about both surfaces.
+/// The least costs of the pairs of one side about both surfaces.
 struct SideCosts {
   Image<float> own;
   Image<float> other;
-  Image<float> freedom;  // of the side's own surface; 0 where the other one is not seen
+  Image<float> freedom;  // about the own surface; 0 where too few pairs see either surface
 };
 
 Image<float> least_costs(const SweptCosts& costs) {
@@ -44,7 +44,7 @@ SideCosts costs_of(const ReferenceSurface& own, const ReferenceSurface& other, d
 
 constexpr float least_noise = 1e-9F;
 
-// The variance that the own surface leaves around each pixel.
+// The residual variance about the own surface around each pixel.
 cv::Mat noise_of(const SideCosts& costs) {
   constexpr int noise_px = 15;
   const cv::Mat weights = as_weights(as_mat(costs.freedom) > 0.0);

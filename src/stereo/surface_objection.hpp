@@ -1,4 +1,4 @@
-// Whether the pairs of each side object to the surface that the other side's depth shows.
+// Measures whether the pairs of each side object to the surface according to the depth of the other side.
 #pragma once
 
 #include <span>
@@ -7,18 +7,19 @@
 
 namespace rva {
 
-/// In the reference's view.
+/// Objection of both sides in the reference view.
 struct SurfaceObjection {
-  /// By how much worse the other side's surface explains a side's pairs than its own, of that side which
-  /// objects less, in variances of the noise nearby; 0 where neither objects or not judged.
+  /// By how much worse the surface of the other side explains the pairs of a side than its own, in
+  /// variances of the noise nearby, for the side that objects less; 0 if either side does not object, or
+  /// where not judged.
   Image<float> variances;
-  Image<float> variances_nearby;  ///< the least of them within a pixel
-  Mask judged;                    ///< set where at least a tenth of the pairs of either side see the pixel
+  Image<float> variances_nearby;  ///< least objection within a pixel
+  Mask judged;                    ///< set where at least a tenth of the pairs of each side see the pixel
 };
 
-/// A true change is objected to by both sides. Where one side's matcher was wrong, the other's surface
-/// explains the pairs of that side as well.
-/// @param surface_before, surface_after of the sides, both in the reference's view, to a pixel of disparity
+/// Computes the objection. Both sides object to a true change. If the matcher of one side was wrong, the
+/// surface of the other side explains the pairs of that side as well.
+/// @param surface_before, surface_after surfaces of the sides in the reference view, to a pixel of disparity
 /// @param before, after   pairs of the sides, at least one each
 [[nodiscard]] SurfaceObjection surface_objection(const ReferenceSurface& surface_before,
                                                  const ReferenceSurface& surface_after, double disparity_m_px,

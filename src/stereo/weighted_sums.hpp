@@ -1,4 +1,4 @@
-// Sums over a window around each pixel, with weights that fade towards its edge.
+// Sums over a window around each pixel, with weights that decrease towards its edge.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace rva {
 
-/// Weights along one side of a square window; a pixel's weight is the product of its row's and its column's.
-/// They fade, so that a dot that enters the window does not jump into the sums.
+/// Weights along one side of a square window; the weight of a pixel is the product of those of its row and
+/// column. They decrease towards the edge, so that a dot that enters the window changes the sums gradually.
 struct WindowWeights {
-  static constexpr int lanes = 16;    ///< numbers of 16 bits in a row of a window; unused ones weigh nothing
-  static constexpr int most_px = 11;  ///< so that five shifted windows fit into a row
+  static constexpr int lanes = 16;    ///< 16-bit numbers in a row of a window; unused ones have weight 0
+  static constexpr int most_px = 11;  ///< largest edge, so that five shifted windows fit into a row
   static constexpr int greatest = 4;  ///< weight of the middle
   using Row = std::array<std::int16_t, lanes>;
 
@@ -28,7 +28,7 @@ struct WindowWeights {
         rows[row][i] = static_cast<std::int16_t>(along[row] * along[i]);
     }
   }
-  /// Of all pixels together.
+  /// Sum of the weights of all pixels.
   [[nodiscard]] std::int32_t total() const {
     std::int32_t sum = 0;
     for (const std::int16_t weight : along) sum += weight;
@@ -44,12 +44,12 @@ struct WindowWeights {
 /// Adds weight times from[i] to sums[i].
 void add_weighted(std::int32_t weight, const std::int32_t* from, int count, std::int32_t* sums);
 
-/// The weighted sums of one quantity around every pixel. Outside the image its nearest pixel counts.
+/// The weighted sums of one quantity around every pixel. Border pixels are repeated outside the image.
 class WeightedSums {
  public:
-  static constexpr int border_px = 24;  ///< sums are also known this far to the left and right of the image
+  static constexpr int border_px = 24;  ///< sums extend this far to the left and right of the image
 
-  /// @param value gives the quantity at (u, v) inside the image
+  /// @param value returns the quantity at (u, v) inside the image
   template <typename Value>
   WeightedSums(int width, int height, const WindowWeights& weights, Value value)
       : sums_(width + 2 * border_px, height) {
