@@ -39,8 +39,8 @@ struct Agreement {
   double compared = 0.0;  ///< those that fall onto a plane of the other view
   double agreeing = 0.0;  ///< sum of weights
   double squares = 0.0;   ///< weighted, of residuals
-  double in_front =
-      0.0;  ///< number in space that the other view saw through, unweighted: impossible without a change
+  /// Unweighted number of samples in space that the other view saw through, which only a change explains.
+  double in_front = 0.0;
 
   /// Sum of weights minus a multiple of `in_front`, as a share of all samples.
   [[nodiscard]] double score() const;

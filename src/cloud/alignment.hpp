@@ -11,8 +11,7 @@ namespace rva {
 
 struct Alignment {
   Transform initial_from_final = Transform::Identity();
-  double offset_px =
-      0.0;  ///< disparity of the initial camera relative to the final one: it drifts with temperature
+  double offset_px = 0.0;  ///< disparity of the initial camera minus that of the final one: thermal drift
 };
 
 /// Prior information on the offset, which is about 0.1 px, for residuals of 0.15 px.
