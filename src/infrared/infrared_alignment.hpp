@@ -14,7 +14,7 @@ namespace rva {
 /// Tukey's weights for outliers. Positions are assumed to be known: a rotation by a sixth of a degree about
 /// the joints of the robot shifts the camera by 0.3 mm, for which a further rotation compensates to within a
 /// tenth of a pixel. With six degrees of freedom, poses drifted along combinations of rotation and
-/// translation that look the same, and twice as much differed between images.
+/// translation that are hard to distinguish, and twice as much differed between images.
 /// @param views at least one; their poses are known to half a degree
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views);
 
