@@ -11,15 +11,16 @@
 
 namespace rva {
 
-/// One camera that sees one scene or another: nothing else differs. Frames are numbered through.
+/// One camera in front of either of two scenes that differ in nothing else. Frame numbers continue when the
+/// scene changes.
 class SimulatedBay : public Camera {
  public:
-  /// @param before, after scenes with one stand
-  /// @param seed          of the camera's noise
-  /// @param joints        as of SimulatedCamera
+  /// @param before, after scenes with the same camera stand
+  /// @param seed          seed of the camera's noise
+  /// @param joints        source of the joint angles, as for SimulatedCamera
   SimulatedBay(Scene before, Scene after, std::uint64_t seed, const std::function<PanTilt()>& joints);
 
-  /// From the next frame on. From any thread.
+  /// Selects the scene from the next frame on: `after` if done, else `before`. Callable from any thread.
   void set_work_done(bool done) { done_ = done; }
 
   [[nodiscard]] CaptureInfo info() const override { return now().info(); }

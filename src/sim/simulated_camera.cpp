@@ -18,20 +18,20 @@ constexpr double frames_per_s = 30.0;
 const StereoSensorOptions& checked(const StereoSensorOptions& options) {
   check_options(options);
   if (options.window_px % 2 == 0)
-    throw UsageError("--window", "is even, and a window has its pixel in the middle",
+    throw UsageError("--window", "must be odd, so that the window is centred on a pixel",
                      "give 5, 7, 9, 11 or 13");
   return options;
 }
 
-// Views that differ by less than the last digits have the same speckle.
+// The pose is rounded to 1e-6, so that two computations of one view yield the same speckle.
 std::uint64_t seed_of(const Transform& world_from_camera, std::uint64_t device) {
   std::uint64_t seed = device;
   for (const double number : to_row_major(world_from_camera)) seed = mix(seed, std::llround(number * 1e6));
   return seed;
 }
 
-// The patterns of speckle in one view. They depend on the stand's pan and tilt where speckle stays over small
-// turns, and on the exact pose where it does not.
+// The speckle patterns of one view. They depend on the stand's pan and tilt if speckle persists over small
+// turns, otherwise on the exact pose.
 std::vector<SpeckleShare> speckle_of(const CameraStand& stand, const Transform& world_from_camera,
                                      const StereoSensorOptions& options) {
   if (options.speckle_turn_deg <= 0.0) return {{seed_of(world_from_camera, options.device), 1.0}};
@@ -39,7 +39,7 @@ std::vector<SpeckleShare> speckle_of(const CameraStand& stand, const Transform& 
                         seed_of(world_from_foot(stand), options.device));
 }
 
-// A bay that gives way holds the camera elsewhere at each rest.
+// A bay that is not rigid leaves the camera at a slightly different position each time it comes to rest.
 Transform swayed(const Transform& world_from_camera, double sway_mm, std::uint64_t seed) {
   if (sway_mm <= 0.0) return world_from_camera;
   constexpr double m_per_mm = 0.001;
@@ -49,7 +49,7 @@ Transform swayed(const Transform& world_from_camera, double sway_mm, std::uint64
   return Eigen::Translation3d(offset_m) * world_from_camera;
 }
 
-// 10 bits to the 8 that a frame of a camera has.
+// Reduces the imager's 10 bits to the 8 bits of a camera frame.
 FineGrayImage brightness_of(const InfraredImage& infrared) {
   FineGrayImage gray(infrared.width(), infrared.height());
   std::ranges::transform(infrared.pixels(), gray.pixels().begin(), [](auto counts) {
@@ -118,7 +118,7 @@ void SimulatedCamera::render(const Transform& world_from_camera) {
   const bool moving = rendered_ == Rendered::moving;
   StereoSensorOptions options = options_;
   if (moving) {
-    // A view that lasts one frame has no time to wander or to jump.
+    // A view that lasts for one frame cannot show speckle that changes over several frames.
     options.wander = 0.0;
     options.levels = 0.0;
     options.supersampling = 1;

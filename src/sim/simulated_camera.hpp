@@ -1,4 +1,4 @@
-// A depth camera in front of a scene that exists only as a file.
+// A simulated depth camera in front of a scene from a file.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,21 @@
 
 namespace rva {
 
-/// Which frames come with a colour image.
+/// Which frames have a colour image.
 enum class ColorFrames { none, first, all };
 
-/// Behind the interface that every camera has, with the noise of src/sim/sensor. It is where its robot's
-/// joints are when a frame is asked for. While it moves, each frame is of a view of its own, rendered at one
-/// ray a pixel, and every second one brings a colour image, as a colour imager does that must expose for two
-/// frames; as soon as it rests, the view is rendered in full and held.
+/// A simulated stereo camera behind the common camera interface, with the noise of src/sim/sensor. Its pose
+/// follows from the joint angles at the time a frame is requested. While it moves, every frame shows a view
+/// of its own, rendered at one ray per pixel, and every second frame has a colour image, as with a colour
+/// imager that must expose for two frames. Once it rests, the view is rendered in full and kept until the
+/// next move.
 ///
-/// Frames depend on scene, options, seed and poses alone. There is no end, and nothing waits for a clock:
-/// frame n is dated n / 30 s.
+/// Frames depend only on scene, options, seed, light and poses. They never end and are not paced by a clock:
+/// the timestamp of frame n is n / 30 s.
 class SimulatedCamera : public Camera {
  public:
-  /// @param joints where the joints really are; without it, they stay as the scene's stand says
-  /// @throws UsageError when an option is out of range
+  /// @param joints returns the true joint angles; without it, those of the scene's stand apply
+  /// @throws UsageError when an option is out of range or the matcher's window is even
   SimulatedCamera(Scene scene, const StereoSensorOptions& options, std::uint64_t seed,
                   ColorFrames color_frames = ColorFrames::all, std::function<PanTilt()> joints = {});
 
@@ -38,10 +39,10 @@ class SimulatedCamera : public Camera {
   [[nodiscard]] bool has_lamp() const override { return options_.lamp_light > 0.0; }
   void set_light(Light light) override { light_ = light; }
 
-  /// Of the pose that the next frame would have.
+  /// The true depth and labels at the pose of the next frame.
   [[nodiscard]] TrueView look() const;
   [[nodiscard]] Transform world_from_camera() const;
-  /// The infrared images of the last frame, 10 bits; empty before the first.
+  /// The infrared images of the last frame, 10 bits per pixel; empty before the first frame.
   [[nodiscard]] const InfraredImage& left_infrared() const { return left_infrared_; }
   [[nodiscard]] const InfraredImage& right_infrared() const { return right_infrared_; }
 
@@ -49,7 +50,7 @@ class SimulatedCamera : public Camera {
 
  private:
   [[nodiscard]] bool wants_color(bool moving) const;
-  [[nodiscard]] CameraStand stand() const;  // turned as the joints are
+  [[nodiscard]] CameraStand stand() const;  // with the current joint angles
   void render(const Transform& world_from_camera);
 
   Scene scene_;

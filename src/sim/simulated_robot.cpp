@@ -12,8 +12,8 @@ SimulatedRobot::SimulatedRobot(const SimulatedRobotOptions& options, std::functi
   check_options(options_);
 }
 
-// The servo pushes the camera up from below, and down from above once the play is used up. It turns one way
-// only between two commands, so where it has been meanwhile does not matter.
+// The servo pushes the camera up from below, and down from above once the play is used up. Between two
+// commands it turns in one direction only, so intermediate positions need not be computed.
 void SimulatedRobot::Axis::advance(double travel_deg, double backlash_deg) {
   servo_deg = std::clamp(target_deg, servo_deg - travel_deg, servo_deg + travel_deg);
   camera_deg = std::clamp(camera_deg, servo_deg, servo_deg + backlash_deg);

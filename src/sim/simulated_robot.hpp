@@ -1,4 +1,4 @@
-// The thesis' robot without the robot: two servos with steps and play.
+// A simulation of the thesis' robot: two servos with steps and play.
 #pragma once
 
 #include <cstdint>
@@ -30,21 +30,21 @@ struct SimulatedRobotOptions {
   }
 };
 
-/// Starts at rest at 0, 0 and follows commands at constant speed, each joint by itself: nothing is gained by
-/// ramps where only the poses at rest are used.
+/// Starts at rest at pan 0, tilt 0 and follows commands at constant speed, each joint independently. There
+/// are no acceleration ramps, since only the poses at rest are used.
 ///
-/// Targets are rounded to whole steps of the servo (Herkulex DRS-0101: 0.325 deg), towards 0 where the
-/// nearest lies beyond the limits. Behind each servo there is play: turning up (to larger angles) carries
-/// the camera along exactly, turning down leaves it `backlash_deg` behind, and turning back moves nothing
-/// until the play is used up. A joint that always arrives from below therefore has no error but
-/// rest_error_deg, which is another one, evenly spread, after every command.
+/// Targets are rounded to whole steps of the servo (Herkulex DRS-0101: 0.325 deg), towards 0 if the nearest
+/// step lies beyond the limits. Behind each servo there is play: turning up (to larger angles) carries the
+/// camera along exactly, turning down leaves it `backlash_deg` behind, and turning back does not move it
+/// until the play is used up. A joint that always arrives from below therefore has no error except
+/// rest_error_deg, which is drawn anew from a uniform distribution after every command.
 ///
-/// Safe for several threads if `now_s` is.
+/// Thread-safe if `now_s` is.
 class SimulatedRobot : public Robot {
  public:
-  /// @param now_s seconds that do not go back; motion is computed from it when somebody asks, nothing runs
-  ///              in the background
-  /// @param seed  of rest errors
+  /// @param now_s monotonic clock in seconds; each call computes the motion from it, without a background
+  ///              thread
+  /// @param seed  seed of the rest errors
   /// @throws UsageError when an option is out of range
   explicit SimulatedRobot(const SimulatedRobotOptions& options = {},
                           std::function<double()> now_s = steady_clock().now_s, std::uint64_t seed = 1);
@@ -55,7 +55,7 @@ class SimulatedRobot : public Robot {
   [[nodiscard]] bool moving() override;
   void stop() override;
 
-  /// Where the camera is in truth, play included; no robot can report it.
+  /// The true angles of the camera, play included, which a real robot cannot report.
   [[nodiscard]] PanTilt true_joints();
 
  private:
@@ -73,7 +73,7 @@ class SimulatedRobot : public Robot {
 
   SimulatedRobotOptions options_;
   std::function<double()> now_s_;
-  mutable std::mutex mutex_;  // guards all below
+  mutable std::mutex mutex_;  // guards the members below
   Random random_;
   double advanced_s_ = 0.0;
   Axis pan_;

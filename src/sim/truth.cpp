@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double unit_m = 0.0001;
 
-/// Where an object is seen in the depth image.
+/// The visible pixels of an object in the depth image: their number and bounding box, last pixel included.
 struct Seen {
   int pixels = 0;
   int u0 = 0;
@@ -101,7 +101,7 @@ DepthImage to_units(const Image<float>& depth_m) {
 
 void write_truth(const SimulatedCamera& camera, const OutputFolder& capture) {
   const TrueView view = camera.look();
-  std::error_code ignored;  // what could not be made cannot be written into, which is reported
+  std::error_code ignored;  // if the folder cannot be made, writing the first file reports it
   std::filesystem::create_directory(capture.path("truth"), ignored);
   write_file(capture.path("truth") / "labels.png", encode_png(view.labels));
   write_file(capture.path("truth") / "depth.png", encode_png(to_units(view.depth_m)));

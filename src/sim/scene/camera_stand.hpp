@@ -1,4 +1,4 @@
-// Where the camera is when the robot stands somewhere.
+// The camera's pose for a given position of the robot.
 #pragma once
 
 #include "geometry/transform.hpp"
@@ -8,7 +8,7 @@ namespace rva {
 
 [[nodiscard]] Transform world_from_foot(const CameraStand& stand);
 
-/// Of the depth imager, through the chain of joints of the robot that is built.
+/// The pose of the depth imager, through the joint chain of the robot as built.
 [[nodiscard]] Transform world_from_camera(const CameraStand& stand);
 
 }  // namespace rva

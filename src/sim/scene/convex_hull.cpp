@@ -15,8 +15,8 @@ namespace {
 using Points = std::span<const Eigen::Vector3d>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Points on one line or in one plane leave it to rounding on which side of a triangle they lie, and a hull
-// can tear there. Moved at random by a millionth of their extent, no four points share a plane.
+// For points on one line or in one plane, rounding decides on which side of a triangle they lie, and the hull
+// can get a gap there. Random displacements by up to a millionth of the extent prevent four coplanar points.
 std::vector<Eigen::Vector3d> jittered(Points points) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : points) box.extend(point);
@@ -42,7 +42,7 @@ class GrowingHull {
     }
   }
 
-  /// Takes away what the point sees, and spans new faces from the rim to the point.
+  /// Removes the faces that are visible from the point, and adds faces between their rim and the point.
   void add(std::uint32_t point) {
     const auto hidden = [&](const Face& face) { return face.height(points_[point]) <= 0; };
     const auto first_seen = std::partition(faces_.begin(), faces_.end(), hidden);
@@ -68,8 +68,8 @@ class GrowingHull {
  private:
   struct Face {
     Triangle corners;
-    double x, y, z,
-        offset;  ///< outward normal, of any length; plain numbers, for this is where the time goes
+    // Outward normal of any length, and the plane's offset; plain numbers, since this dominates the run time.
+    double x, y, z, offset;
 
     [[nodiscard]] double height(const Eigen::Vector3d& p) const {
       return x * p.x() + y * p.y() + z * p.z() - offset;
@@ -94,7 +94,7 @@ std::uint32_t farthest(Points points, Measure measure) {
   return static_cast<std::uint32_t>(found - points.begin());
 }
 
-/// A tetrahedron as large as is easily found, facing outward.
+/// The corners of a large tetrahedron, found greedily, ordered so that its faces point outward.
 std::array<std::uint32_t, 4> first_corners(Points points) {
   const std::uint32_t a = farthest(points, [](const auto& p) { return -p.x(); });
   const std::uint32_t b = farthest(points, [&](const auto& p) { return (p - points[a]).squaredNorm(); });

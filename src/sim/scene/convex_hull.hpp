@@ -1,4 +1,4 @@
-// The smallest convex body or polygon around points.
+// Convex hulls in space and in the plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace rva {
 
-/// Triangles of the hull in space, as indices into the points, counterclockwise seen from outside; empty when
-/// the points lie in one plane. Flat faces come in several triangles, some of them mere slivers along their
-/// edges.
+/// Triangles of the hull in space, as indices into the points, counterclockwise seen from outside; empty if
+/// the points lie in one plane. Flat faces consist of several triangles, some of which are slivers along
+/// their edges.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> convex_hull(std::span<const Eigen::Vector3d> points);
 
-/// Corners of the hull in the plane, counterclockwise; fewer than three when the points lie on one line.
+/// Corners of the hull in the plane, counterclockwise; fewer than three if the points lie on one line.
 [[nodiscard]] std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
-/// From a point inside a convex polygon to its nearest edge; negative outside, and for fewer than three
-/// corners.
-/// @param polygon counterclockwise
+/// Distance from a point inside a convex polygon to its nearest edge; negative outside, and minus infinity
+/// for fewer than three corners.
+/// @param polygon corners, counterclockwise
 [[nodiscard]] double depth_inside(std::span<const Eigen::Vector2d> polygon, const Eigen::Vector2d& point);
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-// What mechanics leave behind, in its true size.
+// The kinds of debris that mechanics leave behind, in true size.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@ namespace rva {
 
 /// One kind of debris.
 struct DebrisKind {
-  std::string_view name;    ///< "collar-0.27": what scene files call it
-  double size_mm;           ///< its largest extent
-  std::string_view source;  ///< where its sizes come from: a standard, a product, a figure of the thesis
+  std::string_view name;    ///< name in scene files, such as "collar-0.27"
+  double size_mm;           ///< largest extent
+  std::string_view source;  ///< source of the dimensions: a standard, a product, a figure of the thesis
 };
 
 [[nodiscard]] const std::vector<DebrisKind>& debris_catalogue();
@@ -22,8 +22,9 @@ struct DebrisKind {
 /// Null for an unknown name.
 [[nodiscard]] const DebrisKind* find_debris_kind(std::string_view name);
 
-/// Solids of a kind, in a frame whose origin is their centre of mass.
-/// @param shape_seed for kinds that are never twice the same (rag, glove, swarf, wire): which one
+/// The solids of one piece, in metres, in a frame whose origin is their centre of volume, which serves as the
+/// centre of mass.
+/// @param shape_seed seed of the shape for kinds that vary (rag, glove, swarf, wire, tape)
 /// @throws std::out_of_range for a kind that the catalogue lacks
 [[nodiscard]] std::vector<Part> make_debris(std::string_view kind, std::uint64_t shape_seed);
 

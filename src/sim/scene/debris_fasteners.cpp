@@ -7,12 +7,12 @@ namespace rva {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
-constexpr int round = 48;  ///< facets of what has its diameter measured
+constexpr int round = 48;  ///< facets around parts whose diameter matters
 constexpr int small_round = 24;
 
 }  // namespace
 
-// Figure 3.10 gives the diameter of the flange; the rest, in proportion to it, is assumed.
+// Figure 3.10 of the thesis gives the diameter of the flange; the proportions are assumed.
 Parts swaged_collar(double diameter_in) {
   const double d = diameter_in * mm_per_inch;
   const TriangleMesh collar = turned_hollow({{0.25 * d, 0.00 * d},
@@ -50,7 +50,7 @@ Parts nut_m6() {
 }
 
 Parts nut_plate() {
-  constexpr double lug_distance = 8.75;  // from the middle: rivets are 17.5 mm apart
+  constexpr double lug_distance = 8.75;  // from the middle; the rivets are 17.5 mm apart
   Outline base = arc({lug_distance, 0}, 3.75, -70, 70, 8);
   for (const auto& [center_x, radius, from_deg, to_deg] :
        {std::array<double, 4>{0.0, 6.0, 70, 110}, {-lug_distance, 3.75, 110, 250}, {0.0, 6.0, 250, 290}}) {

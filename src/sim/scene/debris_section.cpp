@@ -43,7 +43,7 @@ Transform read_drop(const YamlNode& item, const SceneObject& object, const Scene
   const auto pose = put_down(RayCaster(scene), object.parts, orientation, turn_deg, {on.x(), on.y(), from_m});
   if (!pose)
     throw item.at("on").error(fmt::format("{} does not come to rest there", object.kind),
-                              "choose another place, turn_deg, resting or from_m");
+                              "choose another position, turn_deg, resting or from_m");
   return *pose;
 }
 
@@ -65,7 +65,7 @@ void add_by_hand(const YamlNode& item, Scene& scene) {
   object.world_from_object = item.has("at_m") ? read_pose(item) : read_drop(item, object, scene);
   if (!lies_inside(scene, object))
     throw item.at(item.has("at_m") ? "at_m" : "on")
-        .error(fmt::format("{} lies outside the bay", object.kind), "choose a place inside");
+        .error(fmt::format("{} lies outside the bay", object.kind), "choose a position inside it");
   scene.objects.push_back(std::move(object));
 }
 
@@ -73,7 +73,7 @@ std::vector<std::string> read_kinds(const YamlNode& item) {
   std::vector<std::string> kinds;
   if (const auto list = item.find("kinds")) {
     for (const YamlNode& kind : list->items()) kinds.push_back(read_kind(kind));
-    if (kinds.empty()) throw list->error("names no kind", "name some, or leave the key out for all");
+    if (kinds.empty()) throw list->error("lists no kind", "list some, or omit the key for all kinds");
     return kinds;
   }
   for (const std::string_view kind : kind_names()) kinds.emplace_back(kind);
@@ -107,11 +107,12 @@ void add_at_random(const YamlNode& item, std::uint64_t group, std::optional<std:
 
   const int placed = place_at_random(wanted, scene);
   if (placed < wanted.count)
-    throw item.at("random").error(fmt::format("found room for {} of {} only", placed, wanted.count),
-                                  "ask for fewer, for smaller kinds, or widen within_m");
+    throw item.at("random").error(fmt::format("found room for only {} of {}", placed, wanted.count),
+                                  "ask for fewer pieces or smaller kinds, or widen within_m");
 }
 
-// "collar-0.27" where there is one, else "collar-0.27-1", "collar-0.27-2" ...
+// Names the objects that have no name: "collar-0.27" if it is the only one of its kind without a name, else
+// "collar-0.27-1", "collar-0.27-2" ...
 void name_the_rest(Scene& scene) {
   std::map<std::string, int> unnamed;
   std::set<std::string> taken;

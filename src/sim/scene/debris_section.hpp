@@ -9,9 +9,9 @@
 
 namespace rva {
 
-/// Drops debris in the order of the section onto what the scene holds so far, and gives names to what has
-/// none.
-/// @param seed for debris at random, instead of the section's
+/// Drops the debris of the section, in its order, onto the objects that the scene contains so far, and names
+/// the objects that have no name.
+/// @param seed for debris placed at random, instead of the section's seeds
 /// @throws Error also for debris that does not come to rest, or lies outside the bay
 void add_debris(const YamlNode& section, std::optional<std::uint64_t> seed, Scene& scene);
 

@@ -1,5 +1,5 @@
-// The shapes behind the debris catalogue. Here, and only here, lengths are millimetres, as drawings state
-// them; make_debris() turns them into metres.
+// The shapes of the debris catalogue. Lengths in this header are in millimetres, as in drawings;
+// make_debris() converts them to metres.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,26 +18,28 @@ using Parts = std::vector<Part>;
 [[nodiscard]] Part part_of(std::string_view material, TriangleMesh mesh);
 [[nodiscard]] TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& by);
 [[nodiscard]] TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& factors);
-/// Counterclockwise about an axis of unit length.
+/// The mesh rotated counterclockwise about an axis of unit length.
 [[nodiscard]] TriangleMesh turned(const TriangleMesh& mesh, double angle_deg, const Eigen::Vector3d& axis);
-/// lathe() of a profile written in place: corners (r, z).
+/// lathe() for a profile given as a list: corners (r, z).
 [[nodiscard]] TriangleMesh turned_solid(std::initializer_list<Eigen::Vector2d> profile_rz, int segments);
-/// turned_ring() of a loop written in place: corners (r, z), up along the outside, down along the bore.
+/// turned_ring() for a loop given as a list: corners (r, z), up along the outside, down along the bore.
 [[nodiscard]] TriangleMesh turned_hollow(std::initializer_list<Eigen::Vector2d> loop_rz, int segments);
-/// A regular hexagon's corners. @param across_flats as a spanner measures it
+/// The corners of a regular hexagon.
+/// @param across_flats distance between opposite sides
 [[nodiscard]] Outline hexagon(double across_flats);
 /// An arc, both ends included, counterclockwise.
 [[nodiscard]] Outline arc(const Eigen::Vector2d& center, double radius, double from_deg, double to_deg,
                           int pieces);
-/// A strip of sheet metal or tape. @param normals its thickness runs along them, one for each point, unit
-/// length
+/// A strip of sheet metal or tape along a path.
+/// @param normals directions of its thickness, one for each point of the path, of unit length
+/// @param across  direction of its width, of unit length
 [[nodiscard]] TriangleMesh ribbon(const std::vector<Eigen::Vector3d>& path,
                                   const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& across,
                                   double width, double thickness);
-/// Scaled as a whole, so that its largest extent is as given: one size for shapes made at random.
+/// The parts, uniformly scaled to the given largest extent, so that random shapes of a kind have one size.
 [[nodiscard]] Parts fitted(Parts parts, double largest_extent);
 
-/// Tools, and what a pocket loses.
+/// Tools, and things that fall out of a pocket.
 [[nodiscard]] Parts flashlight();
 [[nodiscard]] Parts small_flashlight();
 [[nodiscard]] Parts screwdriver();
@@ -48,7 +50,7 @@ using Parts = std::vector<Part>;
 [[nodiscard]] Parts pen();
 [[nodiscard]] Parts key();
 
-/// What holds a wing together.
+/// Fasteners of a wing.
 [[nodiscard]] Parts swaged_collar(double diameter_in);
 [[nodiscard]] Parts bolt_m6();
 [[nodiscard]] Parts hi_lok();
@@ -57,7 +59,7 @@ using Parts = std::vector<Part>;
 [[nodiscard]] Parts rivet();
 [[nodiscard]] Parts washer_m6();
 
-/// What bends; never twice the same, but for the roll.
+/// Flexible things, random in shape except for the roll of tape.
 [[nodiscard]] Parts swarf(Random& random);
 [[nodiscard]] Parts wire(Random& random);
 [[nodiscard]] Parts tape_roll();

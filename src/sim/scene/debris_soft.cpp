@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A strip that bends in its own plane, x and z, by so much at each step.
+/// A strip that bends in the plane of x and z, by the angle `bend(i)` in radians at step i.
 template <typename Bend>
 TriangleMesh bent_strip(int steps, double step, double width, double thickness, Bend bend) {
   std::vector<Eigen::Vector3d> path;
@@ -30,7 +30,7 @@ TriangleMesh bent_strip(int steps, double step, double width, double thickness, 
   return ribbon(path, normals, Eigen::Vector3d::UnitY(), width, thickness);
 }
 
-/// A ball drawn out along z.
+/// A capsule along z: a cylinder with hemispherical ends.
 TriangleMesh capsule(double radius, double length) {
   constexpr int pieces = 5;
   std::vector<Eigen::Vector2d> profile;
@@ -45,7 +45,7 @@ TriangleMesh capsule(double radius, double length) {
   return lathe(profile, 16);
 }
 
-/// A wave of cloth: its height at a place.
+/// A sine wave in a cloth.
 struct Fold {
   double along_x, along_y, phase, height;
 
@@ -124,8 +124,8 @@ Parts tape_strip(Random& random) {
   return fitted({part_of("masking-tape", strip)}, 50.0);
 }
 
-// Folds stand up from a floor on which the rest of the cloth lies; its edges are drawn in where it is
-// crumpled.
+// Folds stand up from a floor on which the rest of the cloth lies; its edges are drawn in where
+// it is crumpled.
 Parts rag(Random& random) {
   constexpr int columns = 41;
   constexpr int rows = 31;
@@ -142,14 +142,14 @@ Parts rag(Random& random) {
   TriangleMesh cloth = sheet(heights, columns, pitch, 1.2);
   for (Eigen::Vector3f& vertex : cloth.vertices) {
     const Eigen::Vector2d flat = vertex.head<2>().cast<double>();
-    // Slow and low enough that neighbours never change places, which would turn the cloth inside out.
+    // The waves are long and low enough that neighbours never swap, which would turn the cloth inside out.
     vertex.x() += static_cast<float>(0.4 * height_of(drawn_x, flat.x() / 2, flat.y() / 2));
     vertex.y() += static_cast<float>(0.4 * height_of(drawn_y, flat.x() / 2, flat.y() / 2));
   }
   return fitted({part_of("fabric-red", cloth)}, 200.0);
 }
 
-// A palm, a cuff, four fingers and a thumb, all flat as of an empty glove.
+// A palm, a cuff, four fingers and a thumb, all flattened like an empty glove.
 Parts glove(Random& random) {
   TriangleMesh hand = scaled(capsule(0.5, 0.7), {92, 30, 78});
   hand.append(moved(scaled(capsule(0.5, 0.6), {84, 26, 60}), {0, 0, -35}));

@@ -60,7 +60,7 @@ Parts screwdriver() {
   return {part_of("red-plastic", grip), part_of("black-plastic", collar), part_of("steel", shaft)};
 }
 
-// Round bores in place of the square and the hexagon: both are dark holes to a camera.
+// Round bores replace the square and the hexagon, since a camera sees either as a dark hole.
 Parts socket() {
   const TriangleMesh shell = turned_hollow({{7.0, 0},
                                             {11.5, 0},
@@ -76,7 +76,7 @@ Parts socket() {
   return {part_of("steel", shell)};
 }
 
-// A jaw open to one side, a ring at the other end, 160 mm over all.
+// A jaw open to one side, a ring at the other end; 160 mm overall.
 Parts wrench() {
   constexpr double jaw_radius = 14.5;
   constexpr double jaw_half_width = 6.5;

@@ -15,7 +15,7 @@ double default_look_down_m(const Scene& scene) {
 
 bool lies_inside(const Scene& scene, const SceneObject& object) {
   if (scene.bay.isEmpty()) return true;
-  // What lies on the skin touches it, up to rounding.
+  // An object on the skin touches the bay's boundary, except for rounding.
   constexpr double rounding_m = 2e-4;
   const Eigen::Vector3d slack = Eigen::Vector3d::Constant(rounding_m);
   return Eigen::AlignedBox3d(scene.bay.min() - slack, scene.bay.max() + slack)

@@ -30,7 +30,7 @@ double stringer_y_m(const WingBay& bay, int number) {
   return bay.chord_m * number / (bay.stringers.count + 1);
 }
 
-// Between two neighbouring stringers, not beside a spar where there is a choice.
+// Between two neighbouring stringers, or, with fewer than two stringers, near the middle of the chord.
 double gap_y_m(const WingBay& bay, Random& random) {
   const int gaps = bay.stringers.count - 1;
   if (gaps < 1) return random.uniform(0.4, 0.7) * bay.chord_m;
@@ -39,7 +39,7 @@ double gap_y_m(const WingBay& bay, Random& random) {
 }
 
 double somewhere_x_m(const WingBay& bay, Random& random) {
-  constexpr double from_rib = 0.4;  // of the span
+  constexpr double from_rib = 0.4;  // share of the span to either side of the middle
   return random.uniform(-from_rib, from_rib) * bay.span_m;
 }
 
@@ -94,7 +94,7 @@ std::vector<Part> hose(const WingBay& bay, Random& random) {
   return parts;
 }
 
-// @param hanging its shape between the places where it is held
+// @param hanging random stream of the shape between the points of support
 std::vector<Part> cable(const WingBay& bay, Random& random, Random hanging) {
   constexpr int pieces = 60;
   constexpr std::array<std::string_view, 3> jackets{"white-plastic", "blue-plastic", "black-plastic"};
@@ -109,7 +109,7 @@ std::vector<Part> cable(const WingBay& bay, Random& random, Random hanging) {
   const int held = bay.stringers.count + 1;
   std::vector<Eigen::Vector3d> path;
   for (int i = 0; i <= pieces; ++i) {
-    const double share = 0.25 + 0.72 * i / pieces;  // of the chord: not where the robot stands
+    const double share = 0.25 + 0.72 * i / pieces;  // of the chord; avoids the position of the robot
     const double between = std::pow(std::sin(pi * share * held), 4);
     path.emplace_back(x_m + wander_m * std::sin(2 * pi * waves * share + phase), share * bay.chord_m,
                       radius_m + top_m - sag_m * between);
@@ -152,7 +152,7 @@ std::vector<Part> collars(const WingBay& bay, Random& random) {
   return row;
 }
 
-/// Fittings of one bay and seed, one after the other.
+/// Collects the fittings of one bay, all from one seed.
 class Installer {
  public:
   Installer(const WingBay& bay, std::uint64_t seed, Role role, std::string_view prefix)
@@ -172,7 +172,7 @@ class Installer {
     object.parts = make(bay_, random);
     objects_.push_back(std::move(object));
   }
-  // Hangs so, and held where it is held for any other number.
+  // Adds a cable whose shape depends on `hanging`, but whose points of support do not.
   void add_cable(int number, std::uint64_t hanging) {
     const Random shape(mix(seed_, number, hanging, 0xCAB1E));
     add_one("cable", number,

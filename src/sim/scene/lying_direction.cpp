@@ -8,7 +8,7 @@
 namespace rva {
 
 double lying_direction_deg(std::span<const Part> parts, const RestingOrientation& orientation) {
-  // Vertices, from the centre of mass.
+  // Vertices relative to the centre of mass.
   std::vector<Eigen::Vector2d> seen_from_above;
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Part& part : parts) {
@@ -22,7 +22,7 @@ double lying_direction_deg(std::span<const Part> parts, const RestingOrientation
   solver.computeDirect(spread);
   Eigen::Vector2d axis = solver.eigenvectors().col(1);
 
-  // The lighter end reaches farther.
+  // The lighter end is farther from the centre of mass.
   const auto [back, front] =
       std::minmax_element(seen_from_above.begin(), seen_from_above.end(),
                           [&](const auto& a, const auto& b) { return axis.dot(a) < axis.dot(b); });

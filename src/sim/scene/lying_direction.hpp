@@ -1,4 +1,4 @@
-// Which way debris points where it lies.
+// The direction in which debris points on the floor.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace rva {
 
-/// Direction of the body's long axis on the floor, towards its lighter end (a screwdriver's tip): degrees
-/// counterclockwise from x, when it is put down with a turn of 0.
+/// Direction of the body's long axis on the floor, towards its lighter end (the tip of a screwdriver), if it
+/// is put down with a turn of 0: degrees, counterclockwise from x.
 [[nodiscard]] double lying_direction_deg(std::span<const Part> parts, const RestingOrientation& orientation);
 
 }  // namespace rva

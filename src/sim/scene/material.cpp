@@ -8,15 +8,15 @@
 namespace rva {
 namespace {
 
-// Diffuse reflectances at 850 nm are plausible, not measured: they follow the near-infrared ends of published
+// Diffuse reflectances at 850 nm are plausible, not measured. They follow the near-infrared ends of published
 // reflectance spectra (ECOSTRESS and USGS spectral libraries for paints, concrete, plaster, paper, cloth and
-// leather), where three things differ from what the eye sees. Dyes let infrared pass, so that dyed cloth,
-// leather and plastics are nearly as bright as white ones; carbon black does not, so that rubber and black
-// plastics stay dark; dyed black anodising lies between. Polished metal hardly scatters and is seen by its
-// highlights alone.
+// leather), which differ from visible reflectances in three ways. Dyes transmit infrared, so dyed cloth,
+// leather and plastics are nearly as bright as white ones; carbon black absorbs it, so rubber and black
+// plastics are dark; dyed black anodising lies in between. Polished metal hardly scatters light and is
+// visible only by its highlights.
 //
-// Grain is what a stereo camera matches where its projector adds nothing: the orange peel and speckle of
-// paint, the weave of cloth, the sand of concrete.
+// Grain is the texture that a stereo camera matches in the absence of projected dots: the orange peel and
+// speckle of paint, the weave of cloth, the sand of concrete.
 constexpr std::array<Material, 28> materials{{
     {"green-primer", 0.50, 0.02, 6, 0.05, 0.0015, {132, 141, 72}},
     {"white-paint", 0.60, 0.04, 25, 0.03, 0.0020, {225, 225, 220}},

@@ -1,4 +1,4 @@
-// How a surface answers infrared and visible light.
+// The reflection of infrared and visible light by materials.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace rva {
 
-/// Reflection is diffuse (Lambert) plus a glossy lobe (normalised Blinn-Phong), whose highlights move with
-/// the eye; a grain varies the diffuse part over the surface, and dirt darkens it in patches.
+/// Reflection is diffuse (Lambert) plus a glossy lobe (normalised Blinn-Phong), whose highlights depend on
+/// the position of the eye. Grain varies the diffuse part over the surface, and dirt darkens it in patches.
 struct Material {
   std::string_view name;
   double infrared_albedo;  ///< diffuse reflectance at 850 nm, 0 to 1
@@ -19,7 +19,7 @@ struct Material {
   double grain;            ///< relative contrast of the surface's own texture, 0 to 1
   double grain_m;          ///< size of that texture, metres
   Rgb color;               ///< diffuse, in visible light
-  double dirt = 0.0;       ///< how much dust and old oil darken it where they lie, 0 to 1
+  double dirt = 0.0;       ///< share of light that dust and old oil take where they are thickest, 0 to 1
 };
 
 /// @throws std::out_of_range for a name that material_names() does not list

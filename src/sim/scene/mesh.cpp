@@ -34,7 +34,8 @@ Eigen::AlignedBox3d bounds(const TriangleMesh& mesh) {
   return box;
 }
 
-// The tetrahedra between the triangles and one point: those whose triangle faces the point count negative.
+// The sum of the signed volumes of the tetrahedra between the triangles and one point; those whose triangle
+// faces the point are negative.
 double volume_m3(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return 0.0;
   const Eigen::Vector3d apex = bounds(mesh).center();

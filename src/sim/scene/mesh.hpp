@@ -1,4 +1,4 @@
-// Surfaces made of triangles.
+// Triangle meshes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,8 +10,8 @@
 
 namespace rva {
 
-/// Triangles in one frame, metres; corners in counterclockwise order seen from outside, so that normals
-/// point outward. A solid is one or more closed surfaces, which may overlap.
+/// Triangles in one frame, in metres. Corners are in counterclockwise order seen from outside, so that
+/// normals point outward. A solid consists of one or more closed surfaces, which may overlap.
 struct TriangleMesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into `vertices`
@@ -20,17 +20,17 @@ struct TriangleMesh {
   void append(const TriangleMesh& other);
 };
 
-/// @param b_from_a where the mesh's frame a lies in b
+/// Transforms a mesh from frame a to frame b.
 [[nodiscard]] TriangleMesh transformed(const TriangleMesh& mesh_in_a, const Transform& b_from_a);
 
-/// The smallest box along the axes; empty for an empty mesh.
+/// The axis-aligned bounding box; empty for an empty mesh.
 [[nodiscard]] Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
 
-/// The volume enclosed, cubic metres; parts that overlap count twice. Negative when the triangles face
-/// inward.
+/// The enclosed volume in cubic metres; parts that overlap count twice. Negative if the
+/// triangles face inward.
 [[nodiscard]] double volume_m3(const TriangleMesh& mesh);
 
-/// True when every edge is shared by two triangles that run along it in opposite directions.
+/// True if every edge is shared by exactly two triangles, which run along it in opposite directions.
 [[nodiscard]] bool is_closed(const TriangleMesh& mesh);
 
 }  // namespace rva

@@ -17,7 +17,7 @@
 namespace rva {
 namespace {
 
-// Trees over the triangles take some hundred bytes each.
+// The ray caster's tree needs a few hundred bytes per triangle.
 constexpr std::size_t most_triangles = 5'000'000;
 constexpr double largest_m = 100.0;
 
@@ -26,22 +26,23 @@ std::string ending_of(const std::filesystem::path& file) {
   if (!ending.empty()) ending.erase(0, 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  // Assimp reads PLY as well, but does not come back from some damaged files.
+  // Assimp also reads PLY, but never returns on some damaged files.
   constexpr std::array<std::string_view, 2> known{"obj", "stl"};
   if (std::find(known.begin(), known.end(), ending) == known.end())
-    throw Error(printable(file), "not a mesh file that can be read", "use a file .obj or .stl");
+    throw Error(printable(file), "not a supported mesh file", "use an .obj or .stl file");
   return ending;
 }
 
 const aiScene* import_with(Assimp::Importer& importer, const std::vector<std::byte>& bytes,
                            const std::string& ending) {
-  // Only places and triangles matter; corners of different normals are joined so that a solid is closed.
+  // Only positions and triangles are needed. Without normals, corners at one position are joined, so that a
+  // solid is closed.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TEXCOORDS |
                                                           aiComponent_COLORS | aiComponent_MATERIALS |
                                                           aiComponent_TANGENTS_AND_BITANGENTS);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyBool(AI_CONFIG_PP_FD_REMOVE, true);
-  // Validation first: the other steps trust what they are given, and crash on a file that ends early.
+  // Validation comes first: the other steps rely on valid data, and crash on a truncated file.
   return importer.ReadFileFromMemory(bytes.data(), bytes.size(),
                                      aiProcess_ValidateDataStructure | aiProcess_RemoveComponent |
                                          aiProcess_Triangulate | aiProcess_FindDegenerates |
@@ -61,15 +62,15 @@ TriangleMesh converted(const aiMesh& source, double unit_m) {
 }
 
 void require_sensible(const TriangleMesh& mesh, const std::filesystem::path& file) {
-  if (mesh.triangles.empty()) throw Error(printable(file), "holds no triangles", "export it again");
+  if (mesh.triangles.empty()) throw Error(printable(file), "contains no triangles", "export it again");
   if (mesh.triangles.size() > most_triangles)
-    throw Error(printable(file), "holds more than 5 million triangles", "export it coarser");
+    throw Error(printable(file), "contains more than 5 million triangles", "export a coarser mesh");
   const bool fits =
       std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Eigen::Vector3f& vertex) {
         return vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < static_cast<float>(largest_m);
       });
   if (!fits)
-    throw Error(printable(file), "is larger than 100 m, or has corners that are no numbers",
+    throw Error(printable(file), "extends beyond 100 m, or has coordinates that are not finite",
                 "check its unit, or export it again");
 }
 

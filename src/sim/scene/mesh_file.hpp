@@ -1,4 +1,4 @@
-// Triangles that other programs wrote.
+// Mesh files of other programs.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,10 @@
 
 namespace rva {
 
-/// Reads OBJ, STL or PLY, told by the file's ending. A closed surface that faces inward is turned outward.
-/// @param unit_m what a length of 1 in the file means
-/// @throws Error when the file cannot be read, or holds no triangles, too many, or no real places
+/// Reads an OBJ or STL file, according to its extension. A closed surface that faces inward is reversed.
+/// @param unit_m length of one unit of the file, in metres
+/// @throws Error if the file cannot be read, contains no triangles or more than 5 million, or has coordinates
+///         that are not finite or beyond 100 m
 [[nodiscard]] TriangleMesh load_mesh(const std::filesystem::path& file, double unit_m);
 
 }  // namespace rva

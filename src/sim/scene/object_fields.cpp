@@ -45,8 +45,8 @@ void require_new_name(const Scene& scene, const std::string& name, const YamlNod
   const bool taken = std::any_of(scene.objects.begin(), scene.objects.end(),
                                  [&](const SceneObject& object) { return object.name == name; });
   if (taken)
-    throw named.error(fmt::format("\"{}\" is another object's name already", printable(name)),
-                      "give each object a name of its own");
+    throw named.error(fmt::format("\"{}\" is already the name of another object", printable(name)),
+                      "give each object a unique name");
 }
 
 }  // namespace rva

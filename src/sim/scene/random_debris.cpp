@@ -13,9 +13,9 @@
 namespace rva {
 namespace {
 
-// A crowded bay may have no room left for a rag, yet some for a nut.
+// Several kinds are tried for each piece: a crowded bay may have no room for a rag, but still for a nut.
 constexpr int most_kinds = 20;
-constexpr int most_tries = 100;  // of one kind
+constexpr int most_tries = 100;  // for one kind
 constexpr double clearance_m = 0.002;
 
 Eigen::AlignedBox2d seen_from_above(const SceneObject& object) {
@@ -33,7 +33,7 @@ const RestingOrientation& tumble(const std::vector<RestingOrientation>& orientat
   return orientations.back();
 }
 
-// One set of debris on its way into a scene.
+// Places one set of debris in a scene.
 class Scattering {
  public:
   Scattering(const RandomDebris& wanted, Scene& scene)
@@ -43,7 +43,7 @@ class Scattering {
     }
   }
 
-  /// False when no place is found.
+  /// Returns false if no free position is found.
   [[nodiscard]] bool place_one() {
     for (int kinds = 0; kinds < most_kinds; ++kinds) {
       throw_if_interrupted();
@@ -68,7 +68,7 @@ class Scattering {
     const double x_m = chance_.uniform(wanted_.within.min().x(), wanted_.within.max().x());
     const double y_m = chance_.uniform(wanted_.within.min().y(), wanted_.within.max().y());
 
-    // Most places fail in the plane already, and the drop is what takes time.
+    // Most positions already fail the test in the plane, which saves the time of the drop.
     const Eigen::AngleAxisd turn(turn_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ());
     object.world_from_object.linear() = turn.toRotationMatrix() * orientation.floor_from_body;
     object.world_from_object.translation() = Eigen::Vector3d(x_m, y_m, wanted_.from_m);
@@ -94,7 +94,7 @@ class Scattering {
 
   const RandomDebris& wanted_;
   Scene& scene_;
-  RayCaster surface_;  // the scene before this set: what lies apart needs not be looked at again
+  RayCaster surface_;  // the scene before this set: its pieces lie apart and never rest on each other
   Random chance_;
   std::vector<Eigen::AlignedBox2d> occupied_;
 };

@@ -1,4 +1,4 @@
-// Debris scattered by chance, the same for the same seed on every machine.
+// Debris at random positions, the same for the same seed on every machine.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@ namespace rva {
 
 struct RandomDebris {
   int count = 1;
-  std::vector<std::string> kinds;  ///< of debris_catalogue(); each as likely as another
+  std::vector<std::string> kinds;  ///< names in debris_catalogue(), equally likely
   std::uint64_t seed = 1;
-  std::uint64_t group = 0;     ///< sets of one seed differ by this
+  std::uint64_t group = 0;     ///< distinguishes sets of one seed
   Eigen::AlignedBox2d within;  ///< where centres of mass may lie, world x and y
-  double from_m = 0;           ///< height from which they fall
+  double from_m = 0;           ///< world z from which they fall
 };
 
 /// Adds objects without names that rest on the scene, inside the bay and clear of all other debris.
-/// @return how many found a place
+/// @return the number of objects added, at most `count`
 [[nodiscard]] int place_at_random(const RandomDebris& wanted, Scene& scene);
 
 }  // namespace rva

@@ -130,7 +130,7 @@ void RayCaster::occluded(std::span<const Ray> rays, std::span<std::uint8_t> bloc
   std::vector<RTCRay> queries(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) fill(queries[i], rays[i], 1.0F);
   rtcOccluded1M(impl_->tree, &context, queries.data(), static_cast<unsigned>(queries.size()), sizeof(RTCRay));
-  // Embree marks what is hidden by a length of minus infinity.
+  // Embree sets tfar of an occluded ray to minus infinity.
   for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = queries[i].tfar < 0.0F ? 1 : 0;
 }
 
@@ -142,8 +142,8 @@ std::optional<Hit> RayCaster::cast(const Ray& ray) const {
 }
 
 std::optional<std::size_t> RayCaster::solid_around(const Eigen::Vector3d& point) const {
-  // A ray that leaves a solid once more often than it enters it began inside. The direction is along no
-  // plane that a person would build.
+  // A ray that leaves a solid more often than it enters it started inside. The direction is oblique, so that
+  // it is unlikely to lie in a surface of the scene.
   const Eigen::Vector3f direction = Eigen::Vector3f(0.1234F, 0.2718F, 0.9513F).normalized();
   constexpr float step_past_m = 1e-5F;
   constexpr int most_surfaces = 1000;

@@ -1,5 +1,6 @@
-// The drop straight down. Its samples are the body's vertices and vertical lines through the body, closer
-// together than the sheets that a wing is made of are thick; what passes between them, a needle, is not felt.
+// The straight drop of a body, sampled at its vertices and along vertical lines through it. The lines are
+// closer together than the thickness of a wing's sheets; thinner obstacles between them, such as a needle,
+// are missed.
 #include "sim/scene/resting.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double pitch_m = 0.0015;
 constexpr double contact_m = 0.0005;
-/// Surfaces whose normal points down by more than this are seen from within their solid.
+/// A downward ray that hits a surface whose normal has a z below this starts inside a solid.
 constexpr float upward = -1e-3F;
 
 /// A vertical line through the body, from its underside to its top.
@@ -27,7 +28,7 @@ std::vector<Hit> cast_all(const RayCaster& caster, const std::vector<Ray>& rays)
   return hits;
 }
 
-/// One column of no length for each vertex, then those of a grid.
+/// One column of zero length for each vertex, then the columns of a grid.
 std::vector<Column> columns_of(const SceneObject& body) {
   std::vector<Column> columns;
   const TriangleMesh mesh = world_mesh(body);
@@ -57,7 +58,7 @@ std::vector<Column> columns_of(const SceneObject& body) {
   return columns;
 }
 
-/// Does the body, where it starts, cut into something?
+/// Whether the body intersects something at its start position.
 bool is_cut(const RayCaster& surface, const std::vector<Column>& columns) {
   std::vector<Ray> rays;
   for (const Column& column : columns) {
@@ -68,7 +69,8 @@ bool is_cut(const RayCaster& surface, const std::vector<Column>& columns) {
   return std::any_of(blocked.begin(), blocked.end(), [](std::uint8_t is_blocked) { return is_blocked != 0; });
 }
 
-/// How far each column is above the surface; empty where one has nothing below it or starts within a solid.
+/// The height of each column above the surface; empty if any column has nothing below it or starts
+/// inside a solid.
 std::vector<float> gaps_below(const RayCaster& surface, const std::vector<Column>& columns) {
   std::vector<Ray> rays;
   for (const Column& column : columns) rays.push_back({column.underside, -Eigen::Vector3f::UnitZ()});

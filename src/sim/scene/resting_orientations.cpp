@@ -7,14 +7,14 @@
 namespace rva {
 namespace {
 
-constexpr double flat_m = 2e-5;  ///< facets are one face when they leave its plane by no more
-constexpr double grip_m = 1e-5;  ///< a centre of mass nearer to the edge of its face tips over
+constexpr double flat_m = 2e-5;  ///< facets whose corners deviate from a plane by no more form one face
+constexpr double grip_m = 1e-5;  ///< a body whose centre of mass is nearer to the edge of its face tips over
 
 struct Facet {
   std::array<Eigen::Vector3d, 3> corners;
-  Eigen::Vector3d area;  ///< outward normal, as long as twice the facet's area
+  Eigen::Vector3d area;  ///< outward normal with a length of twice the facet's area
 
-  /// The solid angle that it fills, seen from the origin (Van Oosterom and Strackee, 1983).
+  /// The solid angle of the facet at the origin (Van Oosterom and Strackee, 1983).
   [[nodiscard]] double solid_angle() const {
     const auto& [a, b, c] = corners;
     const double la = a.norm();
@@ -35,7 +35,8 @@ struct Plane {
   }
 };
 
-/// The hull's facets, largest first: slivers know their plane badly and must join a good facet's.
+/// The hull's facets, largest first: the plane of a sliver is inaccurate, so slivers must join the face of a
+/// large facet.
 std::vector<Facet> facets_around(std::span<const Part> parts) {
   std::vector<Eigen::Vector3d> points;
   for (const Part& part : parts) {
@@ -54,7 +55,7 @@ std::vector<Facet> facets_around(std::span<const Part> parts) {
   return facets;
 }
 
-/// A body on one face of its hull, whether it stays there or not; `probability` is still a solid angle.
+/// A body on one face of its hull, whether stable or not; `probability` is not yet normalised: a solid angle.
 RestingOrientation standing_on(const Plane& plane, std::span<const Facet> face) {
   RestingOrientation standing{
       .floor_from_body =

@@ -1,4 +1,4 @@
-// Rows of rivet heads: the repeated structure that a stereo camera meets in a wing.
+// Rows of rivet heads, the typical repetitive structure of a wing.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,10 +7,10 @@
 
 namespace rva {
 
-/// Domes of 5 mm, 35 mm apart, that look up (+z), evenly along a level line; none where the line is too
-/// short.
+/// Dome heads of 5 mm diameter that face up (+z), evenly spaced by 35 mm or more along a level line; none if
+/// the line is shorter than that.
 /// @param from_m one end of the line, on the sheet
-/// @param to_m   the other
+/// @param to_m   the other end
 [[nodiscard]] TriangleMesh rivet_row(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m);
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-// What the simulated camera looks at.
+// Scenes for the simulated camera.
 //
 // World frame: x along the span (to the right, seen from the access hole), y along the chord (away from it),
 // z up; origin on the lower skin at the middle of the bay's near spar. Metres.
@@ -15,7 +15,7 @@
 
 namespace rva {
 
-/// A piece of an object that is of one material.
+/// A piece of an object, of one material.
 struct Part {
   TriangleMesh mesh;  ///< in the object's frame
   Material material;
@@ -24,7 +24,7 @@ struct Part {
 enum class Role {
   structure,
   debris,
-  work,  ///< installed or moved by a mechanic, as planned: a change, but no debris
+  work,  ///< installed or moved by a mechanic as planned: a change, but not debris
   room,
 };
 
@@ -48,12 +48,12 @@ struct Lighting {
   std::vector<Lamp> lamps;
 };
 
-/// Where the robot's foot stands and how its joints are set.
+/// The position of the robot's foot and the angles of its joints.
 struct CameraStand {
-  std::string base = "b1";  ///< name of this place; captures of one base share a world frame
+  std::string base = "b1";  ///< name of this position; captures of one base share a world frame
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-  double heading_deg =
-      0.0;  ///< the foot's own turn about z, counterclockwise seen from above; 0 looks along +y
+  /// Rotation of the foot about z, counterclockwise seen from above; 0 looks along +y.
+  double heading_deg = 0.0;
   double pan_deg = 0.0;
   double tilt_deg = -18.0;  ///< negative looks down
 };
@@ -61,19 +61,19 @@ struct CameraStand {
 struct Scene {
   std::string name;
   std::vector<SceneObject> objects;
-  std::vector<Trace> traces;  ///< that work left on surfaces
+  std::vector<Trace> traces;  ///< left on surfaces by work
   Lighting lighting;
   CameraStand stand;
   Eigen::AlignedBox3d bay;  ///< the inside of the bay, where debris may lie; empty when there is no wing
 
-  /// What a truth image calls objects[i]; 0 is nothing at all.
+  /// The label of objects[i] in a truth image; 0 is no object.
   [[nodiscard]] static int label_of(std::size_t i) { return static_cast<int>(i) + 1; }
 };
 
 /// The object's triangles in the world frame.
 [[nodiscard]] TriangleMesh world_mesh(const SceneObject& object);
 
-/// Its extent along its own axes, metres.
+/// The object's extent along its own axes, metres.
 [[nodiscard]] Eigen::Vector3d size_m(const SceneObject& object);
 
 }  // namespace rva

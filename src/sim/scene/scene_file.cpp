@@ -20,7 +20,7 @@ constexpr std::size_t most_bytes = 1U << 20U;
 
 YamlNode parse_document(const std::string& text, const std::filesystem::path& place) {
   const std::string name = printable(place);
-  if (text.size() > most_bytes) throw Error(name, "more than 1 MB is no scene file", "check the path");
+  if (text.size() > most_bytes) throw Error(name, "larger than 1 MB, so not a scene file", "check the path");
   if (!is_utf8(text)) throw Error(name, "not UTF-8 text", "check the path, or save it as UTF-8");
   YamlNode document = YamlNode::parse(text, name);
   document.allow_only({"format", "version", "wing", "work", "solids", "meshes", "light", "robot", "debris"});
@@ -34,7 +34,7 @@ YamlNode parse_document(const std::string& text, const std::filesystem::path& pl
 void add_wing(const YamlNode& document, const SceneOverrides& overrides, Scene& scene) {
   const auto section = document.find("wing");
   const auto work = document.find("work");
-  if (work && !section) throw work->error("work is done in a wing, and there is none", "add a wing");
+  if (work && !section) throw work->error("work requires a wing, and the scene has none", "add a wing");
   if (!section) return;
   const WingBay bay = read_wing(*section);
   scene.objects = build_wing_bay(bay);
@@ -97,7 +97,7 @@ void require_free_camera(const YamlNode& document, const SceneOverrides& overrid
   const std::string problem =
       fmt::format("the camera at {:.3f}, {:.3f}, {:.3f} m is inside \"{}\"", camera.x(), camera.y(),
                   camera.z(), printable(scene.objects[*solid].name));
-  const std::string remedy = "stand the robot elsewhere";
+  const std::string remedy = "move the robot elsewhere";
   if (overrides.position_m) throw Error("--position", problem, remedy);
   throw document.find("robot").value_or(document).error(problem, remedy);
 }

@@ -27,7 +27,7 @@ Ring slid(Ring ring, const Eigen::Vector3d& along, const Eigen::Vector3d& end,
   return ring;
 }
 
-/// Corners of a grid of vertices that has a lower and an upper layer.
+/// Vertex indices of a grid with a lower and an upper layer.
 struct TwoLayers {
   std::uint32_t rows;
   std::uint32_t columns;
@@ -79,7 +79,7 @@ void add_layers(TriangleMesh& mesh, const TwoLayers& grid) {
 
 }  // namespace
 
-// Neighbouring pieces meet in the plane that halves their angle, so that the rod keeps its thickness.
+// Neighbouring pieces meet in the plane that bisects their angle, so that the rod's thickness is constant.
 TriangleMesh rod(std::span<const Eigen::Vector3d> path_m, double radius_m, int segments) {
   assert(path_m.size() >= 2);
   Eigen::Vector3d along = (path_m[1] - path_m[0]).normalized();

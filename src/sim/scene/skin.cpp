@@ -12,7 +12,7 @@
 namespace rva {
 namespace {
 
-/// A ring's place among the vertices of a mesh.
+/// The range of a ring's vertices in a mesh.
 struct RingOfVertices {
   std::uint32_t first;
   std::uint32_t count;
@@ -27,7 +27,7 @@ RingOfVertices add_ring(TriangleMesh& mesh, const Ring& ring) {
   return {first, static_cast<std::uint32_t>(ring.size())};
 }
 
-// A tip makes one of each pair of triangles vanish.
+// At a tip, one triangle of each pair is degenerate and left out.
 void join(TriangleMesh& mesh, const RingOfVertices& from, const RingOfVertices& to) {
   assert(from.is_tip() || to.is_tip() || from.count == to.count);
   const std::uint32_t count = std::max(from.count, to.count);
@@ -42,7 +42,7 @@ Ring middle_of(const Ring& ring) {
   return {sum / static_cast<double>(ring.size())};
 }
 
-/// A circle about the z axis; on the axis, its one point.
+/// A circle about the z axis; a single point if the corner is on the axis.
 Ring circle(const Eigen::Vector2d& corner_rz, int segments) {
   if (corner_rz.x() == 0.0) return {{0, 0, corner_rz.y()}};
   Ring ring;

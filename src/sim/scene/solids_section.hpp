@@ -8,10 +8,11 @@
 
 namespace rva {
 
-/// Boxes, cylinders and planes.
+/// Adds boxes, cylinders and planes.
 void add_solids(const YamlNode& section, Scene& scene);
 
-/// Files of triangles. @param folder where relative names start
+/// Adds meshes from files.
+/// @param folder folder of the scene file, where relative paths start
 void add_meshes(const YamlNode& section, const std::filesystem::path& folder, Scene& scene);
 
 }  // namespace rva

@@ -10,12 +10,12 @@
 namespace rva {
 namespace {
 
-// A hat's webs lean by this share of its height.
+// Inclination of a hat's webs: horizontal offset per height.
 constexpr double hat_slant = 0.35;
 
 using Outline = std::array<Eigen::Vector2d, 4>;
 
-// What one sees when looking along the stringer, in y and z.
+// The cross-section of a stringer, in y and z.
 struct Section {
   std::vector<Outline> pieces;  // counterclockwise seen from +x
   std::vector<double> rivet_rows_y_m;
@@ -34,7 +34,7 @@ Outline rectangle(double low_y, double low_z, double high_y, double high_z) {
           Eigen::Vector2d(low_y, high_z)};
 }
 
-// The foot points at the access hole (-y), where its rivets are seen.
+// The foot points towards the access hole (-y), so that its rivets are visible.
 Section l_section(const Form& form) {
   const double half = form.sheet_m / 2;
   return {{rectangle(-half, 0, half, form.height_m), rectangle(half - form.flange_m, 0, half, form.sheet_m)},

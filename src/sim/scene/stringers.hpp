@@ -5,10 +5,10 @@
 
 namespace rva {
 
-/// Along x and centred on it, its foot on z = 0, its web (a hat's crown) over y = 0.
+/// A stringer along x, centred on x = 0, with its foot on z = 0 and its web (the crown of a hat) over y = 0.
 [[nodiscard]] TriangleMesh stringer(const WingBay::Stringers& form, double length_m);
 
-/// How much of the chord one takes up.
+/// The extent of a stringer along the chord.
 [[nodiscard]] double stringer_width_m(const WingBay::Stringers& form);
 
 }  // namespace rva

@@ -14,7 +14,7 @@ namespace {
 
 float within(double from, double to, Random& random) { return static_cast<float>(random.uniform(from, to)); }
 
-// Empty where nothing is met on the way down.
+// A random point of the surfaces below the drop height; empty if there is no surface below.
 std::optional<Eigen::Vector3f> place_below(const RayCaster& rays, const Scene& scene, Random& random) {
   const Eigen::Vector3d corner = scene.bay.min();
   const Eigen::Vector3d size = scene.bay.sizes();

@@ -5,8 +5,8 @@
 
 namespace rva {
 
-/// Leaves traces by chance on what lies open from above, within the bay; fewer where nothing does. Each makes
-/// surfaces 3 to 15 % darker, or, dust only, brighter.
+/// Adds traces at random to surfaces within the bay that are exposed from above; fewer than asked for if a
+/// random position has no such surface. Each makes surfaces 3 to 15 % darker, or, for dust only, brighter.
 void leave_traces(const TraceCounts& counts, Scene& scene);
 
 }  // namespace rva

@@ -18,8 +18,8 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// Connects the holes to the outline by cuts along which the loop runs forth and back, until one loop is
-/// left.
+/// Connects the holes to the outline by bridges, along which the resulting single loop runs
+/// in both directions.
 class HoleBridges {
  public:
   HoleBridges(Points points, std::span<const Loop> loops)
@@ -35,7 +35,7 @@ class HoleBridges {
   [[nodiscard]] Loop joined() {
     while (!holes_.empty()) {
       const std::optional<Bridge> bridge = shortest();
-      assert(bridge);  // loops that neither touch nor cross always see each other somewhere
+      assert(bridge);  // loops that neither touch nor cross always have a bridge that crosses no edge
       if (!bridge) break;
       build(*bridge);
     }
@@ -63,7 +63,7 @@ class HoleBridges {
     return best;
   }
 
-  /// The loop's nearest corner that the point sees, nearer than `limit`; loop_.size() when there is none.
+  /// The nearest corner of the loop visible from the point and nearer than `limit`; loop_.size() if none.
   [[nodiscard]] std::size_t nearest_in_loop(std::uint32_t point, double limit) const {
     std::size_t nearest = loop_.size();
     for (std::size_t i = 0; i < loop_.size(); ++i) {
@@ -114,7 +114,7 @@ class HoleBridges {
   std::vector<Edge> edges_;
 };
 
-/// May the corner between two neighbours be cut off without losing or crossing anything?
+/// Whether the triangle of a corner and its neighbours lies inside the loop and contains no other corner.
 bool is_ear(Points points, const Loop& loop, std::uint32_t before, std::uint32_t corner,
             std::uint32_t after) {
   const Eigen::Vector2d& a = points[before];
@@ -135,7 +135,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(Points points, std::span<c
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::size_t corner = 0;
   std::size_t refused = 0;
-  // Every simple polygon has an ear; should rounding hide the last ones, what is left has no area.
+  // Every simple polygon has an ear; if rounding hides the last ones, the remaining polygon has no area.
   while (loop.size() >= 3 && refused < loop.size()) {
     corner %= loop.size();
     const std::uint32_t before = loop[(corner + loop.size() - 1) % loop.size()];
@@ -147,7 +147,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(Points points, std::span<c
     } else {
       ++refused;
     }
-    ++corner;  // after a cut this passes over one corner, which keeps triangles from fanning out of one point
+    ++corner;  // after a cut this skips one corner, so that triangles do not fan out from one point
   }
   assert(loop.size() < 3);
   return triangles;

@@ -1,4 +1,4 @@
-// Flat regions with holes, cut into triangles.
+// Triangulation of flat regions with holes.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ namespace rva {
 /// counterclockwise, a hole clockwise.
 using Loop = std::vector<std::uint32_t>;
 
-/// Triangles that fill a region and have no other corners than its own, counterclockwise.
-/// @param loops the outline, which may be concave, then the holes; they neither touch nor cross
+/// Triangulates a region without adding corners; triangles are counterclockwise.
+/// @param loops the outline, which may be concave, then the holes; they must neither touch nor cross
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Eigen::Vector2d> points,
                                                                     std::span<const Loop> loops);
 

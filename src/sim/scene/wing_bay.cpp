@@ -38,7 +38,7 @@ SceneObject room(const std::string& name, const Eigen::Vector3d& low, const Eige
   return made;
 }
 
-// The bay's lengths in metres, outer sizes included.
+// The bay's dimensions and the thicknesses of its sheets, in metres.
 struct Sizes {
   explicit Sizes(const WingBay& bay)
       : half_span(bay.span_m / 2),
@@ -74,7 +74,8 @@ std::vector<RoundHole> lightening_holes(const WingBay& bay) {
   return holes;
 }
 
-// A web with holes and a flange along either skin. @param side -1: left, 1: right
+// A web with holes and a flange along either skin.
+// @param side -1: left, 1: right
 SceneObject rib(const std::string& name, const WingBay& bay, double side) {
   const Sizes sizes(bay);
   Transform upright = Transform::Identity();
@@ -97,7 +98,8 @@ SceneObject rib(const std::string& name, const WingBay& bay, double side) {
   return object(name, "rib", std::move(mesh), bay.rib_material);
 }
 
-// Flanges along the skins, on the bay's side of a spar. @param low_y where they begin
+// Flanges along the skins, on the bay's side of a spar.
+// @param low_y their lower limit in y
 TriangleMesh spar_caps(const Sizes& sizes, double low_y, double top_z) {
   const Eigen::Vector3d size(2 * sizes.half_span, sizes.cap, sizes.spar);
   const Eigen::Vector3d lower(-sizes.half_span, low_y, 0);

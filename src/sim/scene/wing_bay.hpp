@@ -1,4 +1,4 @@
-// A bay of a wing: the box between two ribs and two spars, from parameters.
+// A parametric wing bay: the box between two ribs and two spars.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace rva {
 
 enum class StringerProfile { l, z, hat };
 
-/// The parametric bay; every length inside it, between the faces that one sees. Defaults are those of the
+/// The parameters of a bay. Its lengths are inner ones, between visible faces. Defaults are those of the
 /// thesis' test section, as far as its figures show it.
 struct WingBay {
   double span_m = 0.75;    ///< between the ribs' faces, along x
@@ -37,12 +37,12 @@ struct WingBay {
   struct Spars {
     double thickness_mm = 6.0;
     double flange_mm = 40.0;        ///< caps along the skins
-    double rear_height_mm = 260.0;  ///< a rear spar lower than the bay shows the room behind it
+    double rear_height_mm = 260.0;  ///< if less than the bay's height, the room behind is visible
   } spars;
 
   Fittings fittings;
-  double dirt = 0.0;                    ///< of all surfaces of the bay, 0 to 1: see Material::dirt
-  bool upper_skin = false;              ///< the thesis' section is cut open on top
+  double dirt = 0.0;                    ///< of all surfaces of the bay, 0 to 1, see Material::dirt
+  bool upper_skin = false;              ///< the thesis' section is open at the top
   double access_hole_width_mm = 460.0;  ///< elliptic, in the near spar
   double access_hole_height_mm = 260.0;
   double back_wall_m = 3.0;  ///< distance of the room's wall from the near spar; 0 for none
@@ -56,7 +56,7 @@ struct WingBay {
 /// "rib-left", "rib-right", "spar-near", "spar-far", the fittings, "floor", "back-wall".
 [[nodiscard]] std::vector<SceneObject> build_wing_bay(const WingBay& bay);
 
-/// The free space inside: between ribs, spars and skins.
+/// The space between ribs, spars and skins.
 [[nodiscard]] Eigen::AlignedBox3d inside_of(const WingBay& bay);
 
 }  // namespace rva

@@ -10,7 +10,7 @@
 namespace rva {
 namespace {
 
-// Sheet that is left between a hole and the edge, at the least.
+// Minimum width of sheet between a hole and the edge.
 constexpr double least_margin_mm = 2.0;
 constexpr NumberRange sheet_mm{0.5, 50.0};
 constexpr NumberRange profile_mm{2.0, 500.0};
@@ -82,7 +82,7 @@ void check_spars(const YamlNode& group, const WingBay& bay) {
   if (bay.spars.rear_height_mm > bay.height_m * 1e3)
     throw group.error("the rear spar is higher than the bay", "make rear_height_mm smaller");
   if (bay.spars.rear_height_mm < 3 * bay.spars.thickness_mm)
-    throw group.error("the rear spar's caps do not fit on each other", "make rear_height_mm larger");
+    throw group.error("the rear spar is too low for its two caps", "make rear_height_mm larger");
   if (bay.spars.flange_mm * 1e-3 >= bay.chord_m / 3)
     throw group.error("the spars' caps fill the bay", "make flange_mm smaller");
 }
@@ -100,7 +100,7 @@ void check_access_hole(const YamlNode& group, const WingBay& bay) {
     throw group.error("the access hole does not fit into the near spar", "make it smaller");
 }
 
-// All of one kind that a bay may have.
+// Maximum number of fittings of one kind.
 constexpr int most_fittings = 100;
 
 void read_counts(const YamlNode& group, Fittings& fittings) {
@@ -124,7 +124,8 @@ void read_group(const YamlNode& wing, const char* key, Group group, WingBay& bay
   if (const auto found = wing.find(key)) group(*found, bay);
 }
 
-// A bay's size may clash with a group that is not written down: the complaint is then the wing's.
+// The bay's size may conflict with the defaults of a group that the file omits; the error then
+// names the wing.
 void check_group(const YamlNode& wing, const char* key, Check check, const WingBay& bay) {
   check(wing.has(key) ? wing.at(key) : wing, bay);
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t most_items = 10000;
 constexpr std::size_t most_quoted = 60;
 
-// For a message: one line, of a length that leaves room for the rest.
+// Quotes text for a message: on one line, and shortened if long.
 std::string quoted(const std::string& text) {
   const bool is_long = text.size() > most_quoted;
   return fmt::format("\"{}{}\"", printable(text.substr(0, most_quoted)), is_long ? "..." : "");
@@ -32,7 +32,7 @@ std::optional<Number> parsed(const std::string& text) {
   return value;
 }
 
-// Reads past a document.
+// Ignores all events of a document, to read past it.
 class Deaf final : public YAML::EventHandler {
   using Text = const std::string&;
   void OnDocumentStart(const YAML::Mark&) override {}
@@ -46,13 +46,15 @@ class Deaf final : public YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-// YAML::Load() would leave out what follows; YAML::LoadAll() never ends where a document begins with a comma.
+// YAML::Load() would ignore further documents; YAML::LoadAll() never returns if a document begins
+// with a comma.
 void require_one_document(const std::string& text, const std::string& place) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
   Deaf deaf;
   if (!parser.HandleNextDocument(deaf)) throw Error(place + ":1", "empty", "check the path");
-  if (parser) throw Error(place + ":1", "goes on after the end of its YAML document", "keep the first only");
+  if (parser)
+    throw Error(place + ":1", "continues after the end of its YAML document", "keep only the first document");
 }
 
 Error syntax_error(const std::string& place, const YAML::Exception& error) {
@@ -148,7 +150,7 @@ double YamlNode::number(NumberRange range) const {
 int YamlNode::integer(int low, int high) const {
   const std::string text = scalar("a whole number");
   const std::optional<int> value = parsed<int>(text);
-  if (!value) throw error(fmt::format("{} is not a whole number of sensible size", quoted(text)));
+  if (!value) throw error(fmt::format("{} is not a whole number, or is too large", quoted(text)));
   if (*value < low || *value > high)
     throw error(fmt::format("{} is out of range", quoted(text)), fmt::format("use {} to {}", low, high));
   return *value;
@@ -168,7 +170,7 @@ bool YamlNode::boolean() const {
 }
 
 std::string YamlNode::text() const {
-  std::string value = scalar("a text");
+  std::string value = scalar("text");
   if (value.empty()) throw error("empty");
   return value;
 }

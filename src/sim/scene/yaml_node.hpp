@@ -1,4 +1,4 @@
-// Reading YAML that people wrote: every complaint names the file, the line and the field.
+// Reading of YAML files written by hand: every error names the file, the line and the field.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -16,21 +16,21 @@
 
 namespace rva {
 
-/// What a number may be, both ends included.
+/// The valid range of a number, both ends included.
 struct NumberRange {
   double low;
   double high;
 };
 
-/// A value inside a YAML document that knows where it stands. Copies refer to the same document.
-/// All reading members throw an Error when the value is of another type or out of range.
+/// A value inside a YAML document, with its line and field name. Copies refer to the same document.
+/// All reading members throw an Error if the value is of another type or out of range.
 class YamlNode {
  public:
-  /// @param place the file, fit for a message
-  /// @throws Error naming the line where the text is not YAML, or when it is not one document
+  /// @param place printable path of the file, for messages
+  /// @throws Error naming the line if the text is not YAML, or not exactly one document
   [[nodiscard]] static YamlNode parse(const std::string& text, const std::string& place);
 
-  /// "file:line"
+  /// Position of the value for a message: "file:line".
   [[nodiscard]] std::string place() const;
   [[nodiscard]] Error error(std::string_view problem, std::string remedy = "correct the file") const;
 
@@ -48,13 +48,14 @@ class YamlNode {
   // Single values.
   [[nodiscard]] double number(NumberRange range) const;
   [[nodiscard]] int integer(int low, int high) const;
-  [[nodiscard]] std::uint64_t seed() const;  ///< any whole number from 0
+  [[nodiscard]] std::uint64_t seed() const;  ///< any whole number from 0 to 2^64 - 1
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string text() const;  ///< never empty
-  /// Which of the names the value is; @param what for the complaint: "material"
+  /// The index of the value in `names`.
+  /// @param what the kind of thing for the message, such as "material"
   [[nodiscard]] std::size_t choice(std::string_view what, std::span<const std::string_view> names) const;
 
-  /// As the above, leaving `value` as it is where the key is missing.
+  /// Read the field `key` of a map into `value`, which is unchanged if the key is missing.
   void read(const char* key, double& value, NumberRange range) const;
   void read(const char* key, int& value, int low, int high) const;
   void read(const char* key, bool& value) const;

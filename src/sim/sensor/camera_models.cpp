@@ -28,7 +28,7 @@ std::string known_names() {
   return names + "random:SEED or imperfect:SEED";
 }
 
-/// "random:7": how cameras are drawn, and from which seed.
+/// A parsed "random:7": the function that draws a camera, and its seed.
 struct Drawn {
   StereoSensorOptions (*draw)(std::uint64_t) = nullptr;
   std::uint64_t seed = 0;
@@ -105,7 +105,7 @@ StereoSensorOptions camera_model(const std::string& text) {
     if (model.name == text) return model.sensor;
   }
   if (const std::optional<Drawn> drawn = drawn_from_text(text)) return drawn->draw(drawn->seed);
-  throw UsageError("--camera-model", printable(text) + " is none that there is",
+  throw UsageError("--camera-model", printable(text) + " is not a known camera model",
                    "give one of " + known_names());
 }
 

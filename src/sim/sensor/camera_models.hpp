@@ -1,4 +1,4 @@
-// Stereo cameras that differ as real ones do.
+// Stereo cameras that differ from each other as real ones do.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +16,28 @@ struct CameraModel {
   StereoSensorOptions sensor;
 };
 
-/// "d435" is the default; the others have its optics and another matcher or window each (docs/simulator.md).
+/// "d435" is the default; the others have the same optics with another matcher or window (docs/simulator.md).
 [[nodiscard]] const std::vector<CameraModel>& camera_models();
 
-/// Drawn by chance: matcher, window, dots, blur, speckle, noise, misalignment, drift, focal length and
-/// baseline, over ranges that data sheets and the literature support (docs/simulator.md). The same seed gives
-/// the same camera.
+/// A random camera. Matcher, window, dots, blur, speckle, noise, misalignment, drift, focal length and
+/// baseline are drawn from ranges that data sheets and the literature support (docs/simulator.md). The same
+/// seed gives the same camera.
 [[nodiscard]] StereoSensorOptions random_camera(std::uint64_t seed);
 
-/// The same camera with what real ones have besides: errors of rectification, imagers that record unlike
-/// amounts of light, dots up to saturation, speckle that stays over small turns, and a bay that gives way.
+/// The random camera of this seed with further imperfections of real ones: rectification errors, imagers of
+/// unequal sensitivity, dots up to saturation, speckle that persists over small turns, and a bay that yields.
 [[nodiscard]] StereoSensorOptions imperfect_camera(std::uint64_t seed);
 
-/// A model by its name, or of "random:SEED" and "imperfect:SEED" the camera of that seed.
+/// @param text the name of a model, or "random:SEED" or "imperfect:SEED" for the camera of that seed
 /// @throws UsageError for any other text
 [[nodiscard]] StereoSensorOptions camera_model(const std::string& text);
 
-/// The camera of each inspection of a study, by the inspection's seed: "random:SEED" and "imperfect:SEED"
-/// draw another for each, any other model is that of all.
-/// @throws UsageError as camera_model()
+/// Returns a function from the seed of a study's inspection to its camera. "random:SEED" and "imperfect:SEED"
+/// draw another camera for each inspection; any other model is used for all of them.
+/// @throws UsageError as camera_model() does
 [[nodiscard]] std::function<StereoSensorOptions(std::uint64_t)> camera_of_each(const std::string& text);
 
-/// In a word or two, for tables: "semi-global", "census 9", "correlation 7".
+/// A short name for tables: "semi-global", "census 9", "correlation 7".
 [[nodiscard]] std::string name_of_matcher(const StereoSensorOptions& sensor);
 
 }  // namespace rva

@@ -14,7 +14,7 @@ namespace rva {
 
 namespace {
 
-// Room light: a lamp above and behind the near spar, and light from all around.
+// Room light: a lamp above and behind the near spar, and ambient light.
 const Eigen::Vector3f lamp_m{0.4F, -0.6F, 2.0F};
 constexpr float lamp_share = 0.7F;
 constexpr float around_share = 0.45F;
@@ -61,7 +61,7 @@ class RowPainter {
  private:
   [[nodiscard]] double offset(int sub) const { return (sub + 0.5) / supersampling_ - 0.5; }
 
-  // Lenses without distortion: directions along a row are evenly spaced.
+  // Lenses have no distortion, so directions along a row are evenly spaced.
   void aim(double v) {
     const Eigen::Vector3f origin = world_from_color_.translation().cast<float>();
     const auto direction = [&](double u) {
@@ -74,7 +74,8 @@ class RowPainter {
       row_.rays()[i] = {origin, first + static_cast<float>(i) * step};
   }
 
-  // Reflection per unit of albedo, then the colour: the gloss of paint and metal takes it on as well.
+  // Light is computed per unit of albedo and then multiplied by the colour, so that the glossy lobe of paint
+  // and metal is coloured as well.
   void add(std::size_t i, int u, int v, ColorView& view) const {
     if (!row_.seen(i)) return;
     const SurfacePoint& point = row_.point(i);
@@ -95,7 +96,7 @@ class RowPainter {
   SurfaceRow row_;
 };
 
-// Gamma as a table: 4096 steps of light are finer than 8 bits anywhere but in the deepest black.
+// Gamma encoding by a table: 4096 steps of light are finer than 8 bits everywhere except near black.
 std::uint8_t encoded(float light) {
   constexpr std::size_t steps = 4096;
   static const std::array<std::uint8_t, steps> table = [] {
@@ -130,7 +131,7 @@ ColorImage expose_color(const ColorView& view, std::uint64_t seed) {
   parallel_bands(image.height(), [&](int first, int end) {
     for (int v = first; v < end; ++v) {
       Random random(mix(seed, v));
-      // Uniform noise of the right variance: a picture for people, nothing is measured in it.
+      // Uniform noise of the right variance is sufficient: the picture is for display, not for measurement.
       const auto noisy = [&random](float light) {
         const auto noise = static_cast<float>(random.uniform(-1.732, 1.732));
         return encoded(light + noise * (read_noise + shot_noise * std::sqrt(light)));

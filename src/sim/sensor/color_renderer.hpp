@@ -1,4 +1,4 @@
-// What the colour imager beside the infrared ones sees.
+// The image of the colour imager beside the infrared ones.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,21 @@
 
 namespace rva {
 
-/// Light on the colour imager, before noise: red, green and blue, 1 is white.
+/// Light on the colour imager before noise, in linear red, green and blue; 1 is white.
 struct ColorView {
   Image<float> red;
   Image<float> green;
   Image<float> blue;
 };
 
-/// @param supersampling rays a pixel along each side
-/// @throws Interrupted when a person stops the program meanwhile
+/// Renders the view of the colour imager.
+/// @param supersampling rays per pixel along each side
+/// @throws Interrupted when the user stops the program
 [[nodiscard]] ColorView render_color(const Scene& scene, const RayCaster& rays, const StereoRig& rig,
                                      const Transform& world_from_depth, int supersampling);
 
-/// One picture of the view: noise, 8 bits, gamma. A dark wing gives a nearly black picture, not an empty one.
+/// One colour image of the view, with noise, gamma encoding and 8 bits per channel. A dark wing yields a
+/// nearly black image, not an empty one.
 [[nodiscard]] ColorImage expose_color(const ColorView& view, std::uint64_t seed);
 
 }  // namespace rva

@@ -9,11 +9,11 @@ namespace rva {
 
 namespace {
 
-// In tangents: a thousandth is 0.4 px of an imager with 425 px of focal length.
+// Lengths are tangents: 0.001 corresponds to 0.4 px of an imager with a focal length of 425 px.
 constexpr double texel = 0.0010;
-// Dots of 4 mm across at 1 m between points of half intensity, as pictures of the pattern show them.
+// Full width at half maximum: 4 mm at 1 m, as pictures of the pattern show.
 constexpr double dot_sigma = 0.0017;
-constexpr double jitter = 0.36;             // of a cell to each side
+constexpr double jitter = 0.36;             // to each side, as a share of the cell
 constexpr double brightness_spread = 0.35;  // to each side of the mean
 
 }  // namespace
@@ -23,7 +23,7 @@ DotPattern::DotPattern(int dots, double dot_share, std::uint64_t seed)
              static_cast<float>(dots > 0 ? 1.0 - dot_share : 1.0)) {
   if (dots <= 0) return;
   const double cell = std::sqrt(4.0 * half_width * half_height / dots);
-  // All of a cell's share of the light in one Gaussian.
+  // The peak of a Gaussian that contains the cell's whole share of the light.
   const double mean_peak = dot_share * cell * cell / (2.0 * M_PI * dot_sigma * dot_sigma);
   Random random(seed);
   for (double y = -half_height + cell / 2; y < half_height; y += cell) {
@@ -52,7 +52,7 @@ void DotPattern::draw_dot(const Eigen::Vector2d& center, double peak) {
 float DotPattern::at(float x, float y) const {
   const float u = (x + static_cast<float>(half_width)) / static_cast<float>(texel);
   const float v = (y + static_cast<float>(half_height)) / static_cast<float>(texel);
-  // Also false for what is no number; what is too large for an integer must not become one.
+  // Checked before the conversion to int: it is false for NaN and for values that an int cannot represent.
   const bool inside = u >= 0.0F && v >= 0.0F && u < static_cast<float>(table_.width() - 1) &&
                       v < static_cast<float>(table_.height() - 1);
   if (!inside) return 0.0F;

@@ -1,4 +1,4 @@
-// The projector: a pattern of dots thrown into the scene.
+// The projector's pattern of dots.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace rva {
 
-/// Light sent into each direction, relative to its mean: dots on a grid, each shifted at random within its
-/// cell so that no two neighbourhoods look alike, with brightnesses of their own, over an even glow.
+/// Projected light by direction, relative to its mean. Dots of random brightness lie on a grid, over a
+/// uniform background; each is shifted at random within its cell, so that neighbourhoods are distinguishable.
 ///
 /// Directions are given as (x / z, y / z) in the projector's frame, whose axes are those of the depth imager.
 class DotPattern {
@@ -18,7 +18,7 @@ class DotPattern {
   static constexpr double half_width = 0.9325;
   static constexpr double half_height = 0.5430;
 
-  /// @param dots      how many over the whole field; 0 for an even light
+  /// @param dots      number of dots in the whole field; 0 for uniform light
   /// @param dot_share share of the light that is in dots, 0 to 1
   DotPattern(int dots, double dot_share, std::uint64_t seed);
 
@@ -28,7 +28,7 @@ class DotPattern {
  private:
   void draw_dot(const Eigen::Vector2d& center, double peak);
 
-  Image<float> table_;  // over the field, `texel` wide
+  Image<float> table_;  // intensity over the field of view, in steps of `texel`
 };
 
 }  // namespace rva

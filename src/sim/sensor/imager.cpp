@@ -16,8 +16,8 @@ namespace {
 constexpr int greatest_level = 1023;
 constexpr std::size_t quantiles = 4096;
 
-/// The standard normal distribution at equal steps of probability, scaled to a variance of exactly 1: a
-/// random index draws from it at the price of a lookup.
+/// Quantiles of the standard normal distribution at equal steps of probability, scaled to a variance of
+/// exactly 1. A random index draws from the distribution at the cost of a table lookup.
 const std::array<float, quantiles>& normal_quantiles() {
   static const std::array<float, quantiles> table = [] {
     std::array<float, quantiles> values{};
@@ -37,7 +37,7 @@ const std::array<float, quantiles>& normal_quantiles() {
 
 void fill_normal(Random& random, std::vector<float>& values) {
   const std::array<float, quantiles>& table = normal_quantiles();
-  constexpr int draws = 5;  // of 12 bits, in the 64 of a random number
+  constexpr int draws = 5;  // 12 bits each, from the 64 bits of a random number
   for (std::size_t i = 0; i < values.size(); i += draws) {
     std::uint64_t bits = random.bits();
     for (std::size_t j = i; j < std::min(i + draws, values.size()); ++j, bits >>= 12U)
@@ -48,7 +48,7 @@ void fill_normal(Random& random, std::vector<float>& values) {
 }  // namespace
 
 double automatic_exposure(const ImagerLight& view, const StereoSensorOptions& options) {
-  constexpr std::size_t step = 7;  // a sample of the pixels tells as much
+  constexpr std::size_t step = 7;  // a sample of the pixels suffices for a quantile
   std::vector<float> light;
   light.reserve(view.steady.size() / step + 1);
   for (std::size_t i = 0; i < view.steady.size(); i += step)

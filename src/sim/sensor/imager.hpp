@@ -1,4 +1,4 @@
-// From light to numbers: exposure, shot noise, read noise, 10 bits.
+// The infrared imager: exposure, shot noise, read noise and quantisation to 10 bits.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace rva {
 
-/// What the longest exposure gathers from a white surface in the projector's mean light at 1 m: paint is seen
-/// well at 3 m, black rubber is dim at half a metre.
+/// Electrons that the longest exposure collects from a white surface in the projector's mean light at 1 m.
+/// With this value, paint is well exposed at 3 m and black rubber is dim at half a metre.
 inline constexpr double longest_exposure_e = 2000.0;
 inline constexpr double longest_exposure_s = 0.033;
 
-/// Electrons per unit of light that the camera's own control would choose for a view: its brighter parts
-/// (95 % of pixels are darker) at the exposure target, as far as the longest exposure reaches.
+/// The exposure that the camera's automatic control would choose for a view, in electrons per unit of light.
+/// It puts the 95th percentile of brightness at the exposure target, limited by the longest exposure.
 [[nodiscard]] double automatic_exposure(const ImagerLight& view, const StereoSensorOptions& options);
 
 /// One exposure of one imager.
 /// @param exposure_e electrons per unit of light in this frame, flicker included
-/// @param seed       of this frame and imager: the same seed gives the same noise
+/// @param seed       seed of the noise of this frame and imager: the same seed gives the same noise
 [[nodiscard]] InfraredImage expose(const ImagerLight& view, const Speckle& speckle, double exposure_e,
                                    const StereoSensorOptions& options, std::uint64_t seed);
 

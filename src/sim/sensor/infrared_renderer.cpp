@@ -14,7 +14,7 @@ namespace rva {
 
 namespace {
 
-// A point source sends its light into all directions of its field; at 1 m along the axis the mean is 1.
+// The irradiance of a point source with this pattern; its mean is 1 at 1 m along the axis.
 float irradiance(const DotPattern& dots, const Eigen::Vector3f& from_projector, float shift) {
   const float z = from_projector.z();
   if (z <= 0.0F) return 0.0F;
@@ -32,10 +32,10 @@ void blur(Image<float>& image, double sigma_px) {
 struct InfraredRenderer::Eye {
   Eigen::Vector3d position_m;  // in the camera's frame
   Misalignment misalignment;   // of this imager
-  double dots_px = 0.0;        // how far the projector's pattern has moved
+  double dots_px = 0.0;        // displacement of the projector's pattern
   const RectificationError& error;
 
-  // The pixel of a perfect rig whose light lands on this one.
+  // The pixel of an ideal rig that receives the light of this pixel.
   [[nodiscard]] Eigen::Vector2d ideal(const Intrinsics& imager, double u, double v) const {
     const double from_center = (u - imager.cx) / (imager.width / 2.0);
     return Eigen::Vector2d(u - misalignment.offset_px - misalignment.scale_px * from_center,
@@ -106,7 +106,7 @@ class InfraredRenderer::RowShader {
       aim_one_by_one(v);
   }
 
-  // Lenses without distortion: directions along a row are evenly spaced.
+  // Lenses have no distortion, so directions along a row are evenly spaced.
   void aim_evenly(double v) {
     const Eigen::Vector3f first = direction(offset(0), v);
     const Eigen::Vector3f last = direction(renderer_.rig_.imager.width - 1 + offset(supersampling_ - 1), v);
@@ -156,7 +156,7 @@ class InfraredRenderer::RowShader {
   Eigen::Matrix3f turn_;  // world from camera
   Eigen::Vector3f origin_;
   Eigen::Vector3f projector_;
-  Lamp lamp_;  // the camera's own
+  Lamp lamp_;  // the camera's own lamp
   float dots_shift_;
   int supersampling_;
   SurfaceRow row_;

@@ -1,4 +1,4 @@
-// What falls on the two infrared imagers, before any noise.
+// The light on the two infrared imagers, before any noise.
 #pragma once
 
 #include "depth/capture.hpp"
@@ -11,11 +11,11 @@
 
 namespace rva {
 
-/// Light on one imager, by where it comes from. A white, matt surface that faces the projector at 1 m, in its
-/// mean light, gives 1.
+/// Light on one imager, by source. The unit is the light from a white, matt surface that faces the projector
+/// at a distance of 1 m, in the projector's mean light.
 struct ImagerLight {
-  Image<float> steady;     ///< ambient light, lamps and what bounces about
-  Image<float> projected;  ///< straight from the projector: this is laser light, and speckles
+  Image<float> steady;     ///< ambient light, lamps and interreflections
+  Image<float> projected;  ///< direct laser light of the projector, which is subject to speckle
 };
 
 struct InfraredPair {
@@ -23,21 +23,22 @@ struct InfraredPair {
   ImagerLight right;
 };
 
-/// What is really there, at the centre of each pixel of the depth (left) imager.
+/// The ground truth at the centre of each pixel of the depth (left) imager.
 struct TrueView {
-  Image<float> depth_m;         ///< along z; 0 where there is nothing
-  Image<std::uint16_t> labels;  ///< Scene::label_of(); 0 where there is nothing
+  Image<float> depth_m;         ///< along z; 0 where there is no surface
+  Image<std::uint16_t> labels;  ///< Scene::label_of(); 0 where there is no surface
 };
 
-/// Renders poses of one scene. Calls are const and use all cores; render() throws Interrupted when a person
-/// stops the program meanwhile.
+/// Renders one scene from any pose. Calls are const and use all cores; render() throws Interrupted when the
+/// user stops the program.
 class InfraredRenderer {
  public:
-  /// The scene and the caster of its triangles must outlive the renderer.
+  /// @param rays the ray caster of `scene`; both must outlive the renderer
   InfraredRenderer(const Scene& scene, const RayCaster& rays, const StereoSensorOptions& options);
 
-  /// Rays at `supersampling` squared a pixel, shadows of the projector and of lamps, blur of the lenses.
-  /// @param light the camera's own; lamps of the scene are always on
+  /// Renders both imagers with `supersampling` squared rays per pixel, shadows of the projector and of lamps,
+  /// and the blur of the lenses.
+  /// @param light the camera's own light; lamps of the scene are always on
   [[nodiscard]] InfraredPair render(const Transform& world_from_camera, const Misalignment& misalignment,
                                     int supersampling, Light light = Light::projector) const;
 

@@ -1,4 +1,4 @@
-// What calibration leaves: rectified images are bent by a fraction of a pixel.
+// The residual error of calibration: rectified images are distorted by a fraction of a pixel.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,24 +10,24 @@
 
 namespace rva {
 
-/// How far one imager's rectified image is off, slowly varying over the image: a sum of three waves of at
-/// most 1.2 periods across the image, of the deviation that the options state along either axis.
+/// The displacement of one imager's rectified image, which varies slowly over the image: a sum of three waves
+/// with at most 1.2 periods per image width. Along either axis its standard deviation is that of the options.
 class RectificationError {
  public:
-  /// None anywhere.
+  /// No error at any pixel.
   RectificationError() = default;
 
-  /// @param seed of this imager of this camera: the same seed gives the same error
+  /// @param seed seed of this imager of this camera: the same seed gives the same error
   RectificationError(const StereoSensorOptions& options, const Intrinsics& imager, std::uint64_t seed);
 
-  /// px, of the pixel (u, v).
+  /// Displacement of pixel (u, v), in pixels.
   [[nodiscard]] Eigen::Vector2d at(double u, double v) const;
   [[nodiscard]] bool is_none() const { return amplitude_px_ <= 0.0; }
 
  private:
   struct Wave {
     Eigen::Vector2d turns_per_px = Eigen::Vector2d::Zero();
-    Eigen::Vector2d phases = Eigen::Vector2d::Zero();  // of the errors along u and v
+    Eigen::Vector2d phases = Eigen::Vector2d::Zero();  // radians, for the errors along u and v
   };
   double amplitude_px_ = 0.0;
   std::array<Wave, 3> waves_;

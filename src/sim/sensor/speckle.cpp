@@ -10,7 +10,7 @@ namespace rva {
 
 namespace {
 
-// Sums of four uniform numbers: near enough to a normal distribution, and quick.
+// The sum of four uniform numbers is close enough to a normal distribution, and fast to compute.
 void add_random_field(double deviation, std::uint64_t seed, Image<float>& field) {
   if (deviation <= 0.0) return;
   const auto scale = static_cast<float>(deviation / 65536.0 / std::sqrt(4.0 / 12.0));
@@ -27,7 +27,7 @@ void add_random_field(double deviation, std::uint64_t seed, Image<float>& field)
   });
 }
 
-// @param part of the speckle, each with fields of its own
+// @param part number of the field within the speckle; each has a random stream of its own
 Image<float> random_field(int width, int height, double deviation, const std::vector<SpeckleShare>& view,
                           std::uint64_t part) {
   Image<float> field(width, height);
@@ -63,7 +63,7 @@ Speckle::Speckle(int width, int height, const StereoSensorOptions& options,
       capture_seed_(capture_seed),
       fixed_(random_field(width, height, options.speckle, view, 0)),
       patch_levels_(width / patch_px + 1, height / patch_px + 1) {
-  // The fields belong to the view: two captures of it differ in how they are weighted, not in what they are.
+  // The fields belong to the view: two captures of one view differ in the weights of the fields only.
   if (options.wander > 0.0) {
     for (int i = 0; i < wander_fields; ++i)
       wandering_.push_back(random_field(width, height, options.wander / std::sqrt(wander_fields), view,
@@ -91,7 +91,7 @@ void Speckle::advance() {
   }
   ++frame_;
   Random random(mix(capture_seed_, 0xF4A3, frame_));
-  // First-order autoregression: correlated over `wander_frames`, of unit variance for ever.
+  // First-order autoregression, correlated over `wander_frames`, with a constant variance of 1.
   const double kept = std::exp(-1.0 / options_.wander_frames);
   for (double& weight : weights_) weight = kept * weight + std::sqrt(1.0 - kept * kept) * random.normal();
   const double jump = 1.0 / options_.level_frames;

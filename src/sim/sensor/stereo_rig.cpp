@@ -40,7 +40,7 @@ Misalignment misalignment_of(const StereoSensorOptions& options, std::uint64_t s
   Misalignment misalignment;
   misalignment.row_offset_px = 0.5 * options.misalignment_px * device.uniform(-1.0, 1.0);
   misalignment.row_turn_px = options.misalignment_px * device.uniform(-1.0, 1.0);
-  // Heat bends the frame between the imagers: mostly an offset, less of everything else.
+  // Heat bends the frame between the imagers, which mostly causes an offset and less of the other errors.
   misalignment.offset_px = options.drift_px * capture.normal();
   misalignment.scale_px = 0.3 * options.drift_px * capture.normal();
   misalignment.row_offset_px += 0.3 * options.drift_px * capture.normal();

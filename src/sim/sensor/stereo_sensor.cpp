@@ -61,7 +61,7 @@ Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage
     case Matcher::census:
       break;
   }
-  constexpr int wider_px = 2;  // the fit's weights fade towards its window's edge
+  constexpr int wider_px = 2;  // compensates for the fit's weights, which fade towards the window's edge
   const int fitted_px = std::min(options.window_px + wider_px, SubpixelOptions{}.window_px);
   return refine_disparity(left, right, match_blocks(left, right, {.window_px = options.window_px}),
                           {.window_px = fitted_px});

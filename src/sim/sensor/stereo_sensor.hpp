@@ -1,4 +1,4 @@
-// The simulated depth camera's inside: from light to depth images.
+// The sensor of the simulated depth camera: from light to depth images.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace rva {
 
-/// What the infrared imagers delivered, and the depth that was computed from it.
+/// The images of the infrared imagers, 10 bits per pixel, and the depth that was computed from them.
 struct StereoFrame {
   InfraredImage left;
   InfraredImage right;
   DepthImage depth;
 };
 
-/// Watches one view: frame after frame of the same light, with the noise of imagers, laser and exposure.
+/// Produces frames of one view: the same light in each, with the noise of imagers, laser and exposure.
 class StereoSensor {
  public:
   /// @param view         light on both imagers
-  /// @param speckle      of this view, as of speckle_shares()
-  /// @param capture_seed of everything that differs between captures of one view
+  /// @param speckle      the speckle patterns of this view, see speckle_shares()
+  /// @param capture_seed seed of everything that differs between captures of one view
   StereoSensor(InfraredPair view, const StereoSensorOptions& options,
                const std::vector<SpeckleShare>& speckle, std::uint64_t capture_seed);
 
@@ -32,7 +32,7 @@ class StereoSensor {
   /// Exposes the next frame like next_frame(), but leaves its depth empty: matching takes most of the time.
   [[nodiscard]] StereoFrame next_pair();
 
-  /// How long a frame is exposed, on average.
+  /// The mean exposure time of a frame.
   [[nodiscard]] double exposure_us() const;
 
  private:
@@ -45,13 +45,13 @@ class StereoSensor {
   std::uint64_t frame_ = 0;
 };
 
-/// Disparity from a pair of infrared images, 1/32 px; 0 where none was found.
-/// @param options its matcher and window
+/// Computes disparity from a pair of infrared images, in 1/32 px; 0 where none was found.
+/// @param options only its matcher and window are used
 [[nodiscard]] Image<std::uint16_t> match_stereo(const InfraredImage& left, const InfraredImage& right,
                                                 const StereoSensorOptions& options = {});
 
-/// z = f B / d, rounded to the depth unit; 0 (no depth) where there is no disparity or the depth exceeds 16
-/// bits.
+/// Converts disparity in 1/32 px to depth: z = f B / d, rounded to the depth unit; 0 (no depth) where there
+/// is no disparity or the depth exceeds 16 bits.
 [[nodiscard]] DepthImage depth_from_disparity(const Image<std::uint16_t>& disparity,
                                               const StereoSensorOptions& options);
 

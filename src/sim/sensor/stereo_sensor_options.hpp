@@ -1,5 +1,5 @@
-// The simulated depth camera's settings: one place for defaults, units and where they come from
-// (docs/simulator.md has the sources and what each does to depth).
+// The settings of the simulated depth camera, with defaults and units. docs/simulator.md gives their sources
+// and the effect of each on depth.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,15 @@ namespace rva {
 
 /// How the camera's processor finds disparities.
 enum class Matcher {
-  census,  ///< census costs in a window, least squares below the pixel (block_matching.hpp, subpixel.hpp)
-  semi_global,  ///< census costs along paths, a parabola below the pixel (semi_global.hpp)
-  correlation,  ///< differences of brightness in a window, a parabola below the pixel (correlation.hpp)
+  /// Census costs in a window, least squares for the subpixel part (block_matching.hpp, subpixel.hpp).
+  census,
+  /// Census costs along paths, a parabola for the subpixel part (semi_global.hpp).
+  semi_global,
+  /// Differences of brightness in a window, a parabola for the subpixel part (correlation.hpp).
+  correlation,
 };
 
-/// A stereo depth camera with a dot projector. Defaults are a D435's at 848 x 480.
+/// A stereo depth camera with a dot projector. Defaults are those of a D435 at 848 x 480.
 struct StereoSensorOptions {
   // Optics
   double focal_px = 425.0;
@@ -35,7 +38,7 @@ struct StereoSensorOptions {
   double imager_difference = 0.0;
   double full_well_e = 1500.0;
   double read_noise_e = 6.0;
-  // What makes real noise hard
+  // Noise that is correlated between pixels, frames or captures
   double speckle = 0.12;
   double speckle_turn_deg = 0.0;
   double wander = 0.05;
@@ -45,7 +48,7 @@ struct StereoSensorOptions {
   double flicker = 0.01;
   double drift_px = 0.05;
   double sway_mm = 0.0;
-  // Answer
+  // Matching and output
   Matcher matcher = Matcher::census;  ///< chosen with a camera's model (camera_models.hpp)
   int window_px = 9;
   double depth_unit_mm = 0.1;

@@ -12,7 +12,8 @@ namespace rva {
 
 namespace {
 
-// std::floor is a call where the processor is not known to have an instruction for it.
+// Replaces std::floor, which compiles to a function call unless the target is known to have an instruction
+// for it.
 int floor_of(float number) {
   const int whole = static_cast<int>(number);
   return static_cast<float>(whole) > number ? whole - 1 : whole;
@@ -21,7 +22,7 @@ int floor_of(float number) {
 float smooth(float t) { return t * t * (3.0F - 2.0F * t); }
 float mix_of(float a, float b, float t) { return a + t * (b - a); }
 
-// By squaring: a highlight costs a few multiplications, and the same everywhere.
+// Exponentiation by squaring: a highlight costs only a few multiplications.
 float power(float base, int exponent) {
   float result = 1.0F;
   for (; exponent > 0; exponent /= 2, base *= base) {
@@ -30,8 +31,8 @@ float power(float base, int exponent) {
   return result;
 }
 
-constexpr std::size_t corners =
-    8;  // of a cell: bit 0 of the index goes along x, bit 1 along y, bit 2 along z
+// Corners of a lattice cell: bit 0 of the index selects the side along x, bit 1 along y, bit 2 along z.
+constexpr std::size_t corners = 8;
 
 /// A number in [-1, 1) for each corner of a cell of the lattice.
 RVA_VECTOR_CLONES
@@ -49,12 +50,12 @@ void lattice(const Eigen::Vector3i& cell, std::array<float, corners>& values) {
     h = (h ^ (h >> 15U)) * 0x2C1B3C6DU;
     h = (h ^ (h >> 12U)) * 0x297A2D39U;
     h ^= h >> 15U;
-    // Half of it is what a vector instruction can convert.
+    // Halved, since vector instructions convert signed integers only.
     values[i] = static_cast<float>(static_cast<std::int32_t>(h >> 1U)) * 0x1.0p-30F - 1.0F;
   }
 }
 
-// Value noise: lattice values, joined smoothly.
+// Value noise: smooth interpolation between lattice values.
 float noise(const Eigen::Vector3f& p) {
   const Eigen::Vector3i cell(floor_of(p.x()), floor_of(p.y()), floor_of(p.z()));
   const Eigen::Vector3f within = p - cell.cast<float>();
@@ -67,7 +68,7 @@ float noise(const Eigen::Vector3f& p) {
   return mix_of(mix_of(edge(0), edge(2), ty), mix_of(edge(4), edge(6), ty), tz);
 }
 
-// What dirt leaves of the light: patches as large as a hand, specks of a few millimetres within them.
+// The factor of light that dirt leaves: patches of the size of a hand, with specks of a few millimetres.
 float under_dirt(float dirt, const Eigen::Vector3f& position) {
   constexpr float patch_m = 0.06F;
   constexpr float speck_m = 0.004F;
@@ -78,7 +79,7 @@ float under_dirt(float dirt, const Eigen::Vector3f& position) {
 
 float grain_of_coat(const Material& material, const Eigen::Vector3f& position) {
   if (material.grain <= 0.0) return 1.0F;
-  // Values of the field have a standard deviation of about a third.
+  // The standard deviation of the field is about a third, so 3 scales it to the material's contrast.
   const float contrast = 3.0F * static_cast<float>(material.grain);
   return std::max(0.0F, 1.0F + contrast * noise(position * static_cast<float>(1.0 / material.grain_m)));
 }
@@ -109,7 +110,7 @@ float reflected_surroundings(const Material& material, float albedo, const Surfa
   const float diffuse = albedo * (0.6F + 0.4F * point.normal.z());
   if (material.specular <= 0.0) return diffuse;
   const Eigen::Vector3f mirrored = 2.0F * point.normal.dot(point.to_eye) * point.normal - point.to_eye;
-  // Soft bright patches stand for whatever is around.
+  // Soft bright patches stand in for the unknown surroundings.
   const float patches = 0.5F + mirrored.x() * mirrored.y();
   const float above = 0.5F + 0.5F * mirrored.z();
   return diffuse + static_cast<float>(material.specular) * above * (0.5F + patches);

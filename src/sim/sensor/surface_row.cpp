@@ -6,7 +6,7 @@ namespace rva {
 
 namespace {
 
-constexpr float off_surface_m = 1e-4F;  // where shadow rays begin, so that a surface does not shade itself
+constexpr float off_surface_m = 1e-4F;  // offset of shadow rays, so that a surface does not shade itself
 
 SurfacePoint surface_at(const Ray& ray, const Hit& hit) {
   SurfacePoint point;

@@ -1,4 +1,4 @@
-// The surfaces that one row of rays meets.
+// The surfaces hit by one row of rays.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,23 +12,24 @@
 
 namespace rva {
 
-/// What both renderers do with a row of samples; keeps its buffers from row to row. For one thread.
+/// The work on a row of samples that both renderers share. Reuses its buffers from row to row, and
+/// is not thread-safe.
 class SurfaceRow {
  public:
   /// The scene and the caster must outlive the row.
   SurfaceRow(const Scene& scene, const RayCaster& caster, std::size_t samples);
 
-  /// Aim every ray before cast(). Directions need not be of unit length.
+  /// The rays, which the caller must set before cast(). Directions need not be of unit length.
   [[nodiscard]] std::vector<Ray>& rays() { return rays_; }
   void cast();
-  /// Which samples does a point of light reach? For lit().
+  /// Determines for lit() which samples a point light at `light_m` (world) reaches. Call after cast().
   void find_shadows(const Eigen::Vector3f& light_m);
 
   [[nodiscard]] std::size_t samples() const { return rays_.size(); }
   [[nodiscard]] bool seen(std::size_t i) const { return hits_[i].object != Hit::none; }
   [[nodiscard]] bool lit(std::size_t i) const { return seen(i) && shaded_[i] == 0; }
 
-  // Of a sample that is seen.
+  // Valid only for samples for which seen() is true.
   [[nodiscard]] const SurfacePoint& point(std::size_t i) const { return points_[i]; }
   [[nodiscard]] const Material& material(std::size_t i) const { return *materials_[i]; }
   [[nodiscard]] float grain(std::size_t i) const { return grains_[i]; }

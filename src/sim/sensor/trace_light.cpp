@@ -10,14 +10,14 @@ namespace rva {
 namespace {
 
 constexpr float dust_radius_m = 0.05F;
-// From the middle to the edge.
+// Half lengths and half widths.
 constexpr float smear_length_m = 0.05F;
 constexpr float smear_width_m = 0.008F;
 constexpr float finger_length_m = 0.008F;
 constexpr float finger_width_m = 0.006F;
-constexpr float reach_m = 0.06F;  // No trace is as large.
+constexpr float reach_m = 0.06F;  // larger than the radius of any trace, for an early exit
 
-// 1 well inside, 0 outside, over a soft edge.
+// 1 inside, 0 from a relative distance of 1 on, with a linear transition of width `edge`.
 float inside(float distance, float edge) { return std::clamp((1.0F - distance) / edge, 0.0F, 1.0F); }
 
 float dust(const Eigen::Vector3f& from_middle, const Eigen::Vector3f& position) {
@@ -41,7 +41,7 @@ float fingerprint(float along_m, float across_m) {
   return inside(distance, 0.2F) * (0.5F + 0.5F * rings);
 }
 
-// 0 to 1: how much of the trace's contrast there is.
+// The share of the trace's contrast at a position, 0 to 1.
 float share_at(const Trace& trace, const Eigen::Vector3f& position) {
   const Eigen::Vector3f from_middle = position - trace.at_m;
   if (from_middle.squaredNorm() > reach_m * reach_m) return 0.0F;

@@ -1,4 +1,4 @@
-// What dust, smears and fingerprints leave of a surface's light.
+// The effect of dust, smears and fingerprints on the light of a surface.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace rva {
 
-/// Factor of the light that a surface sends back, 1 where there is no trace.
+/// The factor by which traces change the light that a surface reflects; 1 where there is no trace.
 /// @param position world, metres
 [[nodiscard]] float trace_light(std::span<const Trace> traces, const Eigen::Vector3f& position);
 

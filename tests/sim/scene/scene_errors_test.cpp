@@ -51,9 +51,9 @@ void expect_complaints(const std::vector<BadScene>& scenes) {
 TEST(SceneErrors, OfTheDocument) {
   expect_complaints({
       {"", "1: empty"},
-      {scene_head + "---\n" + scene_head, "1: goes on after the end of its YAML document"},
-      {", a\n" + scene_head, "1: goes on after the end of its YAML document"},
-      {scene_head + "...\n# the end\nwing: {}", "1: goes on after the end"},
+      {scene_head + "---\n" + scene_head, "1: continues after the end of its YAML document"},
+      {", a\n" + scene_head, "1: continues after the end of its YAML document"},
+      {scene_head + "...\n# the end\nwing: {}", "1: continues after the end"},
       {"format: [", "1: not YAML"},
       {scene_head + "wing: {\n  span_m: }}\n", "4: not YAML"},
       {"just text", "1: not a list of `key: value`"},
@@ -66,7 +66,7 @@ TEST(SceneErrors, OfTheDocument) {
       {scene_head + "wing: {}\nwing: {}", "4: key \"wing\" given twice"},
   });
   EXPECT_THAT(complaint("format: \xFF"), StartsWith("scene.yaml: not UTF-8 text"));
-  EXPECT_THAT(complaint(std::string(2U << 20U, ' ')), StartsWith("scene.yaml: more than 1 MB"));
+  EXPECT_THAT(complaint(std::string(2U << 20U, ' ')), StartsWith("scene.yaml: larger than 1 MB"));
 }
 
 TEST(SceneErrors, OfTheWing) {
@@ -89,7 +89,7 @@ TEST(SceneErrors, OfTheWing) {
       {wing("ribs: { hole_diameter_mm: 360 }"), "4: field wing.ribs: lightening holes do not fit"},
       {wing("ribs: { material: gold }"), "4: field wing.ribs.material: unknown material \"gold\""},
       {wing("spars: { rear_height_mm: 400 }"), "4: field wing.spars: the rear spar is higher than the bay"},
-      {wing("spars: { rear_height_mm: 15 }"), "4: field wing.spars: the rear spar's caps do not fit"},
+      {wing("spars: { rear_height_mm: 15 }"), "4: field wing.spars: the rear spar is too low"},
       {wing("spars: { flange_mm: 400 }"), "4: field wing.spars: the spars' caps fill the bay"},
       {wing("skin: { upper: maybe }"), "4: field wing.skin.upper: \"maybe\" is not true or false"},
       {wing("access_hole: { width_mm: 800 }"), "4: field wing.access_hole: the access hole does not fit"},
@@ -115,10 +115,10 @@ TEST(SceneErrors, OfSolids) {
       {scene_head + "solids: [{ shape: ball }]", "3: field solids[0].shape: unknown shape \"ball\""},
       {solid("size_mm: [1, 2, 3], material: steel") +
            "  - { name: s, shape: plane, size_mm: [1, 2], at_m: [0, 0, 0], material: steel }",
-       "5: field solids[1].name: \"s\" is another object's name already"},
+       "5: field solids[1].name: \"s\" is already the name of another object"},
       {bay_head +
            "solids: [{ name: rib-left, shape: plane, size_mm: [1, 2], at_m: [0, 0, 0], material: steel }]",
-       "5: field solids[0].name: \"rib-left\" is another object's name already"},
+       "5: field solids[0].name: \"rib-left\" is already the name of another object"},
   });
 }
 
@@ -137,10 +137,10 @@ TEST(SceneErrors, OfMeshes) {
   };
   const std::string place = (folder / "scene.yaml").string() + ":5: field meshes[0].file: ";
   EXPECT_THAT(with("none.stl"), AllOf(StartsWith(place), HasSubstr("none.stl no such file")));
-  EXPECT_THAT(with("mesh.step"), AllOf(StartsWith(place), HasSubstr("not a mesh file that can be read")));
-  EXPECT_THAT(with("empty.stl"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
-  EXPECT_THAT(with("points.obj"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
-  EXPECT_THAT(with("noise.stl"), AllOf(StartsWith(place), HasSubstr("holds no triangles")));
+  EXPECT_THAT(with("mesh.step"), AllOf(StartsWith(place), HasSubstr("not a supported mesh file")));
+  EXPECT_THAT(with("empty.stl"), AllOf(StartsWith(place), HasSubstr("contains no triangles")));
+  EXPECT_THAT(with("points.obj"), AllOf(StartsWith(place), HasSubstr("contains no triangles")));
+  EXPECT_THAT(with("noise.stl"), AllOf(StartsWith(place), HasSubstr("contains no triangles")));
   EXPECT_THAT(with("huge.obj"), AllOf(StartsWith(place), HasSubstr("is larger than 100 m")));
   EXPECT_THAT(with("huge.obj", "ft"), HasSubstr(":6: field meshes[0].unit: unknown unit \"ft\""));
 }
@@ -173,12 +173,12 @@ TEST(SceneErrors, OfDebris) {
       {debris("kind: key, at_m: [0, 0.5, 0.5]"), "6: field debris[0].at_m: key lies outside the bay"},
       {debris("random: 0"), "6: field debris[0].random: \"0\" is out of range"},
       {debris("random: 1, seed: -1"), "6: field debris[0].seed: \"-1\" is not a whole number"},
-      {debris("random: 1, kinds: []"), "6: field debris[0].kinds: names no kind"},
+      {debris("random: 1, kinds: []"), "6: field debris[0].kinds: lists no kind"},
       {debris("random: 1, kinds: [key, hammer]"), "6: field debris[0].kinds[1]: unknown kind"},
       {debris("random: 1, within_m: [0, 1]"), "6: field debris[0].within_m[0]: not a list"},
       {debris("random: 1, within_m: [[0, 1]]"), "6: field debris[0].within_m: not two corners"},
       {debris("random: 2, kinds: [key], within_m: [[0, 0.45], [0.01, 0.46]]"),
-       "6: field debris[0].random: found room for 1 of 2 only"},
+       "6: field debris[0].random: found room for only 1 of 2"},
       {scene_head + "debris: [{ random: 1 }]",
        "3: field debris[0]: key \"within_m\" is missing where there is no wing"},
   });
@@ -191,7 +191,7 @@ TEST(SceneErrors, OfACameraInsideASolid) {
       "solids: [{ name: block, shape: box, size_mm: [400, 400, 400], at_m: [0, 0, 0.25],"
       " material: steel }]\n";
   EXPECT_THAT(complaint(blocked), AllOf(StartsWith("scene.yaml:4: field robot: the camera at"),
-                                        HasSubstr("is inside \"block\"; stand the robot elsewhere")));
+                                        HasSubstr("is inside \"block\"; move the robot elsewhere")));
   EXPECT_THAT(complaint(blocked, test::with_robot_at({0.1, 0, 0})), StartsWith("--position: the camera at"));
   EXPECT_EQ(complaint(blocked, test::with_robot_at({0, 1, 0})), "accepted");
 }
