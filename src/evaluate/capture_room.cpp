@@ -15,8 +15,8 @@ namespace rva {
 CaptureRoom::CaptureRoom() {
   std::string name = fs::temp_directory_path() / "rva-evaluate-XXXXXX";
   if (::mkdtemp(name.data()) == nullptr)
-    throw Error("captures", "have no room in the folder for temporary files",
-                "set TMPDIR to one that can be written");
+    throw Error("captures", "cannot be stored in the folder for temporary files",
+                "set TMPDIR to a writable folder");
   path_ = name;
 }
 

@@ -1,14 +1,14 @@
-// Where a study keeps the captures of one inspection.
+// Temporary storage for the captures of one inspection.
 #pragma once
 
 #include <filesystem>
 
 namespace rva {
 
-/// A folder among the system's temporary ones, gone with all that is in it when this ends.
+/// A folder for temporary files, removed with its contents when the object is destroyed.
 class CaptureRoom {
  public:
-  /// @throws Error when no folder can be made
+  /// @throws Error if the folder cannot be created
   CaptureRoom();
   ~CaptureRoom();
   CaptureRoom(const CaptureRoom&) = delete;

@@ -121,8 +121,8 @@ Evaluation evaluation_from_json(const std::string& text, const std::string& plac
   try {
     return evaluation_from(json);
   } catch (const nlohmann::json::exception& exception) {
-    throw Error(place, std::string("is no evaluation to go on with: ") + exception.what(),
-                "give another --out");
+    throw Error(place, std::string("is not an evaluation that can be resumed: ") + exception.what(),
+                "choose another output folder");
   }
 }
 

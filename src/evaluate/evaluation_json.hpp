@@ -1,4 +1,4 @@
-// `evaluation.json` (docs/calibrated.md): a study's inspections, and what they come to.
+// `evaluation.json` (docs/calibrated.md): the inspections of a study and their totals.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 namespace rva {
 
 struct Evaluation {
-  std::string scene;    ///< the file that was inspected; empty for wings drawn by chance
-  std::string cameras;  ///< as of --cameras
-  std::string bay;      ///< as of --bay; empty for plain ones
+  std::string scene;    ///< the scene file; empty for random wings
+  std::string cameras;  ///< the camera models, as camera_of_each() takes them
+  std::string bay;      ///< names of bay features; empty for plain bays
   std::vector<SimulatedInspection> inspections;
 };
 
-/// Ends in a line feed. Tallies are added; the pixels of targets are left out.
+/// The JSON text of an evaluation, ending in a line feed. It includes tallies, but not the pixels of targets.
 [[nodiscard]] std::string to_json(const Evaluation& evaluation);
 
-/// @param place of the file, for errors
-/// @return targets without their pixels
-/// @throws Error when the text is not an evaluation
+/// Reads the inspections of an evaluation, without the pixels of their targets.
+/// @param place name of the file, for errors
+/// @throws Error if the text is not an evaluation
 [[nodiscard]] Evaluation evaluation_from_json(const std::string& text, const std::string& place);
 
 }  // namespace rva

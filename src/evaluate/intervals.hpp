@@ -1,4 +1,4 @@
-// How sure a counted figure is.
+// Confidence intervals of counts.
 #pragma once
 
 #include <cstddef>
@@ -6,24 +6,27 @@
 
 namespace rva {
 
-/// 95 %, two-sided.
+/// A two-sided confidence interval of 95 %.
 struct Interval {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// Of a probability, `successes` of `trials` seen (Clopper and Pearson 1934): never less than 95 %. From 0 to
-/// 1 without a trial.
+/// The interval of a probability, given the number of successes in a number of trials (Clopper and Pearson
+/// 1934). Its coverage is never less than 95 %. Without a trial, it is 0 to 1.
+/// @param successes at most `trials`
 [[nodiscard]] Interval share_interval(std::size_t successes, std::size_t trials);
 
-/// Of a mean count per trial, `count` seen in all, if counts are scattered by chance (Garwood 1936). There
-/// must be one trial at least.
+/// The interval of a mean count per trial, given the total count, for counts of a Poisson distribution
+/// (Garwood 1936).
+/// @param trials at least 1
 [[nodiscard]] Interval rate_interval(std::size_t count, std::size_t trials);
 
-/// "successes/trials share % (interval)", for a table; "-" without a trial.
+/// A cell of a table, "successes/trials share % (interval)"; "-" without a trial.
 [[nodiscard]] std::string stated_share(std::size_t successes, std::size_t trials);
 
-/// "mean (interval)", for a table. There must be one trial at least.
+/// A cell of a table, "mean (interval)".
+/// @param trials at least 1
 [[nodiscard]] std::string stated_rate(std::size_t count, std::size_t trials);
 
 }  // namespace rva

@@ -31,13 +31,13 @@ bool touches(const Finding& finding, const Mask& mask) {
   return std::ranges::any_of(finding.pixels, [&](std::uint32_t i) { return mask[i] != 0; });
 }
 
-// At least half of it.
+// Whether at least half of the finding's pixels are in the mask.
 bool lies_in(const Finding& finding, const Mask& mask) {
   const auto inside = std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return mask[i] != 0; });
   return 2 * static_cast<std::size_t>(inside) >= finding.pixels.size();
 }
 
-// Pixels whose ray meets the object when it is alone in the world.
+// The number of pixels that would see the object if the scene contained nothing else.
 int pixels_alone(const SimulatedCamera& camera, std::size_t object) {
   const RayCaster alone(camera.scene(), std::array{object});
   const Transform world_from_camera = camera.world_from_camera();

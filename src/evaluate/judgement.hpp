@@ -1,4 +1,4 @@
-// Findings held against what is really there.
+// Comparison of findings with the ground truth.
 #pragma once
 
 #include <string>
@@ -10,54 +10,55 @@
 
 namespace rva {
 
-/// One piece of debris, as the camera sees it.
+/// One piece of debris in the view of a camera.
 struct Target {
   std::string kind;
   int visible_px = 0;
-  double unhidden_px = 0.0;           ///< how many there would be if nothing lay before it
+  double unhidden_px = 0.0;           ///< number of visible pixels if nothing occluded it
   double distance_m = 0.0;            ///< mean depth of its visible pixels
-  std::vector<std::uint32_t> pixels;  ///< visible, by position in the rows laid end to end
+  std::vector<std::uint32_t> pixels;  ///< visible pixels, as row-major indices
   int shown_px = 0;                   ///< pixels of the depth image that it changes, see count_shown()
 
-  /// At least half of it lies open to the camera, which has a pixel for it.
+  /// Whether at least half of it is visible, and at least one pixel.
   [[nodiscard]] bool is_visible() const { return visible_px > 0 && 2.0 * visible_px >= unhidden_px; }
-  /// It leaves a trace in depth that is as large as what a dot of the projector spoils: a quarter of a
-  /// matcher's window of 9 x 9. Between the dots lie things without any.
+  /// Whether it changes the depth image at least as much as one dot of the projector affects: a quarter of a
+  /// matcher's window of 9 x 9 pixels. Debris between the dots may not change it at all.
   [[nodiscard]] bool is_shown() const { return shown_px >= 20; }
 };
 
-/// All debris of the camera's scene of which a pixel is visible.
+/// All debris of the camera's scene with at least one visible pixel.
 [[nodiscard]] std::vector<Target> visible_targets(const SimulatedCamera& camera);
 
-/// What changed besides debris. Pixels by position in the rows laid end to end.
+/// Changes other than debris. Pixels are row-major indices.
 struct OtherChanges {
-  std::vector<std::uint32_t> work;    ///< planned: what was installed, and where what is gone was
-  std::vector<std::uint32_t> traces;  ///< dust, smears and fingerprints that change the light by a hundredth
+  std::vector<std::uint32_t> work;    ///< planned work: objects that were installed or removed
+  std::vector<std::uint32_t> traces;  ///< dust, smears and fingerprints that change light by more than 1 %
 };
 
-/// @param before, after cameras at one place, of scenes whose objects have the same names
+/// The pixels of planned work and of traces.
+/// @param before, after cameras with the same pose; objects present in both scenes have the same name in both
 [[nodiscard]] OtherChanges other_changes(const SimulatedCamera& before, const SimulatedCamera& after);
 
-/// Counts for each target the pixels, within 4 of its own, whose disparity it changes by more than 0.1 px or
-/// whose depth it brings or takes: a trace of three deviations of the noise that one capture has and another
-/// has not, as faithfulness measures it (docs/simulator.md).
-/// @param without, with two captures of one place with the very same noise, without debris and with it
+/// Counts for each target the pixels within 4 pixels of it at which it changes disparity by more than 0.1 px,
+/// or adds or removes a measurement. The threshold is three standard deviations of the noise that differs
+/// between two captures, as measured by script/faithfulness (docs/simulator.md).
+/// @param without, with      captures of one view with identical noise, without debris and with it
 /// @param disparity_by_depth focal length times baseline: disparity in pixels times depth in depth units
 void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
                  std::vector<Target>& targets);
 
 struct Judgement {
-  std::vector<bool> found;  ///< of each target
+  std::vector<bool> found;  ///< for each target
   std::size_t false_findings = 0;
-  std::size_t work_findings = 0;   ///< of planned work: true changes, but no debris
+  std::size_t work_findings = 0;   ///< of planned work: true changes, but not debris
   std::size_t trace_findings = 0;  ///< of dust, smears and fingerprints
 };
 
-/// A finding points at debris when at least half of its pixels lie within 15 pixels of a target: there may be
-/// the target's shadow, or what it hides of the place before. One that lies so beside planned work, or on
-/// traces, is counted apart; any other finding is false. A target is found
-/// when a finding that points at debris has a pixel within 4 pixels of it: half of the matcher's window, by
-/// which it blurs what it shows.
+/// Assigns findings to their causes. A finding is attributed to debris if at least half of its pixels lie
+/// within 15 pixels of a target, a margin for the target's shadow and for the background that it occludes. A
+/// finding that is likewise near planned work or traces is counted separately; any other finding is false. A
+/// target is found if a finding attributed to debris has a pixel within 4 pixels of it, which is half of the
+/// matcher's window, by which the matcher blurs the depth image.
 [[nodiscard]] Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets,
                               int width, int height, const OtherChanges& others = {});
 

@@ -1,5 +1,5 @@
-// The path that a mechanic's captures take: a robot that goes to a view before and after the work, and the
-// comparison that `rva detect` and the console make.
+// A simulated inspection by the path that real captures take: a robot moves to a view before and after the
+// work, and the sides are compared as `rva detect` and the console compare them.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace rva {
 
-/// One inspection as `rva serve` makes it: captures by a robot (robot_side.hpp), compared by detect(), with
-/// nothing that `rva serve` or `rva detect` does not know.
-/// @throws Error when captures cannot be written; Interrupted
+/// One inspection as `rva serve` performs it: captures by a robot (robot_side.hpp), compared by detect(),
+/// which gets no information that `rva serve` and `rva detect` lack.
+/// @throws Error if captures cannot be written; Interrupted
 [[nodiscard]] MovedInspection inspect_moved(const MovedStudyOptions& options, std::uint64_t seed);
 
 }  // namespace rva

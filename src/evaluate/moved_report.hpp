@@ -1,4 +1,4 @@
-// What a study of moved cameras says, summed up.
+// Summaries of a study of moved cameras.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace rva {
 
-/// Counts over all inspections, at one setting with so many captures a side.
+/// Counts over all inspections, for one method, setting and number of captures per side.
 struct MovedTally {
   std::string method;
   int captures = 1;
@@ -21,14 +21,14 @@ struct MovedTally {
   std::size_t work_findings = 0;
   std::size_t trace_findings = 0;
   std::size_t big_found = 0;
-  std::size_t big = 0;  ///< big pieces that count
+  std::size_t big = 0;  ///< big pieces that count, see MovedTarget
   std::size_t large_found = 0;
-  std::size_t large = 0;  ///< of those, the ones of which more than 120 pixels are visible
+  std::size_t large = 0;  ///< those among them with more than 120 visible pixels
   std::size_t found = 0;
-  std::size_t targets = 0;  ///< all that count
+  std::size_t targets = 0;  ///< all pieces that count
 };
 
-/// How large a collar has to be so that it is found, at one setting with so many captures a side.
+/// The size from which collars are found, for one method, setting and number of captures per side.
 struct CollarDetection {
   std::string method;
   int captures = 1;
@@ -36,27 +36,27 @@ struct CollarDetection {
   double from_m = 0.0;  ///< distance of the collars
   double to_m = 0.0;
   std::size_t found = 0;
-  std::size_t collars = 0;  ///< that count
+  std::size_t collars = 0;  ///< all collars that count
   std::optional<DetectionSizes> sizes;
 };
 
-/// In the order of the results, nearest collars first.
+/// Detection of collars, in the order of the results and, for each, nearest collars first.
 [[nodiscard]] std::vector<CollarDetection> collar_detection(const std::vector<MovedInspection>& inspections);
 
-/// In the order of the results.
+/// Totals, in the order of the results.
 [[nodiscard]] std::vector<MovedTally> tally(const std::vector<MovedInspection>& inspections);
 
-/// Tables of findings, of registrations, and of what was found by kind at the usual setting, with intervals
-/// of 95 %.
+/// Tables of findings, of registrations, and of debris found by kind at the usual setting, with intervals of
+/// 95 %.
 [[nodiscard]] std::string to_table(const std::vector<MovedInspection>& inspections);
 
 /// `evaluation.json` of a study of moved cameras (docs/spatial.md).
-/// @param arguments what the study was begun with, to go on with it
+/// @param arguments the arguments of the study, which a resumed run must match
 [[nodiscard]] std::string to_json(const std::vector<MovedInspection>& inspections,
                                   const std::string& arguments);
 
-/// The inspections that are there, for a study that goes on; the pixels of their targets are not.
-/// @throws Error when the text is no such evaluation; UsageError when it was begun with other arguments
+/// Reads the inspections of a study that is to be resumed, without the pixels of their targets.
+/// @throws Error if the text is not such an evaluation; UsageError if the study had other arguments
 [[nodiscard]] std::vector<MovedInspection> moved_inspections_from_json(const std::string& text,
                                                                        const std::string& place,
                                                                        const std::string& arguments);

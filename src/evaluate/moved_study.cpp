@@ -15,7 +15,7 @@
 namespace rva {
 namespace {
 
-// Each inspection keeps its images in memory, so a machine with many cores does not run one on each.
+// Limits memory on machines with many cores, since each inspection keeps its images in memory.
 constexpr unsigned most_at_a_time = 8;
 
 void check(const MovedStudyOptions& options) {
@@ -23,11 +23,10 @@ void check(const MovedStudyOptions& options) {
   const bool in_range =
       !options.captures.empty() && options.captures.front() >= 1 && options.captures.back() <= most_dithers;
   if (!ascending || !in_range)
-    throw UsageError("--captures", "needs numbers from 1 to 16, each larger than the one before",
+    throw UsageError("--captures", "requires numbers from 1 to 16 in ascending order",
                      "give for example 1,4,8");
   if (options.allowed.empty() || !std::ranges::is_sorted(options.allowed, std::less_equal{}))
-    throw UsageError("--allowed", "needs numbers, each larger than the one before",
-                     "give for example 0.05,0.5");
+    throw UsageError("--allowed", "requires numbers in ascending order", "give for example 0.05,0.5");
   for (const double allowed : options.allowed) {
     CalibratedOptions calibrated;
     calibrated.false_findings = allowed;
@@ -35,7 +34,7 @@ void check(const MovedStudyOptions& options) {
   }
 }
 
-/// Inspections that several threads work on, handed on in the order of their seeds.
+/// Runs inspections on several threads, and passes the results on in the order of their seeds.
 class Study {
  public:
   Study(const MovedStudyOptions& options, std::vector<MovedInspection> earlier, const Progress& progress,
@@ -69,7 +68,7 @@ class Study {
     }
   }
 
-  // The position of the next inspection; total() when there is none, or one failed.
+  // The index of the next inspection; total() if there is none or one failed.
   std::size_t take() {
     const std::scoped_lock lock(mutex_);
     return failure_ || next_ == total() ? total() : next_++;
@@ -89,7 +88,7 @@ class Study {
   const std::function<void(const std::vector<MovedInspection>&)>& keep_;
   std::mutex mutex_;
   std::vector<MovedInspection> done_;
-  std::map<std::size_t, MovedInspection> early_;  ///< done before one of an earlier seed
+  std::map<std::size_t, MovedInspection> early_;  ///< done, but waiting for one of an earlier seed
   std::size_t next_ = 0;
   std::exception_ptr failure_;
 };

@@ -18,7 +18,8 @@ bool is_big(const Scene& scene, const std::string& kind) {
   return sides_m[0] >= 0.010 && sides_m[1] >= 0.015;
 }
 
-// Half of its pixels lie where the initial view has a surface, and before it.
+// Whether at least half of the target's pixels lie in front of a surface that the initial view measured, with
+// a tolerance in disparity.
 bool is_seen_free(const Target& target, const Intrinsics& camera, const DepthView& initial,
                   const Transform& initial_from_final) {
   const auto width = static_cast<std::uint32_t>(camera.width);

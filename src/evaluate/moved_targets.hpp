@@ -1,4 +1,4 @@
-// Debris that a comparison of two places could find.
+// Debris that a comparison between two camera positions can be expected to find.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,25 @@
 
 namespace rva {
 
-/// What one detection must find.
+/// One piece of debris in the first final capture.
 struct MovedTarget {
   Target target;
-  /// 15 mm across, 10 mm high, the smaller two of its sides.
+  /// The smallest side of its bounding box is at least 10 mm and the middle one at least 15 mm.
   bool big = false;
-  /// Half of it lies in space that the first initial capture saw through.
+  /// At least half of it lies in space that the first initial capture observed as free.
   bool seen_free = false;
 
-  /// Visible, within 1 m, where there was free space.
+  /// Whether detection is expected: visible, within 1 m, and in space that was observed as free.
   [[nodiscard]] bool counts() const { return target.is_visible() && target.distance_m <= 1.0 && seen_free; }
 };
 
 /// All debris of which the camera sees a pixel.
 /// @param final   the camera of the first final capture
-/// @param initial what the first initial capture measured
+/// @param initial the depth of the first initial capture
 [[nodiscard]] std::vector<MovedTarget> moved_targets(const SimulatedCamera& final, const DepthView& initial,
                                                      const Transform& initial_from_final);
 
-/// The targets by themselves, for judge().
+/// The bare targets, for judge().
 [[nodiscard]] std::vector<Target> plain(const std::vector<MovedTarget>& targets);
 
 }  // namespace rva

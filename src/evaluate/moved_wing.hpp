@@ -1,4 +1,4 @@
-// Wings in which the robot was lifted out and put back elsewhere.
+// Random wings for studies in which the camera moves between the two sides.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace rva {
 
-/// How the camera came back.
+/// How the camera returned for the final side.
 enum class CameraReturn {
-  elsewhere,  ///< the robot was lifted out and put back
+  elsewhere,  ///< the robot was removed and put back at another position
   near,       ///< the robot stayed, but came to rest one or two servo steps off in both joints
-  exact,      ///< the robot stayed and came back to the same steps
-  rest,  ///< so does it, and each pose of either side rests anywhere within half a step of what it reports
+  exact,      ///< the robot stayed and returned to the same servo steps
+  rest,       ///< as `exact`, but each pose of either side is off by up to half a step from the reported one
 };
 
 /// One bay, seen before and after the work.
@@ -22,12 +22,13 @@ struct MovedWing {
   Scene after;   ///< with both
 };
 
-/// A bay as of random_wing(). Robots stand within the bay, 0.18 m and more from either rib, 0.05 to
-/// 0.25 m from the near spar, and look at the middle of the bay, give or take 5 degrees, tilted down by 16 to
-/// 30; put elsewhere, they are 0.15 to 0.4 m apart and turned against each other by up to 15 degrees. Five
-/// pieces of debris are big (flashlights, a screwdriver, a socket, a roll of tape, a glove, a clip, a rag),
-/// four small (collars, bolts, nut plates), or twelve before a camera that stays, which sees smaller things;
-/// fewer where no place is found.
+/// A bay from random_wing(). Robots stand inside the bay, at least 0.18 m from either rib and 0.05 to 0.25 m
+/// from the near spar. They face the middle of the bay to within 5 degrees, tilted down by 16 to 30 degrees.
+/// With CameraReturn::elsewhere, the positions of the two sides are 0.15 to 0.4 m apart and their headings
+/// differ by up to 15 degrees. Five pieces of debris are drawn from big kinds (flashlights, a screwdriver, a
+/// socket, a roll of tape, a glove, a clip, a rag) and four from small kinds (collars, bolts, nut plates);
+/// twelve small ones in view of a camera that stays, which detects smaller things. There are fewer if no free
+/// position is found.
 [[nodiscard]] MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how,
                                           const BayFeatures& features = {});
 

@@ -9,10 +9,11 @@
 namespace rva {
 namespace {
 
-constexpr double steepest = 60.0;  // logits per factor of e: from one tenth to nine within 8 %
-constexpr double logit_of_nine_tenths = 2.1972245773362196;  // of nine tenths: ln 9
+constexpr double steepest = 60.0;  // logits per factor of e: from 10 % to 90 % within 8 % of size
+constexpr double logit_of_nine_tenths = 2.1972245773362196;  // ln 9
 
-/// Curves whose probability is nine tenths at a size `a90`.
+/// The likelihood of logistic curves, parametrised by their slope and the size `a90` at which their
+/// probability is 90 %.
 class Likelihood {
  public:
   explicit Likelihood(std::span<const DetectionTrial> trials) {
@@ -22,11 +23,12 @@ class Likelihood {
     }
   }
 
-  /// Penalised by the root of the information's determinant (Firth 1993): without it, few trials make curves
-  /// too steep, and bounds hold less often than they say.
+  /// The logarithm of the likelihood, penalised by the square root of the information matrix's determinant
+  /// (Firth 1993). Without the penalty, curves from few trials are too steep, and the coverage of the bounds
+  /// is lower than stated.
   [[nodiscard]] double log_of(double ln_a90, double slope) const {
     double sum = 0.0;
-    double information = 0.0;  // of the logit, of its slope, and of both
+    double information = 0.0;  // information matrix of the logit at a90 and of the slope
     double of_slope = 0.0;
     double of_both = 0.0;
     for (std::size_t i = 0; i < signs_.size(); ++i) {
@@ -41,7 +43,7 @@ class Likelihood {
     return sum + 0.5 * std::log(std::max(information * of_slope - of_both * of_both, least_determinant));
   }
 
-  /// The likeliest slope of those that do not fall: the logarithm is concave in it (golden section).
+  /// The most likely slope that is not negative, by golden section: the logarithm is concave in the slope.
   [[nodiscard]] double best_slope(double ln_a90) const {
     constexpr double golden = 1.0 / std::numbers::phi;
     constexpr double precise = 1e-2;
@@ -67,7 +69,7 @@ class Likelihood {
   std::vector<double> signs_;
 };
 
-/// Sizes at which nine tenths may be reached, evenly spaced in their logarithm, and how likely each is.
+/// The profile likelihood over sizes a90, evenly spaced in their logarithm.
 struct Profile {
   std::vector<double> ln_a90;
   std::vector<double> log_likelihood;
@@ -84,7 +86,8 @@ struct Profile {
   }
 };
 
-// The smallest size from which on every larger one is less likely than chance would have it.
+// The smallest size such that it and all larger ones are rejected by the likelihood ratio test;
+// empty if none.
 std::optional<double> upper_bound_mm(const Profile& profile) {
   constexpr double quantile_90_of_chi_squared = 2.705543454095404;  // one-sided: 95 %
   const double least = profile.log_likelihood[profile.best()] - 0.5 * quantile_90_of_chi_squared;

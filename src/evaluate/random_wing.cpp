@@ -17,7 +17,7 @@
 namespace rva {
 namespace {
 
-// Primer as often as all else: so are wings.
+// Half of the coats are green primer, as in real wings.
 constexpr std::array<std::string_view, 8> coats{"green-primer",       "green-primer",  "green-primer",
                                                 "green-primer",       "white-paint",   "matt-grey",
                                                 "anodised-aluminium", "bare-aluminium"};
@@ -47,7 +47,7 @@ WingBay random_bay(Random& random) {
   return bay;
 }
 
-// Coats that plain bays do not have, as often as the others.
+// Replaces each coat, with a probability of one half, by one that plain bays do not have.
 void paint_otherwise(Random& random, WingBay& bay) {
   constexpr std::array<std::string_view, 3> others{"carbon-fibre", "yellow-primer", "wax-coating"};
   for (std::string* const material :
@@ -59,7 +59,7 @@ void paint_otherwise(Random& random, WingBay& bay) {
 void furnish(const BayFeatures& features, std::uint64_t seed, WingBay& bay) {
   Random random(mix(seed, 0xF177));
   bay.fittings.seed = mix(seed, 0xF178);
-  // Drawn in any case, so that one feature does not change another.
+  // All are drawn regardless of the features, so that one feature does not change another.
   const int brackets = whole(2, 6, random);
   const int hoses = whole(1, 2, random);
   const int cables = whole(1, 3, random);
@@ -101,7 +101,7 @@ BayFeatures bay_features(const std::vector<std::string>& names) {
       features.*feature.member = known = true;
     }
     if (!known)
-      throw UsageError("--bay", printable(name) + " is nothing that a bay can have",
+      throw UsageError("--bay", printable(name) + " is not a known bay feature",
                        fmt::format("give some of {}, or all", fmt::join(bay_feature_names(), ", ")));
   }
   return features;
@@ -137,7 +137,7 @@ TraceCounts random_traces(std::uint64_t seed) {
 
 Scene random_wing(std::uint64_t seed, const BayFeatures& features) {
   Random random(mix(seed, 0x3176));
-  (void)random_bay(random);  // what follows is drawn after the bay
+  (void)random_bay(random);  // advances the random stream past the bay
   const WingBay bay = random_wing_bay(seed, features);
   Scene scene;
   scene.name = "random-wing-" + std::to_string(seed);

@@ -1,4 +1,4 @@
-// Wings that nobody built by hand, for trials that no one could have prepared for.
+// Random wings, so that trials are not tuned to known scenes.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace rva {
 
-/// What makes a bay harder, as real ones are. None of it is in a plain bay.
+/// Features of real bays that make detection harder. A plain bay has none of them.
 struct BayFeatures {
   bool brackets = false;
   bool hoses = false;
   bool cables = false;
   bool sealant = false;
   bool dirt = false;
-  bool skins = false;   ///< carbon fibre, yellow primer and wax, too
-  bool work = false;    ///< a mechanic's legitimate changes between the two sides
-  bool traces = false;  ///< dust, smears and fingerprints that the work left
+  bool skins = false;   ///< coats of carbon fibre, yellow primer and wax as well
+  bool work = false;    ///< planned changes by a mechanic between the two sides
+  bool traces = false;  ///< dust, smears and fingerprints left by the work
 
   bool operator==(const BayFeatures&) const = default;
 };
@@ -28,28 +28,27 @@ struct BayFeatures {
 /// "brackets" ... "traces", in the order of the members.
 [[nodiscard]] std::vector<std::string_view> bay_feature_names();
 
-/// @param names of bay_feature_names(), or "all"
-/// @throws UsageError for any other
+/// @param names names from bay_feature_names(), or "all"
+/// @throws UsageError for any other name
 [[nodiscard]] BayFeatures bay_features(const std::vector<std::string>& names);
 
 /// The bay that random_wing() builds.
 [[nodiscard]] WingBay random_wing_bay(std::uint64_t seed, const BayFeatures& features = {});
 
-/// A mechanic's changes of a bay, drawn by chance: collars, brackets or sealant that were installed, cables
-/// that hang differently.
+/// Random planned changes to a bay: installed collars, brackets or sealant, and cables that hang differently.
 [[nodiscard]] Work random_work(std::uint64_t seed);
 
-/// One or two patches of dust and smears each, and one to three fingerprints.
+/// One or two patches of dust, one or two smears, and one to three fingerprints.
 [[nodiscard]] TraceCounts random_traces(std::uint64_t seed);
 
-/// A bay with its stringers, ribs, materials, light and the camera's view drawn by chance: L, Z or hat
-/// stringers, 3 to 6 of them, 25 to 45 mm high; paint, primer or aluminium; with or without an upper skin;
-/// the camera in the access hole, panned by up to 15 and tilted down by 14 to 32 degrees. Nothing lies in it.
-/// The same seed gives the same sheet metal, light and view whatever the features.
+/// A bay with random stringers, ribs, materials, light and camera view: 3 to 6 L, Z or hat stringers, 25 to
+/// 45 mm high; paint, primer or aluminium; with or without an upper skin; the camera in the access hole,
+/// panned by up to 15 degrees and tilted down by 14 to 32 degrees. It contains no debris. The same seed gives
+/// the same sheet metal, light and view regardless of the features.
 [[nodiscard]] Scene random_wing(std::uint64_t seed, const BayFeatures& features = {});
 
-/// Drops four collars of 0.27 in and six other pieces of the catalogue into a bay, by chance; fewer where no
-/// place is found.
+/// Drops four collars of 0.27 in and six pieces of random kinds of the catalogue at random positions in a
+/// bay; fewer if no free position is found.
 void drop_debris(Scene& scene, std::uint64_t seed);
 
 }  // namespace rva

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int large_px = 120;
 
-/// Targets in space that the first initial capture saw as free.
+/// Counts of findings, and of targets in space that the first initial capture observed as free.
 struct Counts {
   std::size_t comparisons = 0;
   std::size_t refused = 0;
@@ -42,7 +42,8 @@ struct Counts {
   }
 };
 
-/// One captures a side, several, or all: scenes have different numbers.
+/// The row of the totals to which a result belongs: "one" for scenes with one initial capture, else the
+/// number of captures used per side.
 std::string kind_of(const RecordedScene& scene, const RecordedResult& result) {
   return scene.initial.size() == 1 ? "one" : std::to_string(result.captures);
 }

@@ -29,7 +29,7 @@ std::vector<fs::path> captures_of(const fs::path& folder, const std::string& sid
     captures.push_back(folder / fmt::format("{}{}", side, k));
   if (captures.empty())
     throw Error(printable(folder), fmt::format("has no capture {0} or {0}0", side),
-                "see docs/evaluation.md for what a recorded scene holds");
+                "see docs/evaluation.md for the contents of a recorded scene");
   return captures;
 }
 
@@ -46,7 +46,7 @@ std::optional<Transform> transform_in(const fs::path& file) {
                      (transform.linear() * transform.linear().transpose()).isIdentity(tolerance) &&
                      transform.linear().determinant() > 0.0;
   if (!rigid)
-    throw Error(printable(file), "is no rigid transform of 4x4 numbers",
+    throw Error(printable(file), "is not a rigid transform of 4x4 numbers",
                 "give final_from_initial, row by row, in metres");
   return transform;
 }
@@ -89,7 +89,7 @@ RecordedScene load_recorded_scene(const fs::path& folder) {
   for (const auto& [image, name] : {std::pair{&labels, "label.png"}, {&seen, "seen.png"}}) {
     if (image->width() != depth.width || image->height() != depth.height)
       throw Error(printable(folder / name),
-                  fmt::format("has {}x{} pixels where the first final depth image has {}x{}", image->width(),
+                  fmt::format("has {}x{} pixels, but the first final depth image has {}x{}", image->width(),
                               image->height(), depth.width, depth.height),
                   "give the truth of that image");
   }
@@ -108,8 +108,8 @@ std::vector<RecordedScene> load_recorded_scenes(const fs::path& folder) {
     if (fs::exists(entry.path() / truth_file, failure)) folders.push_back(entry.path());
   }
   if (folders.empty())
-    throw Error(printable(folder), "holds no recorded scene (a folder with truth.json)",
-                "see docs/evaluation.md for what a recorded scene holds");
+    throw Error(printable(folder), "contains no recorded scene (a folder with truth.json)",
+                "see docs/evaluation.md for the contents of a recorded scene");
   std::ranges::sort(folders);
   std::vector<RecordedScene> scenes;
   for (const fs::path& one : folders) scenes.push_back(load_recorded_scene(one));

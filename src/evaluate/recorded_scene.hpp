@@ -1,4 +1,4 @@
-// Captures of any camera, with the truth beside them.
+// Captures of any camera, with their ground truth.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +12,16 @@
 
 namespace rva {
 
-/// An object that was added, as the first final capture's imager sees it.
+/// An object that was added, in the view of the first final capture.
 struct RecordedTarget {
   Target target;           ///< its kind is its name in truth.json
-  bool seen_free = false;  ///< half of it lies where the first initial capture saw free space
+  bool seen_free = false;  ///< at least half of it lies in space that the first initial capture saw as free
 };
 
 /// A folder SCENE with captures `initial` and `final`, or `initial0`, `initial1`, ... and `final0`, ..., and
-/// of the first final one: `label.png` (8 bits: 0 structure, else an object's number), `seen.png` (8 bits:
-/// 255 where the first initial view saw free space), `truth.json` (`{"objects": {"1": {"name", "depth_m"}}}`)
-/// and, where it is known, `final_from_initial.txt` (4x4, metres).
+/// the truth of the first final capture: `label.png` (8 bits: 0 structure, else an object's number),
+/// `seen.png` (8 bits: 255 where the first initial view saw free space), `truth.json`
+/// (`{"objects": {"1": {"name", "depth_m"}}}`) and, if known, `final_from_initial.txt` (4x4, metres).
 struct RecordedScene {
   std::string name;
   std::vector<std::filesystem::path> initial;
@@ -32,13 +32,15 @@ struct RecordedScene {
   std::optional<Transform> final_from_initial;
 };
 
-/// @throws Error when a part is missing or does not fit
+/// @throws Error if a part is missing or inconsistent with the others
 [[nodiscard]] RecordedScene load_recorded_scene(const std::filesystem::path& folder);
 
-/// The folder itself, or all scenes in it, by their names. @throws Error when there is none
+/// Loads the folder itself if it is a scene, else all scenes in it, sorted by name.
+/// @throws Error if there is none, or as load_recorded_scene() does
 [[nodiscard]] std::vector<RecordedScene> load_recorded_scenes(const std::filesystem::path& folder);
 
-/// The first so many captures. @throws Error when one cannot be read
+/// Opens the first `count` captures.
+/// @throws Error if one cannot be read
 [[nodiscard]] Captures open_first(const std::vector<std::filesystem::path>& captures, std::size_t count);
 
 }  // namespace rva

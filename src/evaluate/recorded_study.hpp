@@ -1,4 +1,4 @@
-// How reliably change is found on captures of other cameras and simulators, of which the truth is known.
+// Evaluation of detection on captures of other cameras and simulators with known ground truth.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@ namespace rva {
 
 /// One comparison of one scene.
 struct RecordedResult {
-  int captures = 1;  ///< a side
-  double allowed = 0.0;
-  std::string method;  ///< that was used
+  int captures = 1;      ///< captures per side
+  double allowed = 0.0;  ///< false findings allowed per inspection
+  std::string method;    ///< the method that was used
   std::size_t false_findings = 0;
-  std::vector<bool> found;           ///< of each target
-  std::string refused;               ///< why it could not be compared; empty where it was
-  std::optional<double> error_mm{};  ///< of the registration, where there was one and the truth is known
+  std::vector<bool> found;           ///< for each target
+  std::string refused;               ///< why the comparison was refused; empty if it was not
+  std::optional<double> error_mm{};  ///< of the registration, if there was one and the truth is known
   std::optional<double> error_deg{};
 };
 
@@ -27,18 +27,17 @@ struct RecordedInspection {
   std::vector<RecordedResult> results;
 };
 
-/// Compares each scene as `rva detect` does (detect() with `auto`), with one, four and all captures a side as
-/// far as there are, at 0.05, 0.5 and 2 false findings allowed, and judges findings as the simulated studies
-/// do (judge()).
-/// @throws Error when a scene cannot be read; Interrupted
+/// Compares each scene as `rva detect` does (detect() with `auto`), with one, up to four and all captures per
+/// side, at 0.05, 0.5 and 2 allowed false findings. Findings are judged by judge(), as in simulated studies.
+/// @throws Error if a scene cannot be read; Interrupted
 [[nodiscard]] std::vector<RecordedInspection> run_recorded_study(const std::filesystem::path& folder,
                                                                  const Progress& progress);
 
 /// A table with a row for each comparison of each scene, then totals, both with intervals of 95 %, and a list
-/// of all objects with whether each comparison found them.
+/// of all objects that shows which comparisons found them.
 [[nodiscard]] std::string to_table(const std::vector<RecordedInspection>& inspections);
 
-/// `evaluation.json`
+/// The text of `evaluation.json`.
 [[nodiscard]] std::string to_json(const std::vector<RecordedInspection>& inspections);
 
 }  // namespace rva

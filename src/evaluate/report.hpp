@@ -1,4 +1,4 @@
-// What a study says, summed up.
+// Summaries of a study of static methods.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rva {
 
-/// Counts over all inspections, of one detector at one number of frames.
+/// Counts over all inspections, for one detector and number of frames.
 struct Tally {
   int frames = 0;
   Detector detector;
@@ -16,21 +16,21 @@ struct Tally {
   std::size_t false_when_clean = 0;
   std::size_t false_with_debris = 0;
   std::size_t found = 0;
-  std::size_t targets = 0;           ///< visible ones
-  std::size_t found_when_clean = 0;  ///< visible ones that are hit by chance: without debris too
+  std::size_t targets = 0;           ///< visible targets
+  std::size_t found_when_clean = 0;  ///< visible targets hit by chance, by findings of the unchanged bay
   std::size_t shown_found = 0;
-  std::size_t shown_targets = 0;  ///< visible ones that leave a trace in depth
+  std::size_t shown_targets = 0;  ///< visible targets that change the depth image, see Target::is_shown()
   std::size_t small_found = 0;
   std::size_t small_targets = 0;  ///< visible collars of 0.27 in within 1 m
   std::size_t small_shown_found = 0;
-  std::size_t small_shown_targets = 0;  ///< of those, the ones that leave a trace in depth
+  std::size_t small_shown_targets = 0;  ///< those among them that change the depth image
   std::size_t all_found = 0;            ///< inspections in which every visible target was found
 };
 
-/// One for each detector and number of frames, in the order of the results.
+/// Totals for each detector and number of frames, in the order of the results.
 [[nodiscard]] std::vector<Tally> tally(const std::vector<SimulatedInspection>& inspections);
 
-/// A table with intervals of 95 %.
+/// A table of the totals with intervals of 95 %.
 [[nodiscard]] std::string to_table(const std::vector<Tally>& tallies);
 
 }  // namespace rva

@@ -13,11 +13,11 @@
 namespace rva {
 namespace {
 
-// Blobs that the matcher's window tears apart are one finding; those a hand's breadth apart are not, so that
-// a method that marks everything does not find everything.
+// Joins blobs that are separated only by the matcher's window, but not more distant ones, so that a method
+// that marks changes everywhere does not count as finding everything.
 constexpr double join_px = 9.0;
 
-/// A capture as far as it has been taken.
+/// A simulated capture that can be extended to more frames.
 class Take {
  public:
   Take(Scene scene, const StereoSensorOptions& sensor, std::uint64_t seed)
@@ -84,7 +84,7 @@ Wing wing_of(const StudyOptions& options, const std::optional<Scene>& scene, std
   return wing;
 }
 
-// Two captures with the very same noise tell what debris does to depth.
+// The difference between two captures with identical noise is the effect of debris on depth.
 void count_shown_by_twins(const Scene& scene, const StereoSensorOptions& sensor, std::uint64_t seed,
                           std::vector<Target>& targets) {
   constexpr int frames = 5;
@@ -128,7 +128,7 @@ void check(const StudyOptions& options) {
   const bool in_range = !options.frames.empty() && options.frames.front() >= 2 &&
                         options.frames.back() <= static_cast<int>(DepthStatistics::max_frames);
   if (!ascending || !in_range)
-    throw UsageError("--frames", "needs numbers from 2 on, each larger than the one before",
+    throw UsageError("--frames", "requires numbers of at least 2 in ascending order",
                      "give for example 10,20,40");
 }
 
@@ -150,8 +150,8 @@ void check(const std::vector<SimulatedInspection>& done, const StudyOptions& opt
   std::uint64_t seed = options.first_seed;
   for (const SimulatedInspection& inspection : done) {
     if (inspection.seed != seed++ || !is_of(inspection, options.frames, detectors))
-      throw UsageError("--resume", "the evaluation that is there has other seeds, frames or methods",
-                       "give the options that it was begun with, or another --out");
+      throw UsageError("--resume", "the existing evaluation has other seeds, frames or methods",
+                       "repeat the options of the earlier run, or choose another output folder");
   }
 }
 

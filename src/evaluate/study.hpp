@@ -1,4 +1,4 @@
-// How reliably the static methods detect: many simulated inspections, with and without debris.
+// Evaluation of the static methods on many simulated inspections, with and without debris.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,15 @@ struct Detector {
   bool operator==(const Detector&) const = default;
 };
 
-/// Each method over the settings that a person would choose between.
+/// Each method at the settings that a user would consider.
 [[nodiscard]] std::vector<Detector> detectors_to_compare();
 
 struct StudyOptions {
   int inspections = 20;
   std::uint64_t first_seed = 1;
-  std::vector<int> frames{10, 20, 40};  ///< ascending; of either capture
-  BayFeatures bay;                      ///< of wings drawn by chance
-  /// Gives the camera of an inspection by the inspection's seed.
+  std::vector<int> frames{10, 20, 40};  ///< frames of each capture, ascending
+  BayFeatures bay;                      ///< features of random wings
+  /// Returns the camera of an inspection, given the inspection's seed.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
       [](std::uint64_t) { return StereoSensorOptions{}; }};
 
@@ -43,14 +43,14 @@ struct StudyOptions {
   }
 };
 
-/// What one detector made of one inspection at one number of frames.
+/// The result of one detector for one inspection and number of frames.
 struct Result {
   int frames = 0;
   Detector detector;
   std::size_t false_when_clean = 0;    ///< findings where nothing changed
-  std::size_t false_with_debris = 0;   ///< findings far from all debris and all work
-  std::vector<bool> found;             ///< of each target of the inspection
-  std::vector<bool> found_when_clean;  ///< the same with the findings where nothing changed: hits by chance
+  std::size_t false_with_debris = 0;   ///< findings far from all debris, work and traces
+  std::vector<bool> found;             ///< for each target of the inspection
+  std::vector<bool> found_when_clean;  ///< the same for the findings where nothing changed: hits by chance
 };
 
 struct SimulatedInspection {
@@ -59,15 +59,15 @@ struct SimulatedInspection {
   std::vector<Result> results;
 };
 
-/// Called with the inspections so far, after each of them.
+/// Called after each inspection with all inspections so far.
 using InspectionsDone = std::function<void(const std::vector<SimulatedInspection>&)>;
 
-/// Runs one inspection after the other: a capture before, another one in which nothing changed, and one with
-/// debris, of one place, each with noise of its own.
-/// @param scene its debris is left behind; without one, wings and debris are drawn by chance
-/// @param done  inspections of an earlier run with the same options and scene: those are not run again
-/// @throws UsageError for options out of range, and where `done` is of others; Error of the scene;
-///         Interrupted
+/// Runs the inspections one after the other. Each consists of three captures from one pose with independent
+/// noise: an initial one, one without a change, and one with debris.
+/// @param scene a scene with debris; if empty, wings and debris are random
+/// @param done  inspections of an earlier run with the same options and scene, which are not run again
+/// @throws UsageError for options out of range, or if `done` is from a run with other options; Error from the
+///         scene; Interrupted
 [[nodiscard]] std::vector<SimulatedInspection> run_study(const StudyOptions& options,
                                                          const std::optional<Scene>& scene,
                                                          std::vector<SimulatedInspection> done,

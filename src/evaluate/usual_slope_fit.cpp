@@ -16,7 +16,7 @@ constexpr double least_slope = 0.01;
 constexpr double greatest_slope = 20.0;
 constexpr int bits = 20;
 
-/// What an image's excesses come to.
+/// The number of an image's peaks above the onset, and the sum of their excesses over it.
 struct Excesses {
   double count = 0.0;
   double sum = 0.0;
@@ -37,7 +37,7 @@ std::vector<Excesses> excesses_of(const std::vector<std::vector<float>>& peaks_o
   return images;
 }
 
-/// The logarithm of the likelihood, as a function of the logarithms of the slope and of the weight.
+/// The logarithm of the likelihood as a function of the logarithms of the slope and of its weight, in peaks.
 class Likelihood {
  public:
   explicit Likelihood(std::vector<Excesses> images) : images_(std::move(images)) {}
@@ -52,7 +52,7 @@ class Likelihood {
     return sum;
   }
 
-  // The greatest over the other parameter, and where.
+  // The position and value of the maximum over the other parameter.
   [[nodiscard]] std::pair<double, double> best_slope(double log_peaks) const {
     return greatest([&](double log_slope) { return at(log_slope, log_peaks); }, std::log(least_slope),
                     std::log(greatest_slope));
@@ -72,7 +72,8 @@ class Likelihood {
   std::vector<Excesses> images_;
 };
 
-// Where the greatest likelihood over the other parameter falls by more than half of chi-squared's 95 %.
+// The interval in which the profile likelihood is within half of the 95 % quantile of chi-squared
+// of its maximum.
 Interval interval(const auto& profile, double best, double low, double high) {
   constexpr double fall = 0.5 * 3.841;
   const double least = profile(best) - fall;
@@ -91,7 +92,7 @@ Interval interval(const auto& profile, double best, double low, double high) {
 UsualSlopeFit fit_usual_slope(const std::vector<std::vector<float>>& peaks_of_images) {
   std::vector<Excesses> images = excesses_of(peaks_of_images);
   if (images.empty())
-    throw UsageError("images", "have no peak above the onset of a tail: there is nothing to fit one to",
+    throw UsageError("images", "have no peak above the onset of a tail, so none can be fitted",
                      "give more images");
   UsualSlopeFit fit;
   fit.images = images.size();

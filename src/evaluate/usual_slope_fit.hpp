@@ -1,4 +1,4 @@
-// How the tails of unchanged images usually fall off, from simulated ones.
+// Fit of the usual slope of false alarm tails to unchanged simulated images.
 #pragma once
 
 #include <cstddef>
@@ -11,22 +11,23 @@ namespace rva {
 
 struct UsualSlopeFit {
   UsualSlope most_probable;
-  Interval slope;          ///< per deviation
-  Interval peaks;          ///< of UsualSlope
-  std::size_t images = 0;  ///< with a peak
-  std::size_t seen = 0;    ///< peaks in all of them
+  Interval slope;          ///< interval of UsualSlope::slope, per deviation
+  Interval peaks;          ///< interval of UsualSlope::peaks
+  std::size_t images = 0;  ///< images with a peak above the onset
+  std::size_t seen = 0;    ///< peaks above the onset in all of them
 };
 
-/// The weight of a slope that is the same in all images, as far as anyone can see.
+/// The upper limit of the weight: beyond it, the slope is practically the same in all images.
 inline constexpr double most_usual_peaks = 200.0;
 
-/// Excesses over the onset of an image's tail are exponential with a slope of its own; slopes of images are
-/// gamma distributed about the usual one, as narrowly as if each had been learnt from so many peaks. Then the
-/// excesses of all images have a likelihood in closed form (empirical Bayes; Gelman et al., Bayesian Data
-/// Analysis, section 5.1). Its maximum is the usual slope; intervals are those of the likelihood ratio.
+/// Fits the usual slope and its weight. The model: excesses over the onset of an image's tail are exponential
+/// with a slope per image; these slopes are gamma distributed around the usual slope, with the width of an
+/// estimate from `peaks` peaks. The likelihood of the excesses of all images then has a closed form
+/// (empirical Bayes; Gelman et al., Bayesian Data Analysis, section 5.1). Its maximum gives the usual slope;
+/// intervals are likelihood ratio intervals.
 /// @param peaks_of_images heights of peaks, in deviations, of images in which nothing changed; those below
-///                        FalseAlarmTail::onset have no say
-/// @throws UsageError without a peak
+///                        FalseAlarmTail::onset are ignored
+/// @throws UsageError if no peak is above the onset
 [[nodiscard]] UsualSlopeFit fit_usual_slope(const std::vector<std::vector<float>>& peaks_of_images);
 
 }  // namespace rva

@@ -92,9 +92,9 @@ TEST_F(Recorded, APartThatIsMissingOrDoesNotFitIsNamed) {
   EXPECT_THAT(run, ThrowsMessage<Error>(HasSubstr("seen.png")));
   write_file(scene_ / "seen.png", encode_png(Mask(width, height)));
   write_file(scene_ / "final_from_initial.txt", "2 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
-  EXPECT_THAT(run, ThrowsMessage<Error>(HasSubstr("no rigid transform")));
+  EXPECT_THAT(run, ThrowsMessage<Error>(HasSubstr("not a rigid transform")));
   write_file(scene_ / "final_from_initial.txt", "1 0 0");
-  EXPECT_THAT(run, ThrowsMessage<Error>(HasSubstr("no rigid transform")));
+  EXPECT_THAT(run, ThrowsMessage<Error>(HasSubstr("not a rigid transform")));
   fs::remove(scene_ / "final_from_initial.txt");
   EXPECT_NO_THROW(run());
   fs::rename(scene_ / "final", scene_ / "finally");
