@@ -1,4 +1,4 @@
-"""What each simulated camera model measures of a scene: on walls, slopes and at edges, against the truth.
+"""Measures the errors of each simulated camera model on walls, on slopes and at edges of a scene.
 
 usage: camera_models.py RVA [--scene FILE] [--models NAME,NAME...] [--seed S]
 """
@@ -22,7 +22,7 @@ def read(path):
 
 
 def disparities(capture):
-    """Of all frames and of the truth, in pixels; NaN where there is none."""
+    """The disparities of all frames and of the truth, in pixels; NaN where there is none."""
     stated = json.loads((capture / 'capture.json').read_text())
     numerator = stated['depth']['fx'] * stated['camera']['baseline_m']
     frames = np.array([read(capture / 'depth' / f'{k:06d}.png') for k in range(FRAMES)]) * stated['depth']['unit_m']
@@ -32,7 +32,8 @@ def disparities(capture):
 
 
 def places(truth):
-    """Where the true disparity changes by less than 0.05 px a pixel, by more, and within 4 px of a jump."""
+    """Masks of the pixels where the true disparity changes by less than 0.05 px per pixel, by more, and within 4 px of a
+    jump."""
     filled = np.nan_to_num(truth)
     change = np.hypot(cv2.Sobel(filled, cv2.CV_64F, 1, 0), cv2.Sobel(filled, cv2.CV_64F, 0, 1)) / 8
     edge = cv2.dilate((change > 0.5).astype(np.uint8), np.ones((9, 9))) > 0

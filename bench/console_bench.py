@@ -1,10 +1,10 @@
-"""How late pictures and stops are, and whether memory grows: `rva serve`, watched and driven.
+"""Measures the latency of pictures and stops of `rva serve`, and whether its memory grows.
 
 usage: console_bench.py RVA ROBOT_IN_THE_LOOP [--minutes M] [--viewers N] [--trials T]
 
-Pictures: a recording of 30 simulated frames, 848 x 480, replayed from memory at 30 a second, to N viewers with their own
-connections and, where Chromium and the console's packages are there, to one browser. Stops: from what a console says
-until the host says so on the robot's serial line, through the built firmware on a simulated board.
+Pictures: a recording of 30 simulated frames, 848 x 480, is replayed from memory at 30 frames per second to N viewers with
+separate connections and, if Chromium and the console's packages are installed, to one browser. Stops: the time from the
+event at a console to the stop command on the robot's serial line, through the built firmware on a simulated board.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 """Measures how faithful the simulated camera is, and repeats the thesis' experiments on it.
 
-usage: faithfulness.py RVA OUT [--seeds N] [--quick]
+usage: faithfulness.py RVA OUT [--seeds N]
 Writes OUT/faithfulness.json and plots OUT/*.png, and prints the figures of docs/simulator.md.
 """
 import argparse
@@ -122,7 +122,7 @@ def edges(rva, out, work):
 
 
 def inspection(rva, work, scene, seed, frames):
-    """Captures before and after; different noise, the same place."""
+    """Captures before and after, from one pose with different noise."""
     simulate(rva, SCENES / scene, work / 'initial', '--debris', 'none', frames=frames, seed=1000 + 2 * seed)
     simulate(rva, SCENES / scene, work / 'final', frames=frames, seed=1001 + 2 * seed)
 

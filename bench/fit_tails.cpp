@@ -1,10 +1,10 @@
-// Fits how the tails of unchanged images usually fall off, over simulated bays and cameras drawn by chance.
+// Fits the usual slopes of the false alarm tails of unchanged images, over random simulated bays and cameras.
 //
 // usage: rva_fit_tails fit FILE [INSPECTIONS [FIRST_SEED [CAMERAS]]]
 //        rva_fit_tails check FILE
 //
-// `fit` writes FILE. `check` compares what the program holds with FILE, and exits with 1 where a slope or a
-// weight lies outside of its interval.
+// `fit` writes FILE. `check` compares the program's constants with FILE, and exits with status 1 if a slope
+// or a weight lies outside its interval.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -44,7 +44,7 @@ using namespace rva;
 constexpr int frames = 10;
 constexpr int dithers = 4;
 
-/// The tails of the program, in the order of tails().
+/// The program's tails, in the order of tails().
 enum Kind : std::size_t {
   still_change_sure,
   still_change_unsure,
@@ -64,7 +64,7 @@ enum Kind : std::size_t {
 
 struct Tail {
   std::string_view name;
-  UsualSlope held;  ///< by the program
+  UsualSlope held;  ///< the program's constants
 };
 
 const std::vector<Tail>& tails() {
@@ -93,13 +93,13 @@ void append(std::vector<float>& to, const std::vector<float>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Captures of one side, as the program compares them, and where they really were taken.
+/// The captures of one side as the program compares them, and their true poses.
 struct TakenSide {
   Captures whole;
-  Captures lit;  ///< of `whole`, without depth beyond the projector's light
+  Captures lit;  ///< the same captures without depth outside the projector's light
   std::vector<Transform> world_from_camera;
 
-  // The first captures, fused in the first one.
+  // The first `captures` captures, fused in the view of the first one.
   [[nodiscard]] DepthView view(std::size_t captures) const {
     std::vector<PlacedView> views;
     const Transform first_from_world = world_from_camera.front().inverse();
@@ -128,7 +128,7 @@ TakenSide take(const Scene& scene, const StereoSensorOptions& sensor, const Robo
   return taken;
 }
 
-/// One unchanged bay, captured twice by one camera.
+/// One unchanged bay with two sides captured by the same camera.
 struct UnchangedBay {
   UnchangedBay(std::uint64_t seed, CameraReturn how, const StereoSensorOptions& sensor,
                const RobotSideOptions& options) {
@@ -180,7 +180,7 @@ void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known,
   append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unsure);
 }
 
-// Empty where too little holds the views together.
+// Empty if the registration of the views is refused.
 std::optional<SpatialDetection> compared_by_depth(const UnchangedBay& bay) {
   try {
     return detect_spatial(bay.before.lit, bay.after.lit, {}, {});
@@ -209,7 +209,7 @@ void add_still_infrared(const UnchangedBay& bay, PeaksOfTails& peaks) {
     append(peaks[still_pair], peaks_of(change->change));
 }
 
-// Collects the peaks of one bay's unchanged images, for every tail.
+// The peaks of one bay's unchanged images, for every tail.
 PeaksOfTails peaks_of_inspection(std::uint64_t seed, const StereoSensorOptions& sensor) {
   PeaksOfTails peaks(tails().size());
   const UnchangedBay still(seed, CameraReturn::exact, sensor, {.captures = 1, .frames = frames});

@@ -11,12 +11,13 @@ constexpr int width = 848;
 constexpr int height = 480;
 constexpr double units_per_m = 10000.0;
 
-// Steps of 60 columns on a slope: what a bay of ribs looks like from its access hole.
+// Steps of 60 columns on a slope, similar to a bay with ribs seen from its access hole.
 double depth_m(int u, int v) { return 0.4 + 0.1 * ((u / 60) % 4) + 1.2 * v / height; }
 
-// Holes as a real camera has them: patches that never measure, a rim around each that flickers, and a pixel
-// elsewhere once in a while. About 5 % of the measurements are missing; within 8 frames 5 % of the pixels
-// flicker and 15 % of all runs of 16 pixels have a hole (20 to 25 % in recordings of a D400 and a Kinect).
+// Holes like those of a real camera: patches without measurements, a flickering rim around each, and
+// occasional single pixels elsewhere. About 5 % of the measurements are missing; within 8 frames, 5 % of
+// the pixels flicker and 15 % of all runs of 16 pixels have a hole (20 to 25 % in recordings of a D400
+// and a Kinect).
 double hole_share(int u, int v) {
   const double distance_px = std::hypot(u % 106 - 53, v % 96 - 48);
   if (distance_px < 11.0) return 1.0;

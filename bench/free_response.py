@@ -2,8 +2,7 @@
 
 usage: free_response.py EVALUATION.json... PICTURE.png
 
-An evaluation of a camera that stayed has a panel for each number of frames, one of a camera that was moved has
-a panel of its own.
+An evaluation of a static camera yields one panel for each number of frames; one of a moved camera yields a single panel.
 """
 import json
 import pathlib
@@ -17,7 +16,7 @@ MARKERS = {'constant': '^', 'gaussian': 's', 'calibrated': 'o', 'octree': 'v', '
 
 
 def curve(axes, tallies, label, found, targets, share_95):
-    # None seen is drawn at the upper end of its interval: a logarithm has no place for nothing.
+    # A rate of zero is drawn at the upper end of its interval, since a logarithmic axis cannot show 0.
     false = [t['false_when_clean'] / t['inspections'] or t['false_rate_95'][1] for t in tallies]
     shares = [t[found] / t[targets] for t in tallies]
     errors = [[s - t[share_95][0] for s, t in zip(shares, tallies)],
@@ -28,7 +27,7 @@ def curve(axes, tallies, label, found, targets, share_95):
 
 
 def stayed(tallies):
-    """Panels of a camera that stayed: title, and what draws it."""
+    """The panels of a static camera: title, label of the vertical axis, and a function that draws the panel."""
     for frames in sorted({t['frames'] for t in tallies}):
         def draw(axes, frames=frames):
             for method in ('constant', 'gaussian', 'calibrated'):
@@ -38,7 +37,7 @@ def stayed(tallies):
 
 
 def moved(tallies):
-    """The panel of a camera that was moved."""
+    """The panel of a moved camera: title, label of the vertical axis, and a function that draws the panel."""
     def draw(axes):
         for method, captures in sorted({(t['method'], t['captures']) for t in tallies}):
             chosen = [t for t in tallies if (t['method'], t['captures']) == (method, captures)]

@@ -1,4 +1,4 @@
-// Times of things that are to be compared, taken in turn.
+// Interleaved timing of candidates that are to be compared.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace rva::bench {
 struct Candidate {
   std::string name;
   std::function<void()> run;
-  std::function<void()> prepare = [] {};  // before each run, not timed
+  std::function<void()> prepare = [] {};  // called before each run, not timed
   double least_ms = std::numeric_limits<double>::infinity();
 };
 
-/// Runs every candidate once a round, one after the other, so that a machine that slows down slows all of
-/// them, and keeps each one's least time: what it takes when nothing disturbs it.
+/// Runs every candidate once per round, one after the other, so that changes of the machine's speed affect
+/// all of them, and keeps the least time of each, which is the least disturbed.
 inline void time_interleaved(std::vector<Candidate>& candidates, int rounds) {
   using Clock = std::chrono::steady_clock;
   for (int round = 0; round < rounds; ++round) {

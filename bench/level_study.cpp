@@ -1,10 +1,10 @@
-// Whether things that are as high as the level of detection says are found as often as it says: nine of ten.
+// Checks whether objects as high as the level of detection are found with the stated probability of 90 %.
 //
 // usage: rva_level_study exact|rest CAPTURES [INSPECTIONS [FIRST_SEED [CAMERAS [METHOD [WIDER_PX [TIMES]]]]]]
 //
-// In each bay, a final side in which nothing changed gives the level of detection. Boxes of that height, or
-// TIMES as high, are put on what the camera sees, as wide as the levels are about or wider, of the material
-// that they stand on, and a final side is taken anew.
+// In each bay, a final side in which nothing changed gives the level of detection. Boxes of TIMES that height
+// are then placed on visible surfaces, and the final side is taken again. Each box has the material of the
+// surface below it and the width to which the levels refer, plus WIDER_PX.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct Trial {
   bool found = false;
 };
 
-// Where depth jumps by more than a slope does.
+// Whether depth around a pixel varies by more than it would on a slope.
 bool has_edge_around(const Image<float>& depth_m, Pixel at) {
   constexpr int around_px = 12;
   constexpr float jump = 0.06F;
@@ -69,7 +69,7 @@ bool has_edge_around(const Image<float>& depth_m, Pixel at) {
   return most > (1.0F + jump) * least;
 }
 
-// Far apart, so that none helps another; every second one at an edge.
+// Random positions, far enough apart that no box helps the detection of another; every second one at an edge.
 std::vector<Trial> chosen(const Image<float>& level_mm, const Image<float>& depth_m, std::uint64_t seed) {
   constexpr int boxes = 6;
   constexpr int tries = 4000;
@@ -95,7 +95,7 @@ std::vector<Trial> chosen(const Image<float>& level_mm, const Image<float>& dept
   return trials;
 }
 
-/// A bay, before and after.
+/// The trials of one bay, before and after the work.
 class Bay {
  public:
   Bay(std::uint64_t seed, const StudyOptions& options, const StereoSensorOptions& sensor)
@@ -134,7 +134,7 @@ class Bay {
     return detect(before_.open(options_.captures), after.open(options_.captures), options, {}).detection;
   }
 
-  // Its face is turned to the camera, and it reaches into what it stands on.
+  // A box with one face towards the camera that extends into the surface behind it.
   [[nodiscard]] SceneObject box_on(const Trial& trial, int width_px, const SimulatedCamera& camera,
                                    const TrueView& seen) const {
     constexpr double m_per_mm = 0.001;
@@ -164,7 +164,7 @@ class Bay {
     const Judgement judgement =
         judge(detection.findings.findings, targets, width, detection.final_m.height());
     for (Trial& trial : trials) {
-      // The robot may rest elsewhere, so that the box is not where it was put to the pixel.
+      // The robot may come to rest slightly off, so that the box is not at exactly the same pixel.
       constexpr int shifted_px = 8;
       const auto is_there = [&](std::uint32_t i) {
         return std::abs(static_cast<int>(i) % width - trial.at.u) <= shifted_px &&

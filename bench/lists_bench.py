@@ -1,4 +1,4 @@
-"""How long other requests wait while several consoles ask for the list of many inspections.
+"""Measures how long other requests wait while several consoles request the list of many inspections.
 
 usage: lists_bench.py RVA [--inspections 5000] [--lists 6]
 """
@@ -40,7 +40,7 @@ class Server:
 
 
 def fill(database, inspections):
-    """Inspections that have been compared and decided on, written as the program writes them."""
+    """Writes inspections with comparisons and decisions into the database, as the program does."""
     with sqlite3.connect(database) as rows:
         for i in range(1, inspections + 1):
             rows.execute('insert into inspection (id, aircraft, zone, work_order, person, created_at, dither, comparison) '
@@ -66,10 +66,10 @@ def main():
     with tempfile.TemporaryDirectory(prefix='rva-lists-') as name:
         folder = pathlib.Path(name)
         with Server(arguments.rva, folder):
-            pass  # makes the tables
+            pass  # starting the server creates the tables
         fill(folder / 'data' / 'rva.db', arguments.inspections)
         with Server(arguments.rva, folder) as server:
-            time.sleep(2)  # the camera's first view is rendered
+            time.sleep(2)  # until the camera's first view is rendered
             alone = server.seconds('/api/inspections')
             lists = []
             threads = [threading.Thread(target=lambda: lists.append(server.seconds('/api/inspections')))

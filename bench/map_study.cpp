@@ -1,8 +1,8 @@
-// How well a simulated bay is mapped, and the robot's geometry found, against the truth.
+// Accuracy of maps of simulated bays and of the robot's calibration, against the ground truth.
 //
 // usage: rva_map_study FOLDER FIRST_SEED INSPECTIONS [map]
 //
-// Views are kept in FOLDER, and taken once. With `map`, the geometry is known and not calibrated.
+// Views are kept in FOLDER and not taken again. With `map`, the geometry is known and not calibrated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ Scene wing(std::uint64_t seed) {
   return scene;
 }
 
-/// Remembers where its robot really stood when its view was described.
+/// Records the robot's true joint angles whenever info() is called.
 class WatchedCamera : public Camera {
  public:
   WatchedCamera(SimulatedCamera& camera, SimulatedRobot& robot, std::vector<PanTilt>& truth)
@@ -67,7 +67,7 @@ std::vector<PanTilt> calibration_waypoints() {
   return load_waypoints(RVA_DATA_DIR "/waypoints/calibrate.json");
 }
 
-// Views as rva map takes them, and `truth.txt` beside them.
+// Takes views as `rva map` does, and writes the true joint angles to `truth.txt` beside them.
 void take(const fs::path& folder, std::uint64_t seed, const std::vector<PanTilt>& waypoints) {
   if (fs::exists(folder / "truth.txt")) return;
   fs::create_directories(folder);
@@ -83,7 +83,7 @@ void take(const fs::path& folder, std::uint64_t seed, const std::vector<PanTilt>
   const PanTiltChain chain;
   take_views({watched, robot, clock, chain, base}, waypoints, folder, {}, {});
   std::ofstream file(folder / "truth.txt");
-  for (std::size_t i = 1; i < truth.size(); ++i)  // the first question came before the first view
+  for (std::size_t i = 1; i < truth.size(); ++i)  // the first call of info() precedes the first view
     file << fmt::format("{:.9f} {:.9f}\n", truth[i].pan_deg, truth[i].tilt_deg);
 }
 
@@ -127,7 +127,7 @@ struct PoseErrors {
 };
 
 double rms_mm(const std::vector<MapPoint>& points, const Scene& scene, const SurfaceDistance& surfaces) {
-  constexpr double most_m = 0.05;  // what is farther off is a wrong match, whatever the poses
+  constexpr double most_m = 0.05;  // points farther off are wrong matches, regardless of the poses
   const Transform world_from_foot = rva::world_from_foot(scene.stand);
   double sum = 0.0;
   for (const MapPoint& point : points) {
@@ -143,7 +143,7 @@ std::vector<Transform> transforms(const std::vector<RefinedPose>& poses) {
   return result;
 }
 
-// A bracket as a person measures it: 5 mm and 2 degrees off in every number that can be found.
+// A bracket measured by hand: off by 5 mm and 2 degrees in every parameter that calibration can determine.
 PanTiltChain perturbed(std::uint64_t seed) {
   Random random(mix(seed, 0xBAD));
   const auto direction = [&random]() -> Eigen::Vector3d {
@@ -199,7 +199,8 @@ void add(const std::vector<Transform>& poses, const std::vector<Transform>& trut
   for (std::size_t i = 0; i < poses.size(); ++i) errors.add(poses[i], truth[i]);
 }
 
-// Geometry leaves open where the foot is: what all views have in common says nothing about a map.
+// Aligns the poses with the true ones by one rigid transform. Calibration cannot determine the frame of the
+// foot, and a transform common to all views does not affect the quality of a map.
 std::vector<Transform> put_onto(const std::vector<Transform>& truth, std::vector<Transform> poses) {
   Eigen::Vector4d turn = Eigen::Vector4d::Zero();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -216,8 +217,8 @@ std::vector<Transform> put_onto(const std::vector<Transform>& truth, std::vector
   return poses;
 }
 
-// The same robot without the run-up from below: where it came from above, it stands 0.3 degrees higher than
-// it says.
+// The same robot without the approach from below: for joints that arrived from above, the true angle is 0.3
+// degrees larger than the reported one.
 std::vector<MapView> with_play(std::vector<MapView> views, std::uint64_t seed) {
   constexpr double play_deg = 0.3;
   Random random(mix(seed, 0x91A7));
@@ -228,7 +229,7 @@ std::vector<MapView> with_play(std::vector<MapView> views, std::uint64_t seed) {
   return views;
 }
 
-// Of the four lengths: is each as near to the truth as it says?
+// Counts for the four lengths whether the error is within two stated standard deviations.
 void hold_to_deviations(const Calibration& calibration, Totals& totals) {
   const PanTiltChain truth;
   const Eigen::Vector3d camera_mm = 1000.0 * (calibration.chain.bracket_from_camera.translation() -

@@ -1,8 +1,9 @@
-// Detection with a moved camera against PCL in one process; writes rows for build/bench.json.
+// Times detection with a moved camera and its counterparts in PCL in one process; writes
+// rows for build/bench.json.
 //
 //   rva_moved_bench INITIAL_SCENE FINAL_SCENE OUT.json [--quick]
 //
-// --quick leaves out the thesis' registration of whole clouds, which takes a minute.
+// --quick omits the thesis' registration of whole clouds, which takes a minute.
 #include <fmt/format.h>
 #include <pcl/filters/passthrough.h>
 #include <pcl/filters/voxel_grid.h>
@@ -69,8 +70,8 @@ PointCloud cloud_of(const Side& side, const Eigen::AlignedBox3f& within_m) {
   return deproject(side.first, side.info.depth, side.info.depth_unit_m, within_m);
 }
 
-// As with PCL alone: a loop over the pixels, as its grabbers have it, and two filters. Like ours, it uses its
-// memory again.
+// Deprojection with PCL alone: a loop over the pixels, as in its grabbers, and two filters. It reuses its
+// memory, as our function does.
 class PclDeprojection {
  public:
   const PclCloud& run(const Side& side) {
@@ -174,7 +175,7 @@ class MovedCamera {
     rows.back()["peer_error"] = error_of(gicp, truth_);
   }
 
-  // Once, since it takes a minute: the thesis' registration is most of its detection.
+  // The thesis' registration is timed once, since it takes a minute. It dominates the thesis' detection.
   void bench_whole(Json& rows) {
     std::vector<Candidate> candidates{{"ours", [&] { spatial(); }}};
     time_interleaved(candidates, rounds);
@@ -218,8 +219,8 @@ class MovedCamera {
   RegisteredClouds clouds_;
   Candidate ours_;
   Json ours_error_;
-  Eigen::AlignedBox3f whole_{Eigen::Vector3f(-10, -1, near_m),
-                             Eigen::Vector3f(10, 1, 2)};  // as octree's options
+  // The limits of the octree's default options.
+  Eigen::AlignedBox3f whole_{Eigen::Vector3f(-10, -1, near_m), Eigen::Vector3f(10, 1, 2)};
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The speed at which memory can be read at all: the bound on every statistic.
+// The speed at which memory can be read, which bounds that of any statistic.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace rva::bench {
 
-/// Reads every pixel and does the least that keeps the compiler from leaving it out.
+/// Reads every pixel, with the least work that prevents the compiler from removing the loop.
 [[nodiscard]] std::uint64_t read_only(std::span<const std::uint16_t> pixels);
 
 }  // namespace rva::bench

@@ -1,7 +1,7 @@
-// Whether recording keeps up: `rva_recording_bench CAPTURE MINUTES FOLDER`.
+// Measures whether recording keeps up with a camera: `rva_recording_bench CAPTURE MINUTES FOLDER`.
 //
-// The capture is replayed from memory at 30 frames a second, again and again, by a thread that drops what
-// nobody takes in time, as a device does; it is recorded into FOLDER, which must not be there yet.
+// The capture is replayed from memory in a loop at 30 frames per second, by a thread that drops frames that
+// are not taken in time, as a device does. It is recorded into FOLDER, which must not exist yet.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -33,7 +33,7 @@ void measure(const std::string& capture, double minutes, const fs::path& folder)
   constexpr double rate_hz = 30.0;
   constexpr std::size_t most_bytes = 256UL << 20U;
   const auto frames = static_cast<std::size_t>(60.0 * minutes * rate_hz);
-  if (!fs::create_directories(folder)) throw rva::Error(folder, "is there already", "name another");
+  if (!fs::create_directories(folder)) throw rva::Error(folder, "already exists", "give another folder");
   auto memory = rva::load_to_memory(*rva::open_capture(capture), most_bytes, {});
   rva::LiveCamera live(
       std::make_unique<rva::ReplayCamera>(std::move(memory), rva::ReplayOptions{.loop = true}), 1000.0);

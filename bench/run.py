@@ -1,4 +1,4 @@
-"""Runs the C++ benchmarks and their Python peers in turn, and puts the rows together.
+"""Runs the C++ benchmarks and their Python peers alternately, and merges their rows.
 
 usage: run.py RVA_BENCH RVA_MOVED_BENCH OUT.json [--quick]
 """
@@ -36,7 +36,7 @@ def machine():
 
 
 def numpy_rows(inputs):
-    """Mean and standard deviation of both sets of an inspection, as the thesis takes them."""
+    """Times of mean and standard deviation of both sets of an inspection, as the thesis computes them."""
     frames = np.fromfile(inputs / 'frames.u16', np.uint16).reshape(-1, HEIGHT, WIDTH)
     for count in (10, 40, 100):
         sets = frames[:count], frames[count:2 * count]
@@ -84,7 +84,7 @@ def main():
     for row in rows:
         if 'peer_ms' not in row and (row['name'], row['peer']) in peers:
             row['peer_ms'] = peers[row['name'], row['peer']]
-    rows = [row for row in rows if 'peer_ms' in row]  # --quick leaves some peers out
+    rows = [row for row in rows if 'peer_ms' in row]  # --quick omits some peers
     for row in rows:
         row['ratio'] = row['peer_ms'] / row['ours_ms']
     out.write_text(json.dumps({'machine': machine(), 'rows': rows}, indent=1) + '\n')

@@ -1,4 +1,4 @@
-// How fast the simulated camera is: a pose, frames while the view stands still, frames while it moves.
+// Speed of the simulated camera: rendering of a pose, frames at rest and frames in motion.
 #include <fmt/format.h>
 
 #include <algorithm>

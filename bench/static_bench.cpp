@@ -1,7 +1,7 @@
-// Static detection against its peers in one process; writes rows for build/bench.json.
+// Times static detection and its peers in one process; writes rows for build/bench.json.
 //
-//   rva_bench OUT.json            rows of all C++ candidates
-//   rva_bench --export DIR        the same frames and masks as files, for the peers in Python
+//   rva_bench OUT.json            writes the rows of all C++ candidates
+//   rva_bench --export DIR        writes the same frames and masks as files, for the peers in Python
 #include <fmt/format.h>
 
 #include <array>
@@ -33,8 +33,8 @@ constexpr int blob_counts[] = {10, 100, 500, 5000};
 constexpr int rounds = 15;
 volatile std::uint64_t sink = 0;  // keeps results from being optimised away
 
-// The two sets of an inspection, `count` frames each, and what one way of summing them needs. All sums are
-// there and zero before the clock starts, for every candidate alike.
+// The two sets of frames of an inspection, and the sums of one way to compute their statistics. For every
+// candidate, all sums are allocated and zero before timing starts.
 class Ours {
  public:
   explicit Ours(std::span<const DepthImage> frames) : frames_(frames) {}
@@ -46,7 +46,7 @@ class Ours {
     sets_[0].add(frames_.first(half));
     sets_[1].add(frames_.last(half));
   }
-  // As images, which is what numpy's mean() and std() give.
+  // Produces images, as numpy's mean() and std() do.
   void mean_and_deviation() {
     for (const DepthStatistics& set : sets_) {
       for (std::size_t i = 0; i < set.size(); ++i) {
@@ -116,12 +116,12 @@ void bench_statistics(Json& rows, const std::vector<DepthImage>& all_frames) {
     for (std::size_t k = 2; k < candidates.size(); ++k) {
       rows.push_back(row(name, candidates[0].least_ms, candidates[k].name, candidates[k].least_ms));
     }
-    // The numpy peer, which also gives mean and deviation, is timed elsewhere.
+    // The numpy peer, which also computes mean and deviation, is timed by run.py.
     rows.push_back({{"name", name}, {"ours_ms", candidates[1].least_ms}, {"peer", "numpy"}});
   }
 }
 
-// A camera delivers one frame at a time; `ours_ms` is per frame.
+// Adds frames one at a time, as a camera delivers them; `ours_ms` is the time per frame.
 void bench_live(Json& rows, const std::vector<DepthImage>& frames) {
   std::vector<Candidate> candidates{{"ours", [&] {
                                        DepthStatistics statistics(frames[0].width(), frames[0].height());
@@ -133,8 +133,8 @@ void bench_live(Json& rows, const std::vector<DepthImage>& frames) {
   rows.push_back(row("live-frame", frame_ms, "budget", 1.0));
 }
 
-// The peer of the counts that the thesis' way can do at all is timed elsewhere; for the largest it is our own
-// time at the count before, which shows how cost grows.
+// The thesis' method is timed by run.py, for the blob counts that it can process in reasonable time. For the
+// largest count, the peer is our own time at the previous count, which shows how cost grows.
 void bench_regions(Json& rows) {
   double before_ms = 0.0;
   for (const int blobs : blob_counts) {
@@ -151,7 +151,7 @@ void bench_regions(Json& rows) {
   }
 }
 
-// From the last frame in memory to boxes: what a person waits for when the final capture ends.
+// The time from the last frame in memory to boxes, for which the user waits at the end of the final capture.
 void bench_last_frame(Json& rows, const std::vector<DepthImage>& frames) {
   constexpr std::size_t count = 40;
   DepthStatistics before(frames[0].width(), frames[0].height());

@@ -1,8 +1,8 @@
-// Stereo matching beside OpenCV's on the same pairs, and space-time stereo beside the fused depth of the
-// camera.
+// Compares stereo matching with OpenCV's on the same pairs, and space-time stereo with the fused depth
+// of the camera.
 //
-// Frames are of the simulated camera in a clean wing bay, errors in pixels of disparity against what is
-// really there.
+// Frames are from the simulated camera in a wing bay without debris; errors are in pixels of disparity
+// against the ground truth.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,18 +43,18 @@ double least_ms(const std::function<void()>& work) {
   return least;
 }
 
-/// What one capture brings.
+/// The images of one capture.
 struct Dither {
   InfraredImage left;  // of the last frame
   InfraredImage right;
-  Image<float> camera_px;  // mean of the camera's own disparities
+  Image<float> camera_px;  // mean of the disparities that the camera computed
   StereoView mean;
 };
 
 struct Truth {
   Image<float> disparity_px;
-  Image<float> slope_px;  // how much disparity differs between neighbours
-  cv::Mat from_edge_px;   // to the nearest step of disparity
+  Image<float> slope_px;  // largest difference of disparity to a neighbour
+  cv::Mat from_edge_px;   // distance to the nearest step of disparity
 };
 
 double disparity_m_px(const SimulatedCamera& camera) {
@@ -95,15 +95,15 @@ const std::vector<Place> places{
     {"3-5 px", [](float, float edge) { return edge >= 3.0F && edge < 5.0F; }},
 };
 
-/// The errors of all pixels of one kind of place.
+/// The errors of all pixels of one class.
 struct Errors {
-  std::vector<float> sizes_px;  // of those that were matched
+  std::vector<float> sizes_px;  // of the pixels that were matched
   std::size_t all = 0;
 };
 
 Errors errors_at(const Place& place, const Image<float>& found_px, const Truth& truth) {
   constexpr int border_px = 20;
-  constexpr int left_px = 90;  // what the right imager does not see
+  constexpr int left_px = 90;  // columns that the right imager does not see
   Errors errors;
   for (int v = border_px; v < found_px.height() - border_px; ++v) {
     for (int u = left_px; u < found_px.width() - border_px; ++u) {
@@ -215,7 +215,7 @@ void matchers(const Dither& first, const Truth& truth) {
   }
 }
 
-/// The camera's own disparities of several captures, brought into the first one's view.
+/// The mean of the camera's disparities over several captures, transformed into the view of the first.
 class CameraMean {
  public:
   CameraMean(const ReferenceSurface& start, double disparity_m_px)
@@ -242,7 +242,7 @@ class CameraMean {
   }
 
  private:
-  // Disparity in the first view of what another measured; 0 where that is nothing.
+  // The disparity in the first view of a point that another capture measured; 0 if it measured none.
   [[nodiscard]] float seen_in(const Dither& dither, const Eigen::Vector2f& at) const {
     const auto column = static_cast<int>(std::lround(at.x()));
     const auto row = static_cast<int>(std::lround(at.y()));

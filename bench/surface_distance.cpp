@@ -15,7 +15,7 @@ struct Search {
   Eigen::Vector3f point;
 };
 
-// Ericson, Real-Time Collision Detection (2005), 5.1.5.
+// The nearest point on a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
 Eigen::Vector3f nearest_on_triangle(const Eigen::Vector3f& p, const std::array<Eigen::Vector3f, 3>& corner) {
   const Eigen::Vector3f ab = corner[1] - corner[0];
   const Eigen::Vector3f ac = corner[2] - corner[0];

@@ -1,4 +1,4 @@
-// How far points are from the surfaces of a scene.
+// Distance of points from the surfaces of a scene.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@ class SurfaceDistance {
   SurfaceDistance(const SurfaceDistance&) = delete;
   SurfaceDistance& operator=(const SurfaceDistance&) = delete;
 
-  /// To the nearest triangle; `most_m` where there is none within.
-  /// @param point in the world frame
+  /// Distance to the nearest triangle, at most `most_m`.
+  /// @param point in the world frame, metres
   [[nodiscard]] double distance_m(const Eigen::Vector3d& point, double most_m) const;
 
  private:

@@ -1,6 +1,6 @@
-"""The thesis' drawChanges (appendix B) as it is printed there, its cost included.
+"""The thesis' drawChanges (appendix B) as printed there, with its original cost.
 
-Mended is only what print broke: the misplaced `elif`, and `vstack`, which takes a list nowadays.
+Only two things are corrected: the misplaced `elif`, and the argument of `vstack`, which must now be a list.
 """
 import copy
 

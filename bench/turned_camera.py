@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""How often `rva detect` notices that a camera moved, and what it then finds: simulated trials, nothing stated of the motion.
+"""Measures how often `rva detect` notices that a camera moved, and what it then finds, in simulated trials in which the
+captures do not state the motion.
 
-usage: turned_camera.py RVA [--trials 40] [--first-seed N]
-Prints one line a trial and the sums:
-  unchanged   an unchanged bay turned by 0.05 to 3 degrees in pan, tilt or both: findings, of which there should be none
-  tools       the three tools of the thesis, turned likewise: tools found and false findings
-  step        one servo step (0.325 degrees) off, while the poses are stated as equal: noticed or not
-  dithered    four dithered captures a side, all of one side's a step off, poses stated as equal: noticed or not
-  rest        a camera that stood still: noticed or not, which would be a false alarm
+usage: turned_camera.py RVA [--trials 40] [--first-seed N] [--only KIND]
+Prints one line per trial, and the sums:
+  unchanged   an unchanged bay, camera turned by 0.05 to 3 degrees in pan, tilt or both: findings, which are all false
+  tools       the three tools of the thesis, camera turned likewise: tools found and false findings
+  step        camera off by one servo step (0.325 degrees), poses stated as equal: noticed or not
+  dithered    four dithered captures per side, one side off by a step, poses stated as equal: noticed or not
+  rest        a camera at rest: noticed or not, which would be a false alarm
 """
 import argparse
 import json
@@ -22,7 +23,7 @@ import cv2
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = ROOT / 'data' / 'scenes'
 STEP_DEG = 0.325
-FOUND = {}  # how often each tool was
+FOUND = {}  # number of trials in which each tool was found
 DITHERS = [(0.0, 0.0), (0.65, 0.0), (0.0, 0.65), (-0.65, -0.325)]
 
 
@@ -31,7 +32,7 @@ class Trials:
         self.rva, self.folder = rva, folder
 
     def simulate(self, name, scene, seed, pan, tilt, debris='none', pose=None):
-        """A capture whose pose is removed, or stated as given."""
+        """Simulates a capture, and removes its pose or replaces it by `pose`."""
         out = self.folder / name
         options = [] if debris is None else ['--debris', debris]
         subprocess.run([self.rva, 'simulate', SCENES / scene, '--out', out, '--frames', '10', '--overwrite', '--seed', str(seed),
@@ -124,7 +125,7 @@ def dithered(trials, seed, rng):
     for number, (aside, above) in enumerate(DITHERS):
         for side, (by_pan, by_tilt) in (('--initial', (0, 0)), ('--final', off)):
             name = f'{side[2:]}{number}'
-            # What the robot states: the pose that it was sent to.
+            # The robot states the pose to which it was sent.
             subprocess.run([trials.rva, 'simulate', SCENES / 'three-tools.yaml', '--out', trials.folder / 'stated', '--frames', '1',
                             '--overwrite', '--debris', 'none', '--pan', f'{pan + aside:.4f}', '--tilt', f'{tilt + above:.4f}',
                             '--supersampling', '1'], check=True, stdout=subprocess.DEVNULL)

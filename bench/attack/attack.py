@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Kills every command and the server at random moments, and reports what each kill lost or left behind.
+"""Kills every command and the server at random moments, and reports the data that each kill lost or left behind.
 
 usage: attack.py [--kills 100] [--seed S] [--only STAGE] [--number N] [--rva build/rva] [--console DIR] [--work DIR]
 
-Of each stage, about two thirds of the kills come at a moment between its start and the end that it has when nobody kills
-it, and one third before or after a system call that renames, writes or syncs a file. After each kill, results are looked
-at, and the command or the inspection goes on to its end. The status is 1 if anything was wrong.
+In each stage, about two thirds of the kills happen at a random time within the stage's duration without a kill, and one
+third before or after a system call that renames, writes or syncs a file. After each kill, the results are checked, and the
+command or the inspection is continued to its end. The exit status is 1 if anything was wrong.
 """
 import argparse
 import pathlib
@@ -23,7 +23,7 @@ MOST_EVIDENCE = 20
 
 
 def shares(stages, kills):
-    """How many of the kills each stage gets, by its weight; the largest remainders get what is left."""
+    """The number of kills for each stage, in proportion to its weight, by the method of largest remainders."""
     total = sum(stage.weight for stage in stages)
     exact = [kills * stage.weight / total for stage in stages]
     given = [int(share) for share in exact]
@@ -38,10 +38,10 @@ class Campaign:
 
     def __init__(self, setting, seed):
         self.setting, self.seed = setting, seed
-        self.attempts, self.kept = [], {}  # the folders kept, by stage and number
+        self.attempts, self.kept = [], {}  # kept: folders by stage and number
 
     def attack(self, stage, kills):
-        """As many kills as asked for; a run that ends before its kill is followed by another, within reason."""
+        """Makes the given number of kills. A run that ends before its kill is repeated, up to a limit."""
         number = killed = 0
         while killed < kills and number < 2 * kills + 3:
             number += 1
@@ -74,7 +74,7 @@ class Campaign:
             shutil.rmtree(self.kept.pop(self._most_dispensable()), ignore_errors=True)
 
     def _most_dispensable(self):
-        """The last one of the stage of which most are kept."""
+        """The last folder of the stage with the most kept folders."""
         stages = [stage for stage, _ in self.kept]
         return max(self.kept, key=lambda key: (stages.count(key[0]), key[1]))
 
@@ -99,11 +99,11 @@ def print_table(attempts):
         count = {kind: sum(attempt.has(kind) for attempt in killed) for kind in (LOST, UNEXPLAINED, STUCK)}
         print(f'{name:25} {len(killed) - at_call:9} {at_call:9}   {len(killed) - count[STUCK]:7} {count[LOST]:5} '
               f'{count[UNEXPLAINED]:11} {count[STUCK]:5}')
-    print('went on: it was run again, or the inspection went to its end; lost: something that was acknowledged, or an earlier '
-          'result;\nunexplained: something that is left or half done, and nobody was told; stuck: it could not go on')
+    print('went on: the command ran again, or the inspection was completed; lost: acknowledged data or an earlier result is '
+          'gone;\nunexplained: incomplete or left-over data was not reported; stuck: the stage could not be continued')
     early = sum(not attempt.killed for attempt in attempts)
     if early:
-        print(f'{early} more were not killed, most since they ended first; what they left was looked at, too')
+        print(f'{early} more were not killed, most because they ended first; their results were checked as well')
 
 
 def print_failures(campaign):
@@ -120,20 +120,20 @@ def arguments_of():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--kills', type=int, default=100)
     parser.add_argument('--seed', type=int, default=1)
-    parser.add_argument('--only', default='', metavar='STAGE', help='stages whose names begin so')
-    parser.add_argument('--number', type=int, help='only this attempt of a stage, as a failure names it')
+    parser.add_argument('--only', default='', metavar='STAGE', help='only stages whose names begin with STAGE')
+    parser.add_argument('--number', type=int, help='only this attempt of a stage, as given in the report of a failure')
     parser.add_argument('--rva', type=pathlib.Path, default=ROOT / 'build' / 'rva')
-    parser.add_argument('--console', type=pathlib.Path, help="folder of the console's files, where not beside the program")
-    parser.add_argument('--work', type=pathlib.Path, help='an empty folder, which stays')
+    parser.add_argument('--console', type=pathlib.Path, help="folder of the console's files, if not beside the program")
+    parser.add_argument('--work', type=pathlib.Path, help='an empty folder for the work, which is kept')
     return parser.parse_args()
 
 
 def stages_named(only):
-    """Those whose names begin so; one of exactly that name alone."""
+    """The stages whose names begin with `only`, or the single stage with exactly that name."""
     stages = command_stages() + inspection_stages()
     chosen = [stage for stage in stages if stage.name == only] or [stage for stage in stages if stage.name.startswith(only)]
     if not chosen:
-        sys.exit(f'attack: no stage is named {only}; there are ' + ', '.join(stage.name for stage in stages))
+        sys.exit(f'attack: no stage is named {only}; stages are ' + ', '.join(stage.name for stage in stages))
     return chosen
 
 
@@ -149,7 +149,7 @@ def work_folder(given):
 def main():
     arguments = arguments_of()
     stages = stages_named(arguments.only)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # what is running is ended, as by Ctrl-C
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends running programs, as Ctrl-C does
     work = work_folder(arguments.work)
     campaign = Campaign(Setting(arguments.rva.resolve(), arguments.console and arguments.console.resolve(), work), arguments.seed)
     interrupted = False

@@ -1,4 +1,4 @@
-"""Whether all that a server acknowledged is there after it was killed and started again."""
+"""Checks that all data that a server acknowledged is present after it was killed and started again."""
 import zlib
 
 from contents import check_ply, check_png, contents, few
@@ -12,7 +12,7 @@ BEGUN_WITH = ('aircraft', 'zone', 'work_order', 'person', 'created_at')
 
 
 def check_restarted(setting, server, ledger, data):
-    """Problems of the records, as the server shows them."""
+    """Problems in the records that the server returns."""
     problems = []
     listed = {entry['id'] for entry in server.ask('GET', 'inspections')['inspections']}
     for number, known in ledger.inspections.items():
@@ -68,7 +68,7 @@ def check_comparison(ledger, known, now, lost):
 
 
 def check_findings(ledger, known, now, lost):
-    """Those of the same comparison are the same, with the decisions on them."""
+    """Problems with findings of an unchanged comparison: they and their decisions must be the same."""
     def without_decisions(inspection):
         return [{key: value for key, value in finding.items() if key != 'decision'} for finding in inspection['findings']]
 
@@ -83,7 +83,8 @@ def check_findings(ledger, known, now, lost):
 
 
 def check_pictures(server, ledger, now):
-    """Those of each compared view, and the clouds, can be had; those of a comparison that was looked at are as they were."""
+    """Problems with pictures and clouds: those of each compared view must exist, and those of a comparison that was read
+    before the kill must be unchanged."""
     problems = []
     same_comparison = now.get('compared_at') and now['compared_at'] == ledger.known().get('compared_at')
     paths = [(compared['view'], name) for compared in now['compared'] for name in PICTURES + MORE_PICTURES]
@@ -128,13 +129,13 @@ def check_accounts(setting, ledger, data):
 
 
 def check_captures(ledger, data, when):
-    """No capture of a side that was acknowledged is moved or replaced, also not by a later one."""
+    """Problems with captures of acknowledged sides: none may be moved or replaced, not even by a later side."""
     changed = [str(path) for path, files in ledger.captures.items() if contents(data / path) != files]
     return [Problem(LOST, f'{when}, captures that were acknowledged are gone or changed: {few(changed)}')] if changed else []
 
 
 def check_stopped(ledger, data, said):
-    """Problems of the data folder, after the server has ended. `said`: what it said on stderr since the kill."""
+    """Problems in the data folder after the server has ended. `said` is its output on stderr since the kill."""
     database = data / 'rva.db'
     problems = [Problem(LOST, fault) for fault in integrity(database)]
     if problems:

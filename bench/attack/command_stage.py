@@ -1,4 +1,4 @@
-"""A command that is killed: the result is as before or complete, and the command can be run again."""
+"""Stages that kill a command: the result must be the earlier one or complete, and the command must succeed if run again."""
 import random
 import shutil
 
@@ -11,9 +11,9 @@ OPTIONS_THAT_MESSAGES_NAME = ('--resume', '--overwrite')
 
 class CommandStage:
     """
-    arguments: gives those of rva, which runs in a folder of its own, from the setting
-    prepare:   puts into that folder what is to be there before
-    said:      the text that the command reads from its standard input
+    arguments: function from the setting to the arguments of rva, which runs in a separate folder
+    prepare:   function that puts earlier files into that folder
+    said:      text for the standard input of the command
     """
 
     def __init__(self, name, weight, arguments, prepare=None, said=''):
@@ -23,7 +23,7 @@ class CommandStage:
         self.old, self.new = {}, {}  # contents of the folder before and after an unkilled run
 
     def measure(self, setting):
-        """Runs it without a kill, once: how long it takes, how many calls it makes, and what it leaves."""
+        """Runs the command once without a kill, to measure its duration, its system calls and its results."""
         if self.unkilled:
             return
         place = setting.fresh('unkilled')
@@ -39,7 +39,7 @@ class CommandStage:
         control.close()
 
     def attempt(self, setting, number, seed, evidence):
-        """Kills it once, and looks. What is seen lies in the folder `evidence` afterwards."""
+        """Kills the command once and checks the results, which are kept in the folder `evidence`."""
         self.measure(setting)
         moment = draw_moment(random.Random(f'{seed} {self.name} {number}'), self.unkilled)
         place = evidence / 'place'
@@ -58,7 +58,7 @@ class CommandStage:
         return Attempt(self.name, number, moment, ended.killed, problems)
 
     def judge(self, setting, place, acknowledged):
-        """What is wrong with the result just after the kill. `acknowledged`: the command had said that it was done."""
+        """Problems with the result just after the kill. `acknowledged`: the command had reported that it was done."""
         results = {name.partition('/')[0] for name in (*self.old, *self.new)}
         present = {name: digest for name, digest in contents(place).items() if name.partition('/')[0] in results}
         problems = self.judge_files(present, self.old, self.new, acknowledged)
@@ -81,7 +81,7 @@ class CommandStage:
         return [Problem(LOST if old else UNEXPLAINED, wrong)]
 
     def run_again(self, setting, place):
-        """As a person does: with the option that a refusal names, once."""
+        """Runs the command again and, if it refuses, once more with the option that its message names, as a user would."""
         ended = self._run(setting, place)
         said = ended.stderr
         if ended.status not in (0, None):
@@ -94,7 +94,7 @@ class CommandStage:
         return self._judge_end(setting, place, said)
 
     def accepts(self, setting, place, ended):
-        """Whether the failure of a command that is run again is in order."""
+        """Whether it is acceptable that the command failed when run again."""
         return False
 
     def _judge_end(self, setting, place, said):
@@ -113,7 +113,7 @@ class CommandStage:
         return problems
 
     def _stale(self, present, old, new):
-        """Files of the earlier result that an unkilled run replaces."""
+        """Files of the earlier result that a run without a kill replaces."""
         return {name for name, digest in present.items() if digest and digest == old.get(name) and digest != new.get(name)}
 
     def _option_named(self, setting, message):

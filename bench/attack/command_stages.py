@@ -1,4 +1,4 @@
-"""The commands that are killed."""
+"""The stages that kill commands."""
 import shutil
 
 from command_stage import CommandStage
@@ -12,7 +12,7 @@ MAP_FILES = ('map.ply', 'map.pcd', 'map.json')
 
 
 def earlier(name, target):
-    """Puts an earlier result, folder or file, where the command will write."""
+    """Returns a function that puts an earlier result, a folder or a file, where the command will write."""
     def prepare(setting, place):
         source = setting.input(name)
         if source.is_dir():
@@ -23,8 +23,8 @@ def earlier(name, target):
 
 
 class MapStage(CommandStage):
-    """A map is three files and a folder of views. Views that were taken may be there before the map is: they are what
-    --resume goes on with. Where no earlier map is, the .ply is the last to come, and says that the map is there."""
+    """A map consists of three files and a folder of views. Views may exist before the map does, for use by --resume. If there
+    was no earlier map, the .ply is written last, and its presence means that the map is complete."""
 
     def judge(self, setting, place, acknowledged):
         present = contents(place)
@@ -53,7 +53,7 @@ class MapStage(CommandStage):
 
 
 def interrupted_map(setting, place):
-    """A map that a killed program left: two of three views, and remains of the third."""
+    """The files of a killed `rva map`: two of three views, and remains of the third."""
     shutil.copytree(setting.input('earlier-map'), place, dirs_exist_ok=True)
     for name in MAP_FILES:
         (place / name).unlink()
@@ -66,7 +66,7 @@ def map_without_a_view(setting, place):
 
 
 class AccountStage(CommandStage):
-    """Accounts are rows of a database, whose bytes say nothing: the program lists them."""
+    """Accounts are rows of a database, whose bytes cannot be compared, so the program lists them."""
 
     def __init__(self, name, weight, arguments, names_before, names_after, prepare=None):
         super().__init__(name, weight, arguments, prepare, said='correct horse\n')

@@ -1,4 +1,4 @@
-"""What lies in a folder, and whether each file of it can be opened, with the standard library alone."""
+"""The contents of a folder, and whether each of its files can be opened, using the standard library only."""
 import hashlib
 import json
 import re
@@ -12,7 +12,8 @@ PLY_BYTES = {'char': 1, 'uchar': 1, 'short': 2, 'ushort': 2, 'int': 4, 'uint': 4
 
 
 def contents(folder):
-    """Every file below the folder with its SHA-256, every folder with nothing and a slash at its end, by path."""
+    """By path, the SHA-256 of every file below the folder, and an empty string for every folder, whose path ends in a
+    slash."""
     found = {}
     for path in sorted(folder.rglob('*')):
         name = path.relative_to(folder).as_posix()
@@ -21,7 +22,7 @@ def contents(folder):
 
 
 def topmost(names):
-    """Of paths as contents() gives them, those that lie in none of the others."""
+    """Those of the paths, as returned by contents(), that are in none of the other folders."""
     top = []
     for name in sorted(names):
         if not any(name.startswith(other) for other in top if other.endswith('/')):
@@ -35,7 +36,7 @@ def few(names):
 
 
 def check_png(data):
-    """Raises ValueError, or zlib.error, unless all of the image's bytes are there."""
+    """Raises ValueError or zlib.error unless the image is complete."""
     if data[:8] != b'\x89PNG\r\n\x1a\n':
         raise ValueError('is no PNG')
     at, kind, packed = 8, b'', b''
@@ -92,7 +93,7 @@ CHECKS = {'.png': check_png, '.jpg': check_jpeg, '.ply': check_ply, '.pcd': chec
 
 
 def faults(rva, path):
-    """What of a file, or of all files and captures of a folder, cannot be opened: a sentence each."""
+    """Messages about the file, or the files and captures of the folder, that cannot be opened."""
     found = []
     for file in [path] if path.is_file() else sorted(path.rglob('*')):
         if file.is_file() and file.suffix in CHECKS:

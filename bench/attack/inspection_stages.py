@@ -1,5 +1,5 @@
-"""The server is killed at each step of an inspection, and started again: nothing acknowledged is lost, and the inspection
-goes on to its end."""
+"""Stages that kill the server at each step of an inspection and start it again: nothing acknowledged may be lost, and the
+inspection must be completed."""
 import copy
 import dataclasses
 import random
@@ -17,7 +17,8 @@ from setting import CAMERA, STUCK, Attempt, Problem, Unusable
 
 @dataclasses.dataclass(frozen=True)
 class Step:
-    """One that is attacked: its name, the member of Steps that does it, and how often it is killed with and without a robot."""
+    """A step that is attacked: its name, the method of Steps that performs it, and its share of the kills with and without a
+    robot."""
     name: str
     act: str
     weight_with_robot: int
@@ -28,7 +29,7 @@ STORY = (Step('begin', 'begin', 1, 2), Step('views', 'views', 1, 0), Step('initi
          Step('regions', 'regions', 0, 2), Step('final', 'final', 2, 4), Step('compare', 'compare', 1, 4),
          Step('decide', 'decide', 1, 3), Step('retake', 'final', 3, 4), Step('decide-again', 'decide', 0, 1),
          Step('retake-again', 'final', 2, 3), Step('accounts', 'accounts', 0, 2))
-WORK_BEGINS = 'final'  # from this step on, the bay is as after the work
+WORK_BEGINS = 'final'  # from this step on, the bay is in its state after the work
 
 
 class WithRobot:
@@ -42,7 +43,7 @@ class WithRobot:
 
 
 class WithoutRobot:
-    """The server replays a recording without a pose, as a real camera that stands still has none."""
+    """The server replays a recording without a pose, like that of a real camera without a robot."""
     name = 'none'
 
     def arguments(self, setting, work_done):
@@ -53,7 +54,8 @@ class WithoutRobot:
 
 
 class Story:
-    """An inspection that nobody kills. Before each step, its data folder and its ledger are kept for those that are killed."""
+    """An inspection without a kill. Before each step, copies of its data folder and ledger are kept, from which killed
+    inspections start."""
 
     def __init__(self, rig):
         self.rig = rig
@@ -62,7 +64,7 @@ class Story:
         self.data, self.ledger = None, Ledger()
 
     def before(self, setting, step):
-        """Goes on until the step is done."""
+        """The data folder and ledger before a step, and the duration and calls of the step. Advances as far as needed."""
         while step.name not in self.kept:
             self._advance(setting, self.steps[len(self.kept)])
         return self.kept[step.name]
@@ -94,7 +96,7 @@ class Story:
         self.kept[step.name] = kept, ledger, unkilled
 
     def _begin_another(self, setting):
-        """An inspection on which nothing is done, and which must stay as it is."""
+        """Begins an inspection on which nothing is done, and which must not change."""
         server = start(setting, self.rig, self.data, setting.folder / 'story.log', False, self.ledger)
         try:
             Steps(setting, server, self.ledger, self.data).begin()
@@ -118,7 +120,7 @@ class InspectionStage:
         self.name, self.rig, self.story, self.step, self.weight = f'serve-{rig.name}-{step.name}', rig, story, step, weight
 
     def attempt(self, setting, number, seed, evidence):
-        """Kills the server once at this step. What is seen lies in the folder `evidence` afterwards."""
+        """Kills the server once at this step; the files are kept in the folder `evidence`."""
         try:
             kept, ledger, unkilled = self.story.before(setting, self.step)
         except (Refused, *BROKEN_OFF) as error:
@@ -135,9 +137,9 @@ class InspectionStage:
         return Attempt(self.name, number, moment, True, list(dict.fromkeys(problems)))
 
     def _kill(self, setting, data, ledger, moment, evidence):
-        """A step that is done before its moment comes is killed afterwards: it has been acknowledged then.
+        """Kills the server at the given moment, or after the step if it ends before, in which case it was acknowledged.
 
-        Returns when it was killed, and problems."""
+        Returns the moment of the kill, and problems."""
         control = setting.killer.control()
         server = start(setting, self.rig, data, evidence / 'killed.log', self.story.work_done(self.step), ledger,
                        setting.killer.environment(control, moment))
@@ -163,7 +165,7 @@ class InspectionStage:
         return moment, problems
 
     def _go_on(self, setting, data, ledger, evidence):
-        """The server is started again, and what is missing is done; then the final side is taken once more."""
+        """Starts the server again and performs the missing steps, then takes the final side once more."""
         problems, logs = [], []
 
         def started(work_done):

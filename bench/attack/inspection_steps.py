@@ -1,4 +1,4 @@
-"""An inspection, step by step, as a person carries it out. Every answer goes into the ledger."""
+"""The steps of an inspection as a user performs them. Every answer is noted in the ledger."""
 from killing import run
 from setting import Unusable
 
@@ -33,7 +33,7 @@ class Steps:
             self.ledger.note(self.server.ask('PUT', self._path('regions'), {'view': 0, 'ignore': REGION}))
 
     def final(self):
-        """Also one that takes the place of an earlier final side."""
+        """Takes the final side; it replaces an earlier one."""
         self._capture('final')
         self.ledger.owed |= {'final', 'comparison'}
 
@@ -43,7 +43,7 @@ class Steps:
         self.ledger.owed.add('comparison')
 
     def decide(self):
-        """On all findings of the last comparison on which nobody has decided."""
+        """Decides on all undecided findings of the last comparison."""
         inspection = self.ledger.known()
         for finding in inspection['findings']:
             if 'decision' in finding:
@@ -57,7 +57,7 @@ class Steps:
                 self.ledger.note(answer)
 
     def accounts(self):
-        """By the command line, while the server runs."""
+        """Changes accounts by the command line while the server runs."""
         self._account('add', 'ann', '--role', 'inspector')
         self.ledger.accounts['ann'] = 'inspector'
         self.server.sign_in('ann', PASSWORD)
@@ -70,7 +70,7 @@ class Steps:
         self.ledger.look(self.server, self.data)
 
     def to_the_work(self):
-        """Whatever of it is missing after a kill, up to the initial side."""
+        """Performs the steps that are missing after a kill, up to the initial side."""
         if self.ledger.current is None:
             self.begin()
         self._ask_again()
@@ -79,7 +79,7 @@ class Steps:
             self.look()
 
     def to_the_end(self):
-        """Whatever is missing after a kill, then the final side once more, all decided."""
+        """Performs the steps that are missing after a kill, then takes the final side once more and decides on all findings."""
         self._ask_again()
         if 'final' not in self.ledger.known():
             self.final()
@@ -93,7 +93,7 @@ class Steps:
         self.look()
 
     def _ask_again(self):
-        """After a kill: what there is now counts, and nothing is pending any more."""
+        """After a kill, accepts the current state of the inspection; nothing is pending any more."""
         self.ledger.note(self.server.ask('GET', f'inspections/{self.ledger.current}'))
         self.ledger.pending = self.ledger.wanted_views = None
         self.ledger.owed.clear()
@@ -103,7 +103,7 @@ class Steps:
             self.server.do(self._path('capture'), {'side': side, 'person': self.server.person, 'replaced': False})
 
     def _account(self, *arguments):
-        """Not killed itself: what it says that it did counts."""
+        """Runs `rva account`, which is not killed, so its exit status can be relied on."""
         ended = run([self.setting.rva, 'account', *arguments, '--data', self.data], self.data, PASSWORD + '\n')
         if ended.status != 0:
             raise Unusable(f'rva account {" ".join(arguments)}: {ended.last_line()}')

@@ -1,14 +1,14 @@
-/* Counts system calls on files of one folder, and kills the program at one of them. Loaded with LD_PRELOAD by killing.py.
+/* Counts system calls on files of one folder and kills the program at one of them. Loaded with LD_PRELOAD by killing.py.
 
    Environment:
      KILL_AT_FOLDER   absolute path, without symbolic links; only calls on files and folders below it count
-     KILL_AT_CONTROL  a file of the size of struct control, which the driver and the program map
-     KILL_AT_KIND     0 rename, 1 write, 2 fsync; without it, calls are counted and nothing is killed
-     KILL_AT_NUMBER   which call of that kind since the driver set `armed`, from 1
+     KILL_AT_CONTROL  a file of the size of struct control, which the driver and the program map into memory
+     KILL_AT_KIND     0 rename, 1 write, 2 fsync; without it, calls are counted but the program is not killed
+     KILL_AT_NUMBER   number of the call of that kind since the driver set `armed`, from 1
      KILL_AT_WHEN     before or after
 
-   What the C library does within itself (fwrite) does not pass here; the program writes its files with write(), SQLite
-   with pwrite64(). */
+   Calls from within the C library (fwrite) are not intercepted. The program writes its files with write(), SQLite with
+   pwrite64(). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -26,7 +26,7 @@
 
 enum kind { RENAME, WRITE, FSYNC, KINDS };
 
-/* Shared memory, so that the counts outlive a program that is killed. killing.py has the same layout. */
+/* In shared memory, so that the counts survive the program. The layout must equal that of FIELDS in killing.py. */
 struct control {
   _Atomic uint64_t armed;
   _Atomic uint64_t struck;
@@ -64,7 +64,7 @@ static int is_below_folder(const char *path) {
   return strncmp(path, folder, length) == 0 && (path[length] == '/' || path[length] == '\0');
 }
 
-/* Sockets, pipes, terminals and what lies elsewhere do not count. */
+/* Only regular files and folders below the watched folder count; sockets, pipes and terminals do not. */
 static int is_watched_descriptor(int descriptor) {
   if (control == NULL) return 0;
   struct stat status;
@@ -91,7 +91,7 @@ static int is_watched_path(int at, const char *path) {
   return realpath(whole, resolved) != NULL && is_below_folder(resolved);
 }
 
-/* Counts a call. Returns whether it is the one at which to die. */
+/* Counts a call, and returns whether it is the one at which to kill the program. */
 static int is_the_one(enum kind kind) {
   if (!atomic_load(&control->armed)) return 0;
   const uint64_t number = atomic_fetch_add(&control->calls[kind], 1) + 1;
@@ -104,7 +104,7 @@ static void die(void) {
   for (;;) pause(); /* the signal may reach another thread first */
 }
 
-/* Defines a function in the place of the C library's, which it calls. */
+/* Defines a function that replaces that of the C library and calls it. */
 #define WATCH(kind, is_watched, result_type, name, parameters, arguments)        \
   result_type name parameters {                                                  \
     static result_type(*real) parameters;                                        \

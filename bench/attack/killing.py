@@ -1,4 +1,4 @@
-"""Kills a program at a moment that was drawn: at a point of the time that it takes, or at one of its system calls."""
+"""Kills a program at a random moment: at a time within its duration, or at one of its system calls."""
 import dataclasses
 import mmap
 import os
@@ -11,19 +11,19 @@ HERE = pathlib.Path(__file__).resolve().parent
 KINDS = ('rename', 'write', 'fsync')
 SHARE_AT_CALLS = 1 / 3
 COMMAND_LIMIT_S = 90
-FIELDS = struct.Struct(f'={2 + len(KINDS)}Q')  # as struct control of kill_at.c
+FIELDS = struct.Struct(f'={2 + len(KINDS)}Q')  # the layout of struct control in kill_at.c
 
 
 @dataclasses.dataclass(frozen=True)
 class Unkilled:
-    """What a stage does when nobody kills it."""
+    """The duration and system calls of a stage without a kill."""
     seconds: float
-    calls: dict  # of each kind
+    calls: dict  # number of calls by kind
 
 
 @dataclasses.dataclass(frozen=True)
 class Moment:
-    """After some seconds, or before or after the call of this kind and number."""
+    """The moment of a kill: after some seconds, or before or after the call of this kind and number."""
     seconds: float | None = None
     kind: str | None = None
     number: int = 0
@@ -48,7 +48,7 @@ def draw_moment(rng, unkilled):
 
 
 class Control:
-    """The memory that is shared with a program into which kill_at.c is loaded; it outlives the program."""
+    """The memory shared with a program that has kill_at.c loaded; it outlives the program."""
 
     def __init__(self, file):
         self.file = file
@@ -57,7 +57,7 @@ class Control:
             self.memory = mmap.mmap(opened.fileno(), FIELDS.size)
 
     def arm(self):
-        """From now on calls are counted."""
+        """Starts the counting of calls."""
         self.memory[:8] = struct.pack('=Q', 1)
 
     def struck(self):
@@ -92,7 +92,7 @@ class Killer:
 
 @dataclasses.dataclass(frozen=True)
 class Ended:
-    """How a command ended: its status is negative where a signal ended it, and None where it took too long."""
+    """How a command ended: its status is negative if a signal ended it, and None if it exceeded the time limit."""
     status: int | None
     stdout: str
     stderr: str

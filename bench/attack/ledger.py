@@ -1,4 +1,4 @@
-"""What the server has acknowledged, so that it must be there whenever it is killed afterwards."""
+"""The data that the server has acknowledged, and which must therefore survive any later kill."""
 import contextlib
 import hashlib
 
@@ -27,14 +27,14 @@ def optional_picture(server, path):
 
 class Ledger:
     """
-    inspections: the last answer about each, by its number
-    owed:        sides and comparison of the inspection under way that were said to be done, but not looked at since
-    pending:     what was asked for last and is not answered, and, where it is known, how the views would be then
-    notes:       of all decisions; each is of a text that no other has
-    captures:    contents of each capture's folder, by its path in the data folder
-    unfinished:  paths of captures of a side that was killed: whoever goes on may keep them or not
-    pictures:    digests of those of the inspection under way, by view and name, as of its comparison
-    accounts:    roles, by name
+    inspections: the last answer about each inspection, by number
+    owed:        sides and comparison of the current inspection that were reported as done, but not read since
+    pending:     the last request without an answer; wanted_views: the views that it would set, if any
+    notes:       the notes of all decisions; each text is unique
+    captures:    contents of the folder of each capture, by path in the data folder
+    unfinished:  paths of captures of an interrupted side, which the program may keep or remove
+    pictures:    digests of the pictures of the current inspection's comparison, by view and name
+    accounts:    roles by name
     """
 
     def __init__(self):
@@ -42,11 +42,11 @@ class Ledger:
         self.captures, self.pictures, self.accounts = {}, {}, {}
         self.unfinished = set()
         self.pending, self.wanted_views = None, None
-        self.current = None  # number of the inspection under way
+        self.current = None  # number of the current inspection
 
     @contextlib.contextmanager
     def asking(self, what, wanted_views=None):
-        """What is asked for within it, stays pending if no answer comes."""
+        """A context for one request, which stays pending if there is no answer."""
         self.pending, self.wanted_views = what, wanted_views
         yield
         self.pending, self.wanted_views = None, None
@@ -61,7 +61,7 @@ class Ledger:
         return self.inspections[self.current]
 
     def look(self, server, data):
-        """Notes how the inspection under way is now, with its captures and pictures."""
+        """Reads the state of the current inspection, with its captures and pictures."""
         answer = server.ask('GET', f'inspections/{self.current}')
         self.note(answer)
         self.owed.clear()
@@ -74,7 +74,7 @@ class Ledger:
         self.note_captures(data)
 
     def note_captures(self, data, acknowledged=True):
-        """Those that are new belong to sides that were said to be done; or to one that was killed, and never count."""
+        """Notes new captures: as those of acknowledged sides, which must survive, or else of an interrupted side."""
         for description in sorted(data.rglob('capture.json')):
             path = description.parent.relative_to(data)
             if is_remains(path) or path in self.captures or path in self.unfinished:

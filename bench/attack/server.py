@@ -1,4 +1,4 @@
-"""`rva serve` under attack, and a console that asks it."""
+"""`rva serve` under attack, with a console as its client."""
 import http.client
 import select
 import signal
@@ -16,20 +16,20 @@ from console_client import Console, ask  # noqa: E402
 START_LIMIT_S = 30
 TASK_LIMIT_S = 180
 STOP_LIMIT_S = 60
-# As a killed server shows itself to who asks; TimeoutError and what urllib raises are among them.
+# The exceptions that a client gets from a killed server. They include TimeoutError and those of urllib.
 BROKEN_OFF = (OSError, http.client.HTTPException, ValueError)
 
 
 class Refused(Exception):
-    """The server answers, but not as it should."""
+    """The server answered with an error or another unexpected answer."""
 
 
 class Server:
     """
-    arguments:   of rva serve, beside those that every server here has
-    log:         a file for what it says on stderr
-    environment: of kill_at.c, or nothing
-    account:     (name, password) of who signs in, where there are accounts
+    arguments:   arguments of rva serve in addition to those common to all servers
+    log:         file for its output on stderr
+    environment: environment for kill_at.c, or None
+    account:     (name, password) to sign in with, if there are accounts
     """
 
     def __init__(self, setting, data, arguments, log, environment=None, account=None):
@@ -65,7 +65,7 @@ class Server:
             raise Refused(f'GET {path}: {error.code}') from error
 
     def do(self, path, body):
-        """Starts a task, and waits until the status says that it is done."""
+        """Starts a task, and waits until the status reports that it is done."""
         last = self.console.status['task']['number']
         self.ask('POST', path, body)
         status = self.console.wait_for(lambda status: status['task']['number'] > last and status['task']['end'] != 'running',
@@ -86,7 +86,7 @@ class Server:
                               ('robot' not in status or 'pan_deg' in status['robot']), START_LIMIT_S)
 
     def is_dead(self):
-        """Whether it has been killed; a moment is left for the signal to reach it."""
+        """Whether the server was killed. Waits briefly for the signal to take effect."""
         try:
             return self.process.wait(5) is not None
         except subprocess.TimeoutExpired:
@@ -97,7 +97,7 @@ class Server:
         self._end(STOP_LIMIT_S)
 
     def stop(self):
-        """As a person ends it. Returns whether it ended by itself."""
+        """Ends the server as a user does. Returns whether it ended in time."""
         self.process.send_signal(signal.SIGTERM)
         try:
             self._end(STOP_LIMIT_S)

@@ -1,4 +1,4 @@
-"""What all stages share: the program, the work folder, and captures and maps that are made once and only read."""
+"""The setting that all stages share: the program, the work folder, and captures and maps that are made once and only read."""
 import dataclasses
 import json
 import pathlib
@@ -17,16 +17,16 @@ LOST, UNEXPLAINED, STUCK = 'lost', 'unexplained', 'stuck'
 
 @dataclasses.dataclass(frozen=True)
 class Problem:
-    """LOST: something acknowledged is gone or changed. UNEXPLAINED: something is left that nobody was told of. STUCK: it
-    does not go on."""
+    """LOST: acknowledged data is gone or changed. UNEXPLAINED: incomplete or left-over data was not reported. STUCK: the stage
+    cannot be continued."""
     kind: str
     text: str
 
 
 @dataclasses.dataclass(frozen=True)
 class Attempt:
-    """One run that was to be killed at a moment; `killed` is false where it ended before, or, without a moment, could not be
-    run at all."""
+    """One run that was to be killed at `moment`. `killed` is false if it ended before; without a moment, it could not be run
+    at all."""
     stage: str
     number: int
     moment: object
@@ -38,7 +38,7 @@ class Attempt:
 
 
 class Unusable(Exception):
-    """What the stages need does not work even without a kill."""
+    """A prerequisite of the stages fails even without a kill."""
 
 
 class Setting:
@@ -55,7 +55,7 @@ class Setting:
         return ended
 
     def input(self, name):
-        """A capture or a map by its name, made when it is first asked for."""
+        """The path of a capture or map by name, which is made on first use."""
         path = self.inputs / name
         if not path.exists():
             getattr(self, '_make_' + name.partition('.')[0].replace('-', '_'))(path)
@@ -84,7 +84,7 @@ class Setting:
         self.succeed('detect', self.input('after'), self.input('before'), '--out', path)
 
     def _make_earlier_map(self, path):
-        """Of another seed and other cubes, so that none of its files is as that of the map that replaces it."""
+        """Uses another seed and voxel size, so that all of its files differ from those of the map that replaces it."""
         self.succeed('map', '--camera', CAMERA, '--robot', 'sim', FEW_VIEWS, '--frames', 1, '--seed', 2, '--voxel', 6,
                      '--out', path / 'map.ply')
 
@@ -103,7 +103,7 @@ class Setting:
         self._make_standing(path, '--seed', 2)
 
     def _make_standing(self, path, *options):
-        """A recording of a camera that stands still: it knows no pose, as a camera without a robot knows none."""
+        """A recording of a static camera, without a pose, like that of a camera without a robot."""
         self.succeed('simulate', SCENE, '--frames', 8, '--all-colors', '--out', path, *options)
         description = json.loads((path / 'capture.json').read_text())
         del description['pose']

@@ -1,10 +1,10 @@
-"""What the database of a data folder holds."""
+"""Contents of the database of a data folder."""
 import contextlib
 import sqlite3
 
 
 def integrity(database):
-    """What SQLite finds wrong with the file; nothing where there is no file."""
+    """The problems that SQLite finds in the file; none if there is no file."""
     if not database.exists():
         return []
     try:
@@ -16,6 +16,6 @@ def integrity(database):
 
 
 def notes_of_decisions(database):
-    """Of every decision that was ever made, also on findings of comparisons that hold no more."""
+    """The notes of all decisions ever made, including those on findings of superseded comparisons."""
     with contextlib.closing(sqlite3.connect(database)) as connection:
         return [row[0] for row in connection.execute('select note from decision')]
