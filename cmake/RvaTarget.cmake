@@ -1,9 +1,9 @@
-# Flags and rules that every target of ours shares.
+# Flags and rules for all targets of the project.
 
 add_library(rva_flags INTERFACE)
 target_compile_options(rva_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
-# The detectors promise to agree with the thesis' formulas to the last bit: a product and a sum are
-# rounded apart, never fused.
+# The results of the detectors must equal those of the thesis' formulas to the last bit, so a product and a sum
+# are rounded separately and never fused.
 target_compile_options(rva_flags INTERFACE -ffp-contract=off)
 if(RVA_SANITIZE)
   target_compile_options(rva_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -11,7 +11,7 @@ if(RVA_SANITIZE)
   target_link_options(rva_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(RVA_SANITIZE_THREADS)
-  # GCC 12 takes what it instruments here for uninitialised.
+  # GCC 12 reports instrumented variables as uninitialised.
   target_compile_options(rva_flags INTERFACE -fsanitize=thread -O1 -fno-omit-frame-pointer
                                              -Wno-maybe-uninitialized)
   target_link_options(rva_flags INTERFACE -fsanitize=thread)
@@ -20,8 +20,8 @@ if(RVA_FUZZ)
   target_compile_options(rva_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# rva_library(NAME [SOURCES ...] [LINKS ...]): one folder of src/, one static library.
-# What a folder may link is the folder order of docs/design.md; tests/architecture holds the includes to it.
+# rva_library(NAME [SOURCES ...] [LINKS ...]): builds one folder of src/ as a static library.
+# docs/design.md defines which folders a folder may link; tests/architecture checks that the includes conform.
 function(rva_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
@@ -29,17 +29,18 @@ function(rva_library name)
   target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE rva_flags)
 endfunction()
 
-# OpenCV's headers are not clean under -Wconversion; they are not ours to mend.
+# OpenCV's headers cause warnings under -Wconversion, so they are included as system headers.
 add_library(rva_opencv INTERFACE)
 target_include_directories(rva_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
 target_link_libraries(rva_opencv INTERFACE opencv_core opencv_imgproc)
 
-# Nor are PCL's.
+# PCL's headers are included as system headers for the same reason.
 add_library(rva_pcl INTERFACE)
 target_include_directories(rva_pcl SYSTEM INTERFACE ${PCL_INCLUDE_DIRS})
 target_link_libraries(rva_pcl INTERFACE pcl_common pcl_kdtree pcl_octree pcl_registration pcl_search)
 
-# The thread sanitizer does not see fences, which Asio has; it has locks beside them, which are seen.
+# Disables GCC's warning that the thread sanitizer does not support fences. Asio uses fences, but also locks, which the
+# sanitizer does support.
 function(rva_has_fences name)
   if(RVA_SANITIZE_THREADS)
     target_compile_options(${name} PRIVATE -Wno-tsan)
