@@ -1,11 +1,11 @@
-# Debian's gcc-avr.
+# Toolchain file for Debian's gcc-avr.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR avr)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_C_COMPILER avr-gcc)
 set(CMAKE_CXX_COMPILER avr-g++)
 set(CMAKE_ASM_COMPILER avr-gcc)
-# Link time optimisation needs the plugin that these bring.
+# Link time optimisation needs the linker plugin that these wrappers load.
 set(CMAKE_AR /usr/bin/avr-gcc-ar)
 set(CMAKE_RANLIB /usr/bin/avr-gcc-ranlib)
 set(CMAKE_C_COMPILER_AR ${CMAKE_AR})

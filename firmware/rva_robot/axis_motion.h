@@ -1,4 +1,4 @@
-// One axis on its way.
+// The motion of one axis.
 #ifndef RVA_ROBOT_AXIS_MOTION_H
 #define RVA_ROBOT_AXIS_MOTION_H
 
@@ -9,16 +9,17 @@
 
 namespace rva_robot {
 
-/// Moves in pieces that one packet can say, and says again what a servo seems not to have heard.
+/// Splits a move into pieces that one packet can express, and repeats commands that the servo seems
+/// to have missed.
 class AxisMotion {
  public:
-  /// The axis' position must be known.
+  /// Starts a move. The axis' position must be known.
   void start(int16_t target_cdeg, int16_t speed_cdeg_s);
 
-  /// Stops the servo, and sees to it that it does.
+  /// Stops the servo, and repeats the command until the servo is seen at rest.
   void stop(uint32_t now_ms);
 
-  /// Forgets the target: the servo has let go.
+  /// Drops the target because the servo has switched off its torque.
   void forget();
 
   void tick(ServoBus& bus, uint8_t axis, uint32_t now_ms);
@@ -35,7 +36,7 @@ class AxisMotion {
   Phase phase_ = Phase::rest;
   int16_t target_cdeg_ = 0;
   int16_t speed_cdeg_s_ = fastest_cdeg_s;
-  int16_t piece_cdeg_ = 0;  // where the piece under way ends
+  int16_t piece_cdeg_ = 0;  // end of the current piece
   uint32_t sent_ms_ = 0;
   uint16_t takes_ms_ = 0;
   uint8_t tries_ = 0;

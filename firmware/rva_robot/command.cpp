@@ -7,13 +7,13 @@
 namespace rva_robot {
 namespace {
 
-/// Words of a line, one space between them.
+/// Splits a line into words that are separated by one space each.
 class Words {
  public:
   Words(const char* text, uint8_t length) : text_(text), left_(length) {}
 
   bool more() const { return left_ > 0; }
-  /// The next one, perhaps empty.
+  /// Returns the next word, which may be empty.
   void next(const char*& word, uint8_t& length) {
     word = text_;
     length = 0;
@@ -105,8 +105,8 @@ Refusal parse_verb(Words& words, Command& command) {
   return Refusal::form;
 }
 
-// A half of a bare command: empty, or whole degrees. Run together, numbers must be written the short way,
-// or "1050" could be "1" and "050".
+// Parses one half of a bare command: empty, or whole degrees. In commands that are run together, leading
+// zeros are not allowed, or "1050" could be read as "1" and "050".
 bool parse_half(const char* text, uint8_t length, bool short_way, uint8_t axis, Command& command) {
   command.moves[axis] = length > 0;
   if (length == 0) return true;
@@ -133,7 +133,8 @@ bool parse_pair(const char* pan_text, uint8_t pan_length, const char* tilt_text,
          (command.moves[pan] || command.moves[tilt]) && in_reach(command);
 }
 
-// `first` and `second` are the places of the two points.
+// Splits two commands that are run together, if there is exactly one way. `first` and `second` are the
+// indices of the two points. Returns the number of commands, 2 or 0.
 uint8_t parse_run_together(const char* text, uint8_t length, uint8_t first, uint8_t second,
                            Command (&commands)[2]) {
   uint8_t ways = 0;
@@ -159,7 +160,7 @@ Command parse_frame(const char* text, uint8_t length) {
   Command command;
   command.framed = true;
   command.refusal = Refusal::crc;
-  constexpr uint8_t check = 5;  // * and four digits
+  constexpr uint8_t check = 5;  // length of `*` and four digits
   uint16_t crc = 0;
   if (length < check || text[length - check] != '*' || !parse_crc(text + length - check + 1, crc) ||
       crc != crc16(text, static_cast<uint8_t>(length - check)))

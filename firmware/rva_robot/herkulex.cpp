@@ -6,7 +6,7 @@ namespace {
 constexpr uint8_t head = 0xFF;
 constexpr uint8_t header_length = 7;
 constexpr int16_t middle_count = 512;
-// 0.325 degrees are 65/2 hundredths.
+// One count is 0.325 degrees, which is 65/2 hundredths of a degree.
 constexpr int32_t halves_a_count = 65;
 
 enum Place : uint8_t { at_size = 2, at_id = 3, at_command = 4, at_check = 5 };
@@ -77,7 +77,7 @@ bool PacketReader::complete(Packet& packet) const {
   return true;
 }
 
-// A packet may begin within what was taken for one.
+// Drops only one byte, since a valid packet may begin inside an invalid one.
 void PacketReader::drop_first() {
   for (uint8_t i = 1; i < size_; ++i) bytes_[i - 1] = bytes_[i];
   --size_;

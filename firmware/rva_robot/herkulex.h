@@ -9,16 +9,16 @@ namespace rva_robot {
 namespace herkulex {
 
 enum Request : uint8_t { ram_write = 3, ram_read = 4, i_jog = 5 };
-constexpr uint8_t reply = 0x40;  ///< added to a request
+constexpr uint8_t reply = 0x40;  ///< added to the request's code in a reply
 
 /// Registers in RAM.
 enum Register : uint8_t {
   ack_policy = 1,
-  acceleration_ratio = 8,  ///< percent of a move; the next one is the longest acceleration, in play units
-  status_error = 48,       ///< the next one is the status detail
+  acceleration_ratio = 8,  ///< percent of a move; the next register: longest acceleration in play units
+  status_error = 48,       ///< the next register is the status detail
   torque = 52,
-  voltage = 54,  ///< 0.074 V; the next one is the temperature's
-  position = 58  ///< two bytes, low first; ten bits count
+  voltage = 54,  ///< in units of 0.074 V; the next register is the temperature
+  position = 58  ///< two bytes, low byte first, of which ten bits are used
 };
 
 enum Torque : uint8_t { torque_on = 0x60 };
@@ -31,7 +31,7 @@ enum Error : uint8_t {
   error_overload = 0x10,
   error_driver = 0x20,
   error_memory = 0x40,
-  lets_go = error_voltage | error_heat | error_overload | error_driver  ///< of what it holds
+  lets_go = error_voltage | error_heat | error_overload | error_driver  ///< the servo switches its torque off
 };
 
 enum Detail : uint8_t { moving = 0x01, in_position = 0x02, motor_on = 0x40 };
@@ -43,7 +43,7 @@ constexpr uint8_t longest_play = 254;  ///< in units of 11.2 ms
 
 }  // namespace herkulex
 
-/// Angles of the servo: 0.325 degrees a count from the middle.
+/// Convert between counts of the servo and hundredths of a degree: 0.325 degrees per count, 0 in the middle.
 int16_t cdeg_of_count(uint16_t count);
 uint16_t count_of_cdeg(int16_t cdeg);
 
@@ -53,7 +53,7 @@ struct Packet {
   uint8_t id = 0;
   uint8_t command = 0;
   uint8_t data[most_data] = {};
-  uint8_t length = 0;  ///< of the data
+  uint8_t length = 0;  ///< number of data bytes
 
   void add(uint8_t byte) {
     if (length < most_data) data[length++] = byte;
@@ -62,13 +62,14 @@ struct Packet {
 
 constexpr uint8_t longest_packet = 7 + Packet::most_data;
 
-/// @return bytes written
+/// Encodes a packet with its header and checksum.
+/// @return number of bytes written
 uint8_t encode(const Packet& packet, uint8_t (&bytes)[longest_packet]);
 
-/// Finds packets in what comes; what is damaged is passed over.
+/// Finds packets in a stream of bytes, and skips damaged ones.
 class PacketReader {
  public:
-  /// @return whether the byte completed a sound packet
+  /// @return whether the byte completed a valid packet
   bool take(uint8_t byte, Packet& packet);
 
  private:

@@ -16,7 +16,7 @@ void HostInput::take(uint8_t byte, uint32_t now_ms) {
   if (character == '!') {
     Command stop;
     stop.verb = Verb::stop;
-    count_ = 0;  // nothing that came before it is worth moving for
+    count_ = 0;  // a stop cancels all commands before it
     keep(stop);
   } else if (character == '$') {
     in_frame_ = true;
@@ -77,7 +77,7 @@ void HostInput::end_bare() {
   for (uint8_t i = 0; i < count; ++i) keep(commands[i]);
 }
 
-// Of more than two that nobody has taken, the last ones count.
+// Keeps the last two commands that were not taken yet.
 void HostInput::keep(const Command& command) {
   if (count_ == 2) {
     first_ = static_cast<uint8_t>(1 - first_);

@@ -1,4 +1,4 @@
-// Bytes from the host, cut into commands.
+// Splits the bytes from the host into commands.
 #ifndef RVA_ROBOT_HOST_INPUT_H
 #define RVA_ROBOT_HOST_INPUT_H
 
@@ -10,20 +10,21 @@ namespace rva_robot {
 
 class HostInput {
  public:
-  static constexpr uint8_t longest_frame = 48;      ///< with `$` and end
-  static constexpr uint8_t silence_ends_ms = 10;    ///< a bare command
-  static constexpr uint8_t longest_bare_text = 16;  ///< two commands run together
+  static constexpr uint8_t longest_frame = 48;      ///< including `$` and the end of the line
+  static constexpr uint8_t silence_ends_ms = 10;    ///< silence of this length ends a bare command
+  static constexpr uint8_t longest_bare_text = 16;  ///< for two commands run together
 
-  /// Takes a byte; the commands that it completes are what next() gives.
+  /// Takes a byte; next() returns the commands that it completes.
   void take(uint8_t byte, uint32_t now_ms);
 
-  /// Ends a bare command that silence has ended.
+  /// Ends a bare command after silence.
   void tick(uint32_t now_ms);
 
-  /// @return false when there is none
+  /// Returns the next command.
+  /// @return false if there is none
   bool next(Command& command);
 
-  /// From the first good frame on, bare angles are taken no more.
+  /// Whether a valid frame was received. From then on, bare angles are ignored.
   bool framed() const { return framed_; }
 
  private:
@@ -36,7 +37,7 @@ class HostInput {
   uint8_t size_ = 0;
   bool in_frame_ = false;
   bool too_long_ = false;
-  bool junk_ = false;  // in a bare command
+  bool junk_ = false;  // the current bare command contains invalid characters
   bool framed_ = false;
   uint32_t last_byte_ms_ = 0;
   Command waiting_[2];

@@ -1,4 +1,4 @@
-// What the robot may do, in hundredths of a degree as the servos count them.
+// Limits of angle and speed, in hundredths of a degree; angles are those that the servos measure.
 #ifndef RVA_ROBOT_LIMITS_H
 #define RVA_ROBOT_LIMITS_H
 
@@ -13,7 +13,7 @@ struct AxisLimits {
   int16_t max_cdeg;
 };
 
-/// Both ends are within reach. Upwards, the camera's cable ends the way early.
+/// Both ends are allowed. The upper limit of tilt is small because of the camera's cable.
 constexpr AxisLimits limits[axes] = {{-9000, 9000}, {-9000, 900}};
 
 constexpr int16_t slowest_cdeg_s = 100;

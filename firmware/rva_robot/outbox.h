@@ -1,4 +1,4 @@
-// Lines on their way to the host.
+// The queue of lines to the host.
 #ifndef RVA_ROBOT_OUTBOX_H
 #define RVA_ROBOT_OUTBOX_H
 
@@ -14,9 +14,9 @@ class Outbox {
   static constexpr uint8_t capacity = 192;
 
   uint8_t room() const { return static_cast<uint8_t>(capacity - size_); }
-  /// @return false, with nothing kept, where there is no room for all of it
+  /// @return false, without keeping anything, if there is no room for the whole text
   bool put(const char* text, uint8_t length);
-  /// Gives the port what it can take.
+  /// Writes as many bytes to the port as it has room for.
   void drain(Port& port);
 
  private:

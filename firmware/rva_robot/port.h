@@ -1,4 +1,4 @@
-// Where bytes go.
+// The output of a serial line.
 #ifndef RVA_ROBOT_PORT_H
 #define RVA_ROBOT_PORT_H
 
@@ -6,12 +6,12 @@
 
 namespace rva_robot {
 
-/// Never waits.
+/// A serial line that never blocks.
 class Port {
  public:
-  /// Bytes that can be written now.
+  /// Number of bytes that can be written now.
   virtual uint8_t room() const = 0;
-  /// No more than room().
+  /// @param count at most room()
   virtual void write(const uint8_t* bytes, uint8_t count) = 0;
 
  protected:

@@ -6,7 +6,7 @@ namespace rva_robot {
 namespace {
 
 constexpr uint16_t host_falls_silent_ms = 500;
-constexpr uint8_t commands_need_ms = 100;  // a position as fresh as this
+constexpr uint8_t commands_need_ms = 100;  // maximum age of positions for a command to be accepted
 constexpr uint16_t tend_every_ms = 500;
 constexpr uint8_t hold_every_ms = 100;
 
@@ -95,8 +95,8 @@ void Robot::keep_host_in_sight(uint32_t now_ms) {
   lost_ = true;
 }
 
-// Torque comes on only where the position is known: nothing jumps. A servo at fault has let go; what it was
-// on its way to is given up.
+// Switches torque on only if the position is known, so that the axis does not jump. A servo with a fault has
+// switched its torque off, so its target is dropped.
 void Robot::hold_or_recover(uint8_t axis, uint32_t now_ms) {
   const Servo& servo = bus_.servo(axis);
   if (!servo.known(now_ms, commands_need_ms)) return;
@@ -107,7 +107,7 @@ void Robot::hold_or_recover(uint8_t axis, uint32_t now_ms) {
   }
   const bool due = !tended_[axis] || now_ms - tended_ms_[axis] >= hold_every_ms;
   if (!due || (held(axis, now_ms) && servo.error == 0)) return;
-  // What a host of before the reset has started, nobody watches any more.
+  // A move that was started before a reset of this board is no longer monitored, so it is stopped.
   if (!tended_[axis]) motions_[axis].stop(now_ms);
   const uint8_t acceleration[2] = {acceleration_percent, longest_acceleration_play};
   if (bus_.write(axis, herkulex::acceleration_ratio, acceleration, 2)) tended_[axis] = true;

@@ -1,4 +1,4 @@
-// The robot between its host and its servos.
+// The robot's controller between host and servos.
 #ifndef RVA_ROBOT_ROBOT_H
 #define RVA_ROBOT_ROBOT_H
 
@@ -14,7 +14,7 @@
 
 namespace rva_robot {
 
-/// Every member returns at once. Call tick() at least every 5 ms.
+/// No member blocks. Call tick() at least every 5 ms.
 class Robot {
  public:
   Robot(Port& host, Port& servos);
@@ -24,7 +24,7 @@ class Robot {
   void tick(uint32_t now_ms);
 
  private:
-  static constexpr uint8_t position_counts_ms = 250;  // older ones are not told
+  static constexpr uint8_t position_counts_ms = 250;  // older positions are not reported
 
   enum class State : uint8_t { start, hold, move, lost, fault };
 
@@ -56,13 +56,13 @@ class Robot {
   AxisMotion motions_[axes];
   bool commanded_ = false;
   bool lost_ = false;
-  uint32_t heard_ms_ = 0;  // the last good frame
+  uint32_t heard_ms_ = 0;  // time of the last valid frame
   uint32_t tended_ms_[axes] = {0, 0};
   bool tended_[axes] = {false, false};
   uint32_t positions_ms_ = 0;
   uint32_t status_ms_ = 0;
   uint8_t status_axis_ = pan;
-  uint8_t status_asked_ = 0;  // how many the host waits for
+  uint8_t status_asked_ = 0;  // number of status lines that the host has requested
   uint32_t ready_ms_ = 0;
   bool ready_said_ = false;
 };

@@ -1,4 +1,4 @@
-// What the robot says to its host.
+// The lines that the robot sends to its host.
 #include "robot.h"
 #include "version.h"
 
@@ -6,10 +6,10 @@ namespace rva_robot {
 namespace {
 
 constexpr uint8_t positions_every_ms = 25;
-constexpr uint16_t status_every_ms = 250;  // the axes in turn
+constexpr uint16_t status_every_ms = 250;  // alternating between the axes
 constexpr uint16_t ready_every_ms = 1000;
 constexpr uint16_t millivolts_a_count = 74;
-constexpr uint8_t for_answers = 64;  // of the outbox
+constexpr uint8_t for_answers = 64;  // bytes of the outbox reserved for answers
 
 const char* const axis_names[axes] = {"PAN", "TILT"};
 
@@ -97,7 +97,8 @@ bool Robot::say_status(uint8_t axis) {
   return say_frame(line, for_answers);
 }
 
-// What there is no room for is not said: the next positions are newer, and hosts ask again.
+// Lines for which there is no room are dropped: the next positions are newer, and hosts
+// repeat their requests.
 bool Robot::say(const Line& line, uint8_t room_to_leave) {
   if (!line.sound() || outbox_.room() < line.size() + room_to_leave) return false;
   return outbox_.put(line.data(), line.size());

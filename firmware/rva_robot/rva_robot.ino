@@ -1,5 +1,5 @@
 // The RVA's robot: an Arduino MEGA 2560 between the host (USB) and two Herkulex DRS-0101 servos (Serial1).
-// See docs/protocol.md. Everything that can be tested without a board is in the other files.
+// See docs/protocol.md. All code that can be tested without a board is in the other files.
 #include <Arduino.h>
 #include <avr/wdt.h>
 
@@ -18,7 +18,7 @@ class SerialPort : public rva_robot::Port {
 };
 
 constexpr uint32_t baud = 115200;
-// A burst from the host must not keep the servos waiting.
+// Limits the bytes read per loop, so that a burst from the host does not delay the servos.
 constexpr uint8_t bytes_at_once = 16;
 
 SerialPort host(Serial);

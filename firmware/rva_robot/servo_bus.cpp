@@ -4,11 +4,11 @@ namespace rva_robot {
 namespace {
 
 constexpr uint8_t answer_within_ms = 6;
-constexpr uint8_t ask_every_ms = 6;  // each servo's position every 12 ms
+constexpr uint8_t ask_every_ms = 6;  // which yields the position of each servo every 12 ms
 constexpr uint16_t ask_supply_every_ms = 500;
-constexpr uint16_t position_bits = 0x3FF;  // what lies above is not documented, and not always 0
+constexpr uint16_t position_bits = 0x3FF;  // the higher bits are undocumented and not always 0
 
-// Within what a servo that somebody pushes turns meanwhile.
+// Whether a position is plausible after an earlier one, even for a servo that is pushed by hand.
 bool follows(int16_t cdeg, int16_t before_cdeg, uint32_t since_ms) {
   constexpr uint8_t cdeg_a_ms = 15;
   constexpr int32_t rounding_cdeg = 200;
@@ -40,7 +40,7 @@ void Servo::take_status(uint8_t new_error, uint8_t new_detail) {
 void ServoBus::take(uint8_t byte, uint32_t now_ms) {
   Packet packet;
   if (!reader_.take(byte, packet) || !waiting_) return;
-  // An answer has the register, the number of values, the values, and both bytes of status.
+  // An answer contains the register, the number of values, the values, and both bytes of status.
   if (packet.command != herkulex::ram_read + herkulex::reply || packet.id != servo_id[asked_axis_]) return;
   if (packet.length != 6 || packet.data[0] != asked_register_ || packet.data[1] != 2) return;
   waiting_ = false;
@@ -101,7 +101,7 @@ bool ServoBus::send(const Packet& packet) {
   return true;
 }
 
-// The servos in turn; supply now and then.
+// Asks the servos alternately for their position, and at intervals for voltage and temperature instead.
 void ServoBus::ask(uint32_t now_ms) {
   const uint8_t axis = static_cast<uint8_t>(1 - asked_axis_);
   const bool supply = now_ms - supply_asked_ms_[axis] >= ask_supply_every_ms && servos_[axis].answered;

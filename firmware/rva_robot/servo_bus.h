@@ -1,4 +1,4 @@
-// Both servos: what they were asked, and what they last answered.
+// Communication with both servos, and their last known state.
 #ifndef RVA_ROBOT_SERVO_BUS_H
 #define RVA_ROBOT_SERVO_BUS_H
 
@@ -12,23 +12,24 @@ namespace rva_robot {
 
 constexpr uint8_t servo_id[axes] = {1, 2};
 
-/// What is known of one servo. Nothing here is ever a guess.
+/// The measured state of one servo; no value is estimated.
 struct Servo {
-  bool answered = false;  ///< ever
+  bool answered = false;  ///< whether the servo has ever reported a position
   int16_t cdeg = 0;
   uint32_t measured_ms = 0;
-  uint8_t error = 0;  ///< bits of the last two answers
+  uint8_t error = 0;  ///< error bits that are set in both of the last two answers
   uint8_t detail = 0;
   bool supply_known = false;
-  uint8_t voltage = 0;  ///< in 0.074 V
-  uint8_t heat = 0;     ///< register 55
+  uint8_t voltage = 0;  ///< in units of 0.074 V
+  uint8_t heat = 0;     ///< temperature, the raw value of register 55
 
   bool known(uint32_t now_ms, uint16_t no_older_ms) const {
     return answered && now_ms - measured_ms <= no_older_ms;
   }
 
-  /// The servos' checksum does not cover the lowest bit of any byte, which in a position's upper byte is 83
-  /// degrees, and in a status is a fault. What no servo could have done in the time must be said twice.
+  /// Take a reported position or status. The servos' checksum does not cover the lowest bit of any byte,
+  /// which is 83 degrees in the upper byte of a position, and a fault in a status. Therefore, implausible
+  /// positions and all faults must be reported twice before they are accepted.
   void take_position(int16_t cdeg, uint32_t now_ms);
   void take_status(uint8_t error, uint8_t detail);
 
@@ -39,19 +40,20 @@ struct Servo {
   uint8_t last_error_ = 0;
 };
 
-/// Asks in turn, waits for no answer, and asks again where one was lost.
+/// Polls the servos alternately without blocking; a lost answer is replaced by that to a later request.
 class ServoBus {
  public:
   explicit ServoBus(Port& port) : port_(port) {}
 
   void take(uint8_t byte, uint32_t now_ms);
 
-  /// Asks for what is due.
+  /// Sends the next request if it is due.
   void tick(uint32_t now_ms);
 
   const Servo& servo(uint8_t axis) const { return servos_[axis]; }
 
-  /// Commands have no answer. @return false when there was no room for it
+  /// Send a command; servos do not answer commands.
+  /// @return false if the port had no room for it
   bool write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count);
   bool move(uint8_t axis, int16_t to_cdeg, uint8_t play);
   bool stop(uint8_t axis);

@@ -5,7 +5,8 @@ namespace {
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-// The number that begins at `from`, and where it ends; more than four digits are no number of ours.
+// The number that begins at `from`, and the index of its end. Reads at most five digits, which is enough to
+// recognise a number as too long.
 int32_t digits_from(const char* text, uint8_t from, uint8_t length, uint8_t& end) {
   int32_t number = 0;
   for (end = from; end < length && end - from < 5 && is_digit(text[end]); ++end)

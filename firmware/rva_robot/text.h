@@ -1,4 +1,4 @@
-// Numbers as text and back, without a heap and without floating point.
+// Conversion between numbers and text, without heap or floating point.
 #ifndef RVA_ROBOT_TEXT_H
 #define RVA_ROBOT_TEXT_H
 
@@ -6,11 +6,12 @@
 
 namespace rva_robot {
 
-/// Hundredths of a number with up to two decimals: "-10.5" is -1050. At most three digits before the point.
-/// @return false where `text` is no such number, in whole; `value` is as it was then
+/// Parses a number with at most three digits before the point and at most two decimals into hundredths:
+/// "-10.5" becomes -1050.
+/// @return false if the whole text is not such a number; `value` is unchanged then
 bool parse_hundredths(const char* text, uint8_t length, int16_t& value);
 
-/// A line that is put together in place; what does not fit makes it unsound.
+/// Builds a line in a fixed buffer; a line that does not fit becomes invalid, see sound().
 class Line {
  public:
   static constexpr uint8_t capacity = 64;
@@ -19,16 +20,16 @@ class Line {
   Line& number(uint32_t number);
   Line& integer(int16_t number);
   Line& hex(uint16_t value, uint8_t digits);
-  /// As a decimal number: 2 decimals of hundredths, 1 of tenths.
+  /// Appends a decimal number. `value` is in hundredths for 2 decimals, in tenths for 1.
   Line& decimal(int32_t value, uint8_t decimals);
   Line& character(char character);
 
-  /// Puts `$` before it and checksum and end behind it.
+  /// Puts `$` before the line, and the checksum and the end of the line after it.
   void close_frame();
 
   const char* data() const { return data_; }
   uint8_t size() const { return size_; }
-  /// All of it fitted.
+  /// Whether the whole line fitted into the buffer.
   bool sound() const { return sound_; }
 
  private:

@@ -1,4 +1,4 @@
-// What the robot says it is.
+// The versions that the robot reports.
 #ifndef RVA_ROBOT_VERSION_H
 #define RVA_ROBOT_VERSION_H
 
@@ -6,7 +6,7 @@
 
 namespace rva_robot {
 
-/// docs/protocol.md
+/// The version of the protocol in docs/protocol.md.
 constexpr uint8_t protocol_version = 1;
 constexpr const char* firmware_version = "1.0.0";
 
