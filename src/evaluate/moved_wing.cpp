@@ -18,11 +18,11 @@ constexpr double middle_m = 0.7;  // of the bay, from the near spar
 // The area of the lower skin that is in view of a robot.
 Eigen::AlignedBox2d before_robot(const CameraStand& stand) {
   constexpr double aside_m = 0.3;
-  const double ahead_m = 0.5 * stand.position_m.x();  // robots look at the middle of the bay
+  const double ahead_m = 0.5 * stand.position_m.x();  // robots face the middle of the bay
   return {Eigen::Vector2d(ahead_m - aside_m, 0.3), Eigen::Vector2d(ahead_m + aside_m, 0.95)};
 }
 
-// A camera that stays detects smaller things, so more of them are placed then, all within its view.
+// A static camera detects smaller objects, so more of them are placed for it, all within its view.
 void drop(Scene& scene, CameraReturn how, std::uint64_t seed) {
   const Eigen::AlignedBox2d floor(scene.bay.min().head<2>(), scene.bay.max().head<2>());
   const bool stayed = how != CameraReturn::elsewhere;

@@ -18,8 +18,8 @@ enum class CameraReturn {
 
 /// One bay, seen before and after the work.
 struct MovedWing {
-  Scene before;  ///< without debris, and before a mechanic's changes
-  Scene after;   ///< with both
+  Scene before;  ///< without debris, work and traces
+  Scene after;   ///< with debris, and with work and traces if the features include them
 };
 
 /// A bay from random_wing(). Robots stand inside the bay, at least 0.18 m from either rib and 0.05 to 0.25 m

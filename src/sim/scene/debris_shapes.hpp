@@ -39,7 +39,7 @@ using Parts = std::vector<Part>;
 /// The parts, uniformly scaled to the given largest extent, so that random shapes of a kind have one size.
 [[nodiscard]] Parts fitted(Parts parts, double largest_extent);
 
-/// Tools, and things that fall out of a pocket.
+/// Tools and the contents of pockets.
 [[nodiscard]] Parts flashlight();
 [[nodiscard]] Parts small_flashlight();
 [[nodiscard]] Parts screwdriver();
@@ -59,7 +59,7 @@ using Parts = std::vector<Part>;
 [[nodiscard]] Parts rivet();
 [[nodiscard]] Parts washer_m6();
 
-/// Flexible things, random in shape except for the roll of tape.
+/// Flexible objects, of random shape except for the roll of tape.
 [[nodiscard]] Parts swarf(Random& random);
 [[nodiscard]] Parts wire(Random& random);
 [[nodiscard]] Parts tape_roll();

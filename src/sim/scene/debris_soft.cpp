@@ -124,7 +124,7 @@ Parts tape_strip(Random& random) {
   return fitted({part_of("masking-tape", strip)}, 50.0);
 }
 
-// Folds stand up from a floor on which the rest of the cloth lies; its edges are drawn in where
+// Folds rise above a plane in which the rest of the cloth lies; its edges are drawn in where
 // it is crumpled.
 Parts rag(Random& random) {
   constexpr int columns = 41;
