@@ -180,7 +180,7 @@ void print(const char* name, const GeometryErrors& errors) {
              errors.tilt_axis_deg, errors.camera_mm, errors.camera_deg);
 }
 
-/// Over all inspections.
+/// Totals over all inspections.
 struct Totals {
   PoseErrors by_joints;
   PoseErrors refined;

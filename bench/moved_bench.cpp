@@ -192,7 +192,7 @@ class MovedCamera {
   }
 
  private:
-  // From statistics to findings.
+  // The whole comparison, from statistics to findings.
   void spatial() const {
     const DepthView before = view_of(initial_);
     const DepthView after = view_of(final_);

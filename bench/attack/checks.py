@@ -24,19 +24,19 @@ def check_restarted(setting, server, ledger, data):
             problems += check_inspection(ledger, known, now)
             problems += check_pictures(server, ledger, now)
         elif any(now.get(key) != known.get(key) for key in (*BEGUN_WITH, 'views', 'initial', 'final', 'findings')):
-            problems.append(Problem(LOST, f'inspection {number}, on which nothing was done, has changed'))
+            problems.append(Problem(LOST, f'inspection {number} has changed, although nothing was done on it'))
     unknown = listed - set(ledger.inspections)
     if len(unknown) > (ledger.pending == 'begin'):
-        problems.append(Problem(UNEXPLAINED, f'there are inspections that nobody asked for: {sorted(unknown)}'))
+        problems.append(Problem(UNEXPLAINED, f'there are inspections without a request: {sorted(unknown)}'))
     for number in unknown:
         if not server.ask('GET', f'inspections/{number}')['views']:
-            problems.append(Problem(UNEXPLAINED, f'inspection {number} was begun by half: it has no view'))
+            problems.append(Problem(UNEXPLAINED, f'inspection {number} was created incompletely: it has no view'))
     return problems + check_accounts(setting, ledger, data)
 
 
 def check_inspection(ledger, known, now):
     def lost(what, was, is_now):
-        return Problem(LOST, f'inspection {known["id"]}: {what} was {was}, is {is_now}')
+        return Problem(LOST, f'inspection {known["id"]}: {what} was {was}, now is {is_now}')
 
     problems = [lost(key, known[key], now[key]) for key in BEGUN_WITH if known[key] != now[key]]
     if now['views'] not in [known['views']] + ([ledger.wanted_views] if ledger.wanted_views else []):
@@ -45,7 +45,7 @@ def check_inspection(ledger, known, now):
         was, is_now = known.get(side), now.get(side)
         is_newer = is_now is not None and (was is None or is_now['taken_at'] > was['taken_at'])
         if was == is_now and side in ledger.owed:
-            problems.append(lost(f'its {side} side', 'said to be taken', is_now))
+            problems.append(lost(f'its {side} side', 'reported as taken', is_now))
         elif was != is_now and not (ledger.may_have_come(side) and is_newer):
             problems.append(lost(f'its {side} side', was, is_now))
     return problems + check_comparison(ledger, known, now, lost)
@@ -55,7 +55,7 @@ def check_comparison(ledger, known, now, lost):
     was, is_now = known.get('compared_at'), now.get('compared_at')
     has_new_side = known.get('final') != now.get('final')
     if 'comparison' in ledger.owed and is_now in (None, was):
-        return [lost('its comparison', 'said to be done', is_now)]
+        return [lost('its comparison', 'reported as done', is_now)]
     if was == is_now:
         if was and has_new_side:
             return [Problem(UNEXPLAINED, f'inspection {known["id"]}: shows findings of the earlier final side with the new one')]
@@ -142,9 +142,9 @@ def check_stopped(ledger, data, said):
         return problems
     missing = set(ledger.notes) - set(notes_of_decisions(database))
     if missing:
-        problems.append(Problem(LOST, f'{len(missing)} of {len(ledger.notes)} decisions are no more in the database'))
+        problems.append(Problem(LOST, f'{len(missing)} of {len(ledger.notes)} decisions are missing from the database'))
     for path in sorted(data.rglob('*')):
         inside = path.relative_to(data)
         if is_remains(inside) and not is_remains(inside.parent) and path.name not in said:
-            problems.append(Problem(UNEXPLAINED, f'{inside} is left, and the program did not say so'))
+            problems.append(Problem(UNEXPLAINED, f'{inside} is left over, and the program did not report it'))
     return problems

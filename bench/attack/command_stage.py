@@ -67,12 +67,12 @@ class CommandStage:
 
     def judge_files(self, present, old, new, acknowledged=False):
         if present == old:
-            return [Problem(LOST, 'it said that it was done, but the result is not there')] if acknowledged else []
+            return [Problem(LOST, 'it reported that it was done, but the result is missing')] if acknowledged else []
         stale = self._stale(present, old, new)
         if not stale and set(present) == set(new):
             return []
         if old and not present:
-            wrong = 'the earlier result is gone, and no new one is there'
+            wrong = 'the earlier result is gone, and there is no new one'
         elif stale:
             wrong = f'a mixture: {few(stale)} of the earlier result among {few(set(present) - stale)}'
         else:
@@ -100,11 +100,11 @@ class CommandStage:
     def _judge_end(self, setting, place, said):
         left = contents(place)
         extra = topmost(set(left) - set(self.new))
-        problems = [Problem(UNEXPLAINED, f'{name} is left, and the program did not say so') for name in extra
+        problems = [Problem(UNEXPLAINED, f'{name} is left over, and the program did not report it') for name in extra
                     if name.rstrip('/').rpartition('/')[2] not in said]
         present = {name: digest for name, digest in left.items() if name in self.new}
         if set(present) != set(self.new):
-            problems.append(Problem(STUCK, f'run again, it leaves no {few(set(self.new) - set(present))}'))
+            problems.append(Problem(STUCK, f'run again, it does not write {few(set(self.new) - set(present))}'))
         stale = self._stale(present, self.old, self.new)
         if stale:
             problems.append(Problem(STUCK, f'run again, it leaves {few(stale)} of the earlier result'))

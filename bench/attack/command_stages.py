@@ -48,7 +48,7 @@ class MapStage(CommandStage):
         if not changed:
             return []
         if {earlier_views[name] for name in changed} - set(present.values()):
-            return [Problem(LOST, f'views of before are gone: {few(changed)}')]
+            return [Problem(LOST, f'earlier views are gone: {few(changed)}')]
         return [Problem(UNEXPLAINED, f'the earlier map is there, but its views are not in their place: {few(changed)}')]
 
 

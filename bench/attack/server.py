@@ -121,5 +121,5 @@ class Server:
         address = self.process.stdout.readline().decode().strip() if ready else ''
         if not address.startswith('http'):
             lines = self.said().strip().splitlines()
-            raise Refused('does not start: ' + (lines[-1] if lines else 'says no address'))
+            raise Refused('does not start: ' + (lines[-1] if lines else 'prints no address'))
         return address
