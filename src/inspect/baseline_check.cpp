@@ -59,8 +59,8 @@ Json json_of(const Detection& detection) {
   return json;
 }
 
-// A view that cannot be compared with itself cannot be compared after the work either, which is worth
-// knowing.
+// A view whose halves cannot be compared cannot be compared after the work either. The reason is recorded for
+// the user instead of ending the check.
 Json check_view(const InspectionFolder& folder, const Inspection& inspection, int view,
                 const fs::path& pictures, const Progress& progress) {
   Json json{{"view", view}};

@@ -1,4 +1,4 @@
-// What could be found in each view, from its baseline alone.
+// Estimates from the baseline alone what could be found in each view.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 
 namespace rva {
 
-/// Compares the first half of each view's baseline captures with the second half, as the sides of an
-/// inspection are compared. Writes InspectionFolder::baseline_check(): `check.json` (docs/api.md), which has
-/// of each view how many findings that shows, although nothing changed, and the levels of detection, or why
-/// the halves could not be compared; each view's `level_of_detection.png`; and each view's
-/// `depth_overlay.png` with what was found of nothing.
+/// Compares the first half of each view's baseline captures with the second half, in the way that the two
+/// sides of an inspection are compared. Writes the folder InspectionFolder::baseline_check(): `check.json`
+/// (docs/api.md), which states for each view the number of findings (all of them false, because nothing
+/// changed) and the levels of detection, or why the halves could not be compared; `level_of_detection.png` of
+/// each view; and `depth_overlay.png` of each view with the false findings marked.
 ///
-/// A side of the inspection has twice as many captures as a half, so that noise, and the levels with it, are
-/// divided by the root of two.
+/// A side of the inspection has twice as many captures as a half, so its noise is smaller by the square root
+/// of two. The levels of detection are divided by that factor.
 ///
-/// Does nothing where a view has fewer than four captures, or the folder is there.
-/// @throws Error when a capture cannot be read or the folder cannot be written; Interrupted
+/// Does nothing if a view has fewer than four captures or the folder already exists. A capture that cannot be
+/// read is reported as the problem of its view.
+/// @throws Error when the folder cannot be written or a symbolic link leads to it; Interrupted
 void check_baseline(const InspectionFolder& folder, const Inspection& inspection, const Progress& progress);
 
-/// What that folder may hold, for an OutputFolder.
+/// The files that this folder may contain, in the form that OutputFolder takes.
 [[nodiscard]] std::vector<std::string> baseline_check_files();
 
 }  // namespace rva

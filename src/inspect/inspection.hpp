@@ -1,4 +1,4 @@
-// One inspection of one bay: what is kept of it.
+// The record of one inspection of one bay.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@
 
 namespace rva {
 
-/// What a person says of an inspection when it begins. Any text; the person must not be empty.
+/// What the operator enters when an inspection begins. Free text; `person` must be a legible name
+/// (is_legible_name()).
 struct InspectionOrder {
   std::string aircraft;
   std::string zone;
@@ -24,35 +25,34 @@ struct InspectionOrder {
 
 enum class Side {
   initial,  ///< before the work: the baseline
-  final,    ///< after it
+  final,    ///< after the work
 };
 [[nodiscard]] std::string_view name_of(Side side);
 [[nodiscard]] std::optional<Side> side_from_name(std::string_view name);
 
-/// One round of captures of a side: nothing that was captured is replaced, so that a side that is taken again
-/// is another round of it.
+/// One round of captures of a side. Captures are never replaced: taking a side again adds another round.
 struct BegunSide {
   int round = 1;
-  std::string person;  ///< who takes it
-  std::string base;    ///< where the robot's foot stands
+  std::string person;  ///< name of the operator who takes it
+  std::string base;    ///< identifies the position of the robot's foot (Pose::base)
 };
 
-/// One round of a side, complete: a capture of every view.
+/// A complete round of a side, with the captures of every view.
 struct TakenSide {
-  std::string taken_at;  ///< ISO 8601, when the last view was
-  std::string person;    ///< who took it
-  std::string base;      ///< where the robot's foot stood
+  std::string taken_at;  ///< ISO 8601, time at which the last view was taken
+  std::string person;    ///< name of the operator who took it
+  std::string base;      ///< identifies the position of the robot's foot (Pose::base)
   int round = 1;
 };
 
 /// One comparison of the two sides.
 struct RecordedComparison {
   int number = 0;           ///< from 1 within its inspection
-  std::string compared_at;  ///< ISO 8601, for people: a clock may stand or step back
-  std::string folder;       ///< of its results, within the inspection's
+  std::string compared_at;  ///< ISO 8601, for display only: the clock may stand still or be set back
+  std::string folder;       ///< of its results, relative to the inspection's folder
 };
 
-/// What a person says of a finding who has looked at it.
+/// The verdict of a person who reviewed a finding.
 enum class Verdict { debris_removed, installed_work, false_alarm, second_look };
 [[nodiscard]] std::string_view name_of(Verdict verdict);
 [[nodiscard]] std::optional<Verdict> verdict_from_name(std::string_view name);
@@ -64,70 +64,69 @@ struct Decision {
   std::string decided_at;  ///< ISO 8601
 };
 
-/// A changed place of one view.
+/// A finding of one view, with its decision.
 struct ReviewedFinding {
   int number = 0;  ///< from 1 within its inspection, most suspicious first
-  int view = 0;    ///< by its position in the inspection's views
-  /// Of the same thing, seen from several views: the number of the most suspicious of them, which may be its
-  /// own.
+  int view = 0;    ///< index into Inspection::views
+  /// Number of the most suspicious finding of the same object among all views, which may be this one.
   int same_as = 0;
-  Finding finding;                             ///< in its view
-  std::optional<Eigen::Vector3d> in_foot_m{};  ///< in the frame of the robot's foot, which the map has
-  std::optional<Decision> decision{};          ///< the last one
-  /// The number of the removed finding, in the same view, that an added one has about the size of.
+  Finding finding;                             ///< in the coordinates of its view; without its pixels
+  std::optional<Eigen::Vector3d> in_foot_m{};  ///< position in the frame of the robot's foot, as in the map
+  std::optional<Decision> decision{};          ///< the latest one
+  /// For an added finding: number of the removed finding in the same view that has about the same size.
   std::optional<int> moved_from{};
 };
 
-/// What the comparison of one view said besides its findings.
+/// The result of the comparison of one view, without its findings.
 struct ComparedView {
-  int view = 0;
+  int view = 0;  ///< index into Inspection::views
   std::string method;
   Coverage coverage;
   double judged = 0.0;                ///< share of the depth image where a change could have been found
-  std::vector<std::string> warnings;  ///< for a person
+  std::vector<std::string> warnings;  ///< sentences for the user
 };
 
-/// Views are angles of the robot's joints; where there is no robot there is one view, whose angles mean
-/// nothing.
+/// Views are angles of the robot's joints. Without a robot there is one view, whose angles have no meaning.
 struct Inspection {
   std::int64_t id = 0;  ///< from 1
   InspectionOrder order;
   std::string created_at;  ///< ISO 8601
   std::vector<PanTilt> views;
-  int dither = 1;  ///< captures of each view, a few servo steps apart
-  /// By view: what is left out of the comparison, in pixels of its first initial depth image.
+  int dither = 1;  ///< number of captures of each view, a few servo steps apart
+  /// Regions left out of the comparison, by index of the view, in pixels of its first initial depth image.
   std::map<int, std::vector<Polygon>> ignored;
-  std::optional<TakenSide> initial;  ///< the last round that is complete
-  std::optional<TakenSide> final;
-  std::map<Side, BegunSide> begun;  ///< a later round that is under way
-  std::optional<RecordedComparison>
-      comparison;  ///< that holds; empty before, and when a side was taken since
-  std::vector<std::string> unfinished_comparisons{};  ///< folders of those that were begun, not recorded
-  int comparisons = 0;                                ///< made so far, those that hold no more included
+  std::optional<TakenSide> initial;  ///< the last complete round
+  std::optional<TakenSide> final;    ///< the last complete round
+  std::map<Side, BegunSide> begun;   ///< rounds in progress, later than the complete ones
+  /// The current comparison: empty before the first one, and after a side was taken or regions were changed
+  /// since.
+  std::optional<RecordedComparison> comparison;
+  std::vector<std::string> unfinished_comparisons{};  ///< folders of comparisons begun but not recorded
+  int comparisons = 0;  ///< the highest number so far, outdated and unfinished comparisons included
   std::vector<ComparedView> compared;
   std::vector<ReviewedFinding> findings;
 };
 
-/// Somebody has decided, and not for a second look.
+/// Whether there is a decision other than Verdict::second_look.
 [[nodiscard]] bool is_settled(const ReviewedFinding& finding);
 
-/// The share of all views where a change could have been found, at worst.
-/// @return empty where a view was not compared
+/// The smallest ComparedView::judged of all views.
+/// @return empty if a view was not compared
 [[nodiscard]] std::optional<double> least_judged(const Inspection& inspection);
 
-/// What is to be done next. Nothing is done that was not compared in all its views.
+/// The next step of an inspection. It is never in review or done unless all of its views were compared.
 enum class Stage { baseline, work, review, done };
 [[nodiscard]] std::string_view name_of(Stage stage);
 [[nodiscard]] Stage stage_of(const Inspection& inspection);
 
-/// What a list of inspections shows of one.
+/// An inspection as an entry of the list of inspections.
 struct InspectionSummary {
   std::int64_t id = 0;
   InspectionOrder order;
   std::string created_at;  ///< ISO 8601
   Stage stage = Stage::baseline;
-  std::size_t findings = 0;   ///< of the comparison that holds
-  std::size_t undecided = 0;  ///< of them
+  std::size_t findings = 0;   ///< number of findings of the current comparison
+  std::size_t undecided = 0;  ///< number of those that are not settled (is_settled())
   std::optional<TakenSide> initial;
   std::optional<TakenSide> final;
   std::optional<RecordedComparison> comparison;

@@ -79,7 +79,7 @@ void InspectionFolder::require_no_links(const fs::path& inside) const {
   for (fs::path folder = inside; folder != path_.parent_path().parent_path(); folder = folder.parent_path()) {
     if (fs::is_symlink(fs::symlink_status(folder, ignored)))
       throw Error(printable(folder), "is a link, which would lead captures out of the data folder",
-                  "put a folder in its place, or give another --data folder");
+                  "replace it with a folder, or use another data folder");
   }
 }
 

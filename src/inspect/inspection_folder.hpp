@@ -1,4 +1,4 @@
-// Where an inspection's captures and pictures lie.
+// Paths of an inspection's captures and pictures.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,21 @@
 
 namespace rva {
 
-/// DATA/inspections/000001/{initial,final}/000/ (captures, those of one view after each other), of later
-/// rounds
-/// .../final-2/000/, ...; .../comparison-1/results/000/ (of each view, what `rva detect` writes, and pictures
-/// for the review), .../comparison-1/{map,changes}.ply; .../baseline-check/. Nothing here is replaced by a
-/// later capture or comparison.
+/// The folder of one inspection, DATA/inspections/000001/. It contains:
+///   - initial/000/ and final/000/: captures, those of one view one after another; later rounds are in
+///     final-2/000/ and so on;
+///   - baseline-check/: what check_baseline() writes;
+///   - comparison-1/results/000/: the results of each view (view_result_files());
+///   - comparison-1/map.ply and comparison-1/changes.ply: point clouds of the bay and of the changes.
+/// Later captures and comparisons do not replace earlier ones.
 class InspectionFolder {
  public:
   InspectionFolder(const std::filesystem::path& data, std::int64_t id);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path side(Side side, int round) const;
-  /// Of the last complete round, or of the one that is under way where none is complete.
-  /// @param dither of the view's captures, below inspection.dither
+  /// The folder of one capture in the last complete round, or in the round in progress if none is complete.
+  /// @param dither index of the capture within its view, from 0, below inspection.dither
   [[nodiscard]] std::filesystem::path capture(Side side, const Inspection& inspection, int view,
                                               int dither) const;
 
@@ -32,21 +34,21 @@ class InspectionFolder {
 
   /// The name of a comparison's folder in this one.
   [[nodiscard]] static std::string comparison_name(int number);
-  /// Of a name that is digits alone; empty of others.
+  /// The number that a name consisting of digits stands for; empty for other names.
   [[nodiscard]] static std::optional<std::int64_t> number_in(const std::string& name);
-  /// The greatest id of all inspections' folders; 0 where there is none.
+  /// The greatest id among the folders of all inspections; 0 if there are none.
   [[nodiscard]] static std::int64_t greatest_id(const std::filesystem::path& data);
-  /// Of a comparison's folder.
+  /// The folder of a view's results within a comparison's folder.
   [[nodiscard]] static std::filesystem::path result_in(const std::filesystem::path& comparison, int view);
 
-  // Of the comparison that holds; empty where there is none.
+  // Paths of the current comparison; empty if there is none.
 
   [[nodiscard]] std::filesystem::path result(const Inspection& inspection, int view) const;
   [[nodiscard]] std::filesystem::path map(const Inspection& inspection) const;
   [[nodiscard]] std::filesystem::path changes(const Inspection& inspection) const;
 
-  /// A link would lead what is written here to another place.
-  /// @param inside a folder in this one that is about to be written, or this one
+  /// Refuses symbolic links, which would redirect what is written here to another location.
+  /// @param inside a folder within this one that is about to be written, or this one
   /// @throws Error when it, or a folder between it and the data folder, is a symbolic link
   void require_no_links(const std::filesystem::path& inside) const;
 

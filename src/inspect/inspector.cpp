@@ -27,7 +27,7 @@ constexpr std::size_t most_views = 60;
 std::string title(std::int64_t id) { return fmt::format("inspection {}", id); }
 
 void require_person(const std::string& person) {
-  if (!is_legible_name(person)) throw Error("person", "nobody is named", "say who you are");
+  if (!is_legible_name(person)) throw Error("person", "no name was given", "enter your name");
 }
 
 std::string base_of(std::int64_t id, bool replaced) {
@@ -48,16 +48,17 @@ Inspector::Inspector(const InspectionRig& rig, Records& records, std::filesystem
 std::int64_t Inspector::begin(const InspectionOrder& order) {
   require_person(order.person);
   const std::optional<PanTilt> joints = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints;
-  if (!joints) throw Error("robot", "does not say where it stands", "see that it answers, then begin");
+  if (!joints)
+    throw Error("robot", "has not reported its position", "check that it is connected, then try again");
   const PanTilt view = rig_.drive == nullptr ? *joints : rig_.drive->limits().nearest(*joints);
-  // Folders that a lost record left must not become those of another inspection.
+  // Folders left by an inspection whose record was lost must not be taken over by another inspection.
   return records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither, {view},
                                  InspectionFolder::greatest_id(data_));
 }
 
 Inspection Inspector::inspection(std::int64_t id) const {
   std::optional<Inspection> found = records_.find(id);
-  if (!found) throw Error(title(id), "there is none", "see the list of inspections");
+  if (!found) throw Error(title(id), "does not exist", "see the list of inspections");
   return std::move(*found);
 }
 
@@ -69,7 +70,7 @@ std::vector<PanTilt> Inspector::waypoints_of(const Inspection& inspection) const
   return waypoints;
 }
 
-// What was begun on a robot cannot go on without, nor the other way round.
+// An inspection that was begun with a robot cannot be continued without one, nor the other way round.
 void Inspector::require_same_rig(const Inspection& inspection) const {
   if (inspection.views.empty()) throw Error(title(inspection.id), "has no view", "add one");
   const std::filesystem::path first = folder(inspection.id).capture(Side::initial, inspection, 0, 0);
@@ -80,16 +81,16 @@ void Inspector::require_same_rig(const Inspection& inspection) const {
     const std::optional<Pose> pose = open_capture(first)->info().pose;
     began_with_robot = pose && pose->base == base_of(inspection.id, false);
   } else if (!began_with_robot) {
-    return;  // nothing is there that could differ
+    return;  // nothing has been captured yet, so either is possible
   }
   if (began_with_robot == with_robot) return;
   throw Error(
       title(inspection.id),
-      began_with_robot ? "was begun with a robot" : "was begun with a camera that stands still",
-      began_with_robot ? "start the program with --robot as then" : "start the program without --robot");
+      began_with_robot ? "was begun with a robot" : "was begun with a camera that does not move",
+      began_with_robot ? "restart the program with the same robot" : "restart the program without a robot");
 }
 
-// The work is not done on a baseline that has gone.
+// Reports a baseline that can no longer be opened before time is spent on a capture or a comparison.
 void Inspector::require_baseline(const Inspection& inspection) const {
   const auto dithers = static_cast<int>(waypoints_of(inspection).size() / inspection.views.size());
   for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
@@ -105,7 +106,8 @@ void Inspector::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
 void Inspector::change_views(std::int64_t id, const std::vector<PanTilt>& views) {
   const Inspection before = inspection(id);
   if (before.initial || before.begun.contains(Side::initial))
-    throw Error(title(id), "its baseline has been begun", "begin another inspection for other views");
+    throw Error(title(id), "the baseline capture has already begun",
+                "begin a new inspection for other views");
   if (views.empty() || views.size() > most_views)
     throw Error(title(id), fmt::format("cannot have {} views", views.size()),
                 fmt::format("give 1 to {}", most_views));
@@ -116,7 +118,7 @@ void Inspector::change_views(std::int64_t id, const std::vector<PanTilt>& views)
           views, [&](const PanTilt& view) { return is_angle(view.pan_deg) && is_angle(view.tilt_deg); }))
     throw Error(title(id), "cannot have a view beyond 180 degrees", "give other angles");
   if (rig_.drive == nullptr && views.size() > 1)
-    throw Error(title(id), "the camera stands still and has one view", "start the program with --robot");
+    throw Error(title(id), "the camera does not move and has one view", "restart the program with a robot");
   records_.set_views(id, views);
 }
 
@@ -126,10 +128,11 @@ void Inspector::set_ignored(std::int64_t id, int view, const std::vector<Polygon
 
 void Inspector::change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
   const Inspection before = inspection(id);
-  if (!before.initial) throw Error(title(id), "has no baseline to draw on", "take the baseline first");
+  if (!before.initial) throw Error(title(id), "has no baseline to draw on", "capture the baseline first");
   if (view < 0 || view >= static_cast<int>(before.views.size()))
     throw Error(title(id), fmt::format("has no view {}", view), "give one of its views, from 0");
-  if (is_changing(id)) throw Error(title(id), "is captured or compared just now", "wait until that is done");
+  if (is_changing(id))
+    throw Error(title(id), "is being captured or compared", "wait until that has finished");
   records_.set_ignored(id, view, ignored);
 }
 
@@ -155,11 +158,12 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
                                          bool replaced) {
   const Inspection before = inspection(id);
   if (side == Side::final && !before.initial)
-    throw Error(title(id), "has no baseline to compare with", "take it before the work");
+    throw Error(title(id), "has no baseline to compare with", "capture the baseline before the work");
   if (side == Side::initial && before.initial)
-    throw Error(title(id), "has its baseline", "begin another inspection for another one");
+    throw Error(title(id), "already has a baseline", "begin a new inspection for another one");
   if (side == Side::initial && replaced)
-    throw Error(title(id), "has no baseline that the robot could be put back for", "say so after the work");
+    throw Error(title(id), "has no baseline yet after which the robot could be put back",
+                "state it with the capture after the work");
   require_same_rig(before);
   if (side == Side::final) require_baseline(before);
   const BegunSide round = round_for(before, side, person, base_of(id, replaced));
@@ -222,7 +226,8 @@ void Inspector::compare(std::int64_t id) {
                [this, id]() -> TaskRunner::Work {
                  const Inspection before = inspection(id);
                  if (!before.initial || !before.final)
-                   throw Error(title(id), "is not captured before and after the work", "take both captures");
+                   throw Error(title(id), "was not captured both before and after the work",
+                               "take both captures");
                  require_same_rig(before);
                  require_baseline(before);
                  return [this, id] { compare_now(id); };
@@ -252,7 +257,7 @@ void Inspector::check_now(std::int64_t id) {
   check_baseline(folder(id), inspection(id), tasks_.counted_progress());
 }
 
-// A capture or a comparison of it is under way.
+// Whether a capture or a comparison of this inspection is in progress.
 bool Inspector::is_changing(std::int64_t id) const {
   const TaskState now = task();
   const bool changes = now.kind == TaskKind::capture || now.kind == TaskKind::comparison;
@@ -267,7 +272,7 @@ std::optional<Readiness> Inspector::readiness() const {
 void Inspector::decide(std::int64_t id, int comparison, int finding, const Decision& decision) {
   require_person(decision.person);
   if (is_changing(id))
-    throw Error(title(id), "is captured or compared just now", "wait, and decide on what is found then");
+    throw Error(title(id), "is being captured or compared", "wait, then decide on the new findings");
   records_.decide(id, comparison, finding, decision);
 }
 

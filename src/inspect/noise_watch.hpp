@@ -1,4 +1,4 @@
-// While a capture is being taken: how much depth varies, and what could be found here.
+// Measures, while a capture is being taken, how much depth varies and what could be found.
 #pragma once
 
 #include <cstddef>
@@ -11,29 +11,29 @@
 
 namespace rva {
 
-/// Of the frames so far.
+/// Noise of the frames so far.
 struct NoiseSoFar {
   std::size_t frames = 0;
-  double measured = 0.0;       ///< share of the depth image that is seen
-  double median_std_mm = 0.0;  ///< of a pixel over time; 0 where fewer than two frames
-  /// What this camera would find that comes back exactly and takes as many frames: the least to be hoped for
-  /// of a camera on servos.
+  double measured = 0.0;       ///< share of the depth image that is measured (DepthStatistics::seen())
+  double median_std_mm = 0.0;  ///< median over the pixels of the standard deviation over time; 0 if unknown
+  /// Levels of detection of a camera that returns exactly to this pose and takes as many frames. A camera on
+  /// servos finds less.
   DetectionLevelSummary findable;
-  Image<float> least_mm;  ///< height of the least thing that could be found; NaN where nothing could
+  Image<float> least_mm;  ///< the smallest height that could be found, by pixel; NaN where nothing could
 };
 
-/// Two halves of one capture, every second frame each, are two captures between which nothing happened: what
-/// a comparison of them could have found is what one with a later capture will.
+/// Compares the even frames of a capture with its odd frames, as two captures between which nothing changed.
+/// What that comparison could have found is what a comparison with a later capture will be able to find.
 class NoiseWatch {
  public:
   explicit NoiseWatch(const CaptureInfo& info);
 
-  /// @throws Error when the frame is of another size
+  /// @throws Error when the frame has another size
   void add(const DepthImage& frame);
 
   [[nodiscard]] std::size_t frames() const { return even_.frames() + odd_.frames(); }
 
-  /// Takes as long as a comparison does. There must be two frames at least.
+  /// Takes as long as a comparison. Requires at least two frames.
   [[nodiscard]] NoiseSoFar measure() const;
 
  private:

@@ -43,13 +43,13 @@ Checker make_checker(URestrictionLevel level, int checks) {
   Checker checker(uspoof_open(&status), uspoof_close);
   uspoof_setRestrictionLevel(checker.get(), level);
   uspoof_setChecks(checker.get(), checks, &status);
-  if (U_FAILURE(status)) throw Error("names", "cannot be checked (ICU)", "install ICU's data again");
+  if (U_FAILURE(status)) throw Error("names", "cannot be checked (ICU)", "reinstall ICU's data");
   return checker;
 }
 
 icu::UnicodeString as_written(const std::string& name) { return icu::UnicodeString::fromUTF8(name); }
 
-// "Ann" and "ann" are taken for each other.
+// Names that differ only in case, such as "Ann" and "ann", can be confused.
 icu::UnicodeString folded(const std::string& name) { return as_written(name).foldCase(); }
 
 icu::UnicodeString skeleton_of(const icu::UnicodeString& text) {
@@ -60,8 +60,8 @@ icu::UnicodeString skeleton_of(const icu::UnicodeString& text) {
   return U_FAILURE(status) ? text : skeleton;
 }
 
-// Letters, their accents, digits, and what joins the parts of a name. Wide, raised or circled letters are
-// others in disguise (compatibility characters); an overlay hides what is below it.
+// Whether a character may occur in the name of an account: letters, their accents, digits, and what joins the
+// parts of a name. A combining overlay is not allowed, since it hides the character below it.
 bool is_of_names(UChar32 character) {
   constexpr UChar32 first_overlay = 0x0334;
   constexpr UChar32 last_overlay = 0x0338;
@@ -73,6 +73,7 @@ bool is_of_names(UChar32 character) {
              std::u32string_view::npos;
 }
 
+// Full-width, superscript or circled letters (compatibility characters) imitate others.
 bool has_disguised_letters(const icu::UnicodeString& text) {
   UErrorCode status = U_ZERO_ERROR;
   const icu::UnicodeString plain = icu::Normalizer2::getNFKCInstance(status)->normalize(text, status);

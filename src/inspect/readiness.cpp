@@ -18,7 +18,7 @@
 namespace rva {
 namespace {
 
-/// The frames of the check, in two halves.
+/// Statistics of the frames of the check, in two halves.
 struct Watched {
   CaptureInfo info;
   DepthStatistics first;
@@ -54,7 +54,7 @@ Watched watch(LiveCamera& live, int frames, const Progress& progress) {
 ReadinessItem camera_item(const Watched& watched, const ReadinessOptions& options) {
   const double rate_hz = options.frames / std::max(1e-3, watched.duration_s);
   const Intrinsics& depth = watched.info.depth;
-  const std::string seen = fmt::format("{}, {} x {} pixels, {:.1f} frames a second",
+  const std::string seen = fmt::format("{}, {} x {} pixels, {:.1f} frames per second",
                                        watched.info.camera.value_or(CameraInfo{"Camera", "", {}}).model,
                                        depth.width, depth.height, rate_hz);
   if (rate_hz >= options.least_rate_hz) return {"Camera", true, seen + "."};
@@ -64,8 +64,9 @@ ReadinessItem camera_item(const Watched& watched, const ReadinessOptions& option
 ReadinessItem depth_item(const Watched& watched, const ReadinessOptions& options) {
   const std::string seen = fmt::format("{:.0f} % of the view is measured", 100.0 * watched.measured);
   if (watched.measured >= options.least_measured) return {"Depth", true, seen + "."};
-  return {"Depth", false,
-          seen + ": too little. Is the lens clean, the projector on, and nothing nearer than 0.2 m?"};
+  return {
+      "Depth", false,
+      seen + ": too little. Check that the lens is clean, the projector on, and nothing nearer than 0.2 m."};
 }
 
 ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& options) {
@@ -77,24 +78,24 @@ ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& optio
   const int v = watched.info.depth.height / 2;
   const double drift_px = drift.px()(u, v);
   const double deviation_px = std::sqrt(drift.variance_px2()(u, v));
-  // Depth changes by its square times the change of disparity, over focal length times baseline.
+  // Depth changes by its square times the change of disparity, divided by focal length times baseline.
   const double at_one_metre_mm = 1000.0 * std::abs(drift_px) / product;
   const std::string seen = fmt::format("depth at one metre moved by {:.2f} mm in {:.0f} seconds",
                                        at_one_metre_mm, watched.duration_s);
   constexpr double sure = 3.0;
   if (std::abs(drift_px) <= std::max(options.most_drift_px, sure * deviation_px))
-    return {"Warm-up", true, fmt::format("The camera is steady: {}.", seen)};
+    return {"Warm-up", true, fmt::format("The camera is stable: {}.", seen)};
   return {"Warm-up", false,
           fmt::format("The camera is still warming up, or was touched: {}. Wait a few minutes.", seen)};
 }
 
 ReadinessItem robot_item(const Drive* drive) {
-  if (drive == nullptr) return {"Robot", true, "There is none: the camera stands still, in one view."};
+  if (drive == nullptr) return {"Robot", true, "No robot: the camera does not move and has one view."};
   const DriveState state = drive->state();
   if (!state.problem.empty()) return {"Robot", false, state.problem};
-  if (!state.joints) return {"Robot", false, "It has not said yet where it is. Wait a moment."};
+  if (!state.joints) return {"Robot", false, "Its position is not known yet. Wait a moment."};
   return {"Robot", true,
-          fmt::format("It answers: pan {:.1f}, tilt {:.1f} degrees.", state.joints->pan_deg,
+          fmt::format("Connected: pan {:.1f}, tilt {:.1f} degrees.", state.joints->pan_deg,
                       state.joints->tilt_deg)};
 }
 
@@ -102,11 +103,11 @@ ReadinessItem disk_item(const std::filesystem::path& folder, const ReadinessOpti
   std::error_code failure;
   const std::filesystem::space_info space = std::filesystem::space(folder, failure);
   if (failure)
-    return {"Disk", false, fmt::format("It does not say how much is free: {}.", failure.message())};
+    return {"Disk", false, fmt::format("The free space cannot be determined: {}.", failure.message())};
   const double free_gb = static_cast<double>(space.available) / 1e9;
-  const std::string seen = fmt::format("{:.1f} GB are free", free_gb);
+  const std::string seen = fmt::format("{:.1f} GB free", free_gb);
   if (free_gb >= options.least_free_gb) return {"Disk", true, seen + "."};
-  return {"Disk", false, fmt::format("{}: free {:.1f} GB at least.", seen, options.least_free_gb)};
+  return {"Disk", false, fmt::format("{}: at least {:.1f} GB are needed.", seen, options.least_free_gb)};
 }
 
 }  // namespace

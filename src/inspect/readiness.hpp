@@ -37,7 +37,7 @@ struct ReadinessOptions {
 struct ReadinessItem {
   std::string name;  ///< "Camera", "Depth", "Warm-up", "Robot", "Disk"
   bool ready = false;
-  std::string says;  ///< a sentence: what was measured, and what to do when it is not enough
+  std::string says;  ///< sentences for the user: what was measured and, if it is not enough, what to do
 };
 
 struct Readiness {
@@ -46,9 +46,9 @@ struct Readiness {
   [[nodiscard]] bool ready() const;
 };
 
-/// Looks at the camera for as many frames, at the robot and at the disk. What fails is an item that is not
-/// ready, not an exception.
-/// @param drive null where there is no robot
+/// Checks the camera over `options.frames` frames, the robot, and the disk of `folder`. A failure is an item
+/// that is not ready, not an exception.
+/// @param drive null if there is no robot
 /// @throws Interrupted when `progress` does
 [[nodiscard]] Readiness check_readiness(LiveCamera& camera, const Drive* drive,
                                         const std::filesystem::path& folder, const ReadinessOptions& options,

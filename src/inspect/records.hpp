@@ -1,4 +1,4 @@
-// What outlives the program: inspections, decisions, accounts.
+// Persistent records: inspections, decisions, accounts.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace rva {
 
-/// What somebody may do; each may do what those before it may.
+/// Roles of people. Each may also do everything that the roles before it may.
 enum class PersonRole {
-  viewer,     ///< look, and stop the robot
-  operator_,  ///< drive, take captures
+  viewer,     ///< view, measure, stop the robot
+  operator_,  ///< drive, begin inspections, take captures, leave out regions
   inspector,  ///< decide on findings
 };
 [[nodiscard]] std::string_view name_of(PersonRole role);
@@ -23,14 +23,14 @@ enum class PersonRole {
 struct Account {
   std::string name;
   PersonRole role = PersonRole::viewer;
-  std::string password_hash;  ///< as server/password.hpp makes it
-  /// Another one whenever the account is added or changed: a sign-in belongs to it, not to the name. Made by
-  /// the records, not by the caller.
+  std::string password_hash;  ///< made by hash_password() (server/password.hpp)
+  /// Changes whenever the account is added or changed: a sign-in belongs to the generation, not to the name.
+  /// Set by the records, not by the caller.
   std::string generation{};
 };
 
-/// Every change is complete and on the disk when the call returns, or has not happened. Every member may be
-/// called from any thread, and throws an Error when the disk or the database refuses.
+/// Every change is either complete and on the disk when the call returns, or has not happened. Every member
+/// may be called from any thread, and throws Error when the disk or the database fails.
 class Records {
  public:
   Records() = default;
@@ -38,47 +38,46 @@ class Records {
   Records(const Records&) = delete;
   Records& operator=(const Records&) = delete;
 
-  /// @return its id
-  /// @param dither captures of each view
-  /// @param above  its id is larger
+  /// @return the id of the new inspection
+  /// @param dither number of captures of each view
+  /// @param above  the new id is greater than this
   [[nodiscard]] virtual std::int64_t add_inspection(const InspectionOrder& order,
                                                     const std::string& created_at, int dither,
                                                     const std::vector<PanTilt>& views,
                                                     std::int64_t above) = 0;
-  /// Newest first.
+  /// Ids of all inspections, newest first.
   [[nodiscard]] virtual std::vector<std::int64_t> inspections() const = 0;
-  /// Of all, newest first: much quicker than find() of each.
+  /// Summaries of all inspections, newest first; much faster than find() for each.
   [[nodiscard]] virtual std::vector<InspectionSummary> summaries() const = 0;
-  /// Empty where there is none of this id.
+  /// Empty if there is no inspection with this id.
   [[nodiscard]] virtual std::optional<Inspection> find(std::int64_t id) const = 0;
 
-  // Of an inspection that is there; an Error otherwise.
+  // The following throw Error if the inspection does not exist.
 
   virtual void set_views(std::int64_t id, const std::vector<PanTilt>& views) = 0;
-  /// A round of a side is under way from now on, until set_side() says that it is complete.
+  /// Records that a round of a side is in progress; set_side() completes it.
   virtual void begin_side(std::int64_t id, Side side, const BegunSide& begun) = 0;
-  /// What was compared with an earlier capture holds no more.
+  /// Completes a round of a side. The current comparison becomes outdated.
   virtual void set_side(std::int64_t id, Side side, const TakenSide& taken) = 0;
-  /// Takes the place of the polygons that were left out of this view before. What was compared without these
-  /// holds no more.
+  /// Replaces the polygons that are left out of this view. The current comparison becomes outdated.
   virtual void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) = 0;
-  /// A comparison is about to write into its folder.
+  /// Records that a comparison is about to write into its folder.
   /// @param comparison with a number that no earlier one has
   virtual void begin_comparison(std::int64_t id, const RecordedComparison& comparison) = 0;
-  /// Takes the place of an earlier comparison, which stays in the record with its findings and decisions.
+  /// Makes a comparison the current one. Earlier ones stay in the record with their findings and decisions.
   /// @param comparison with a number that no earlier one has
   virtual void set_comparison(std::int64_t id, const RecordedComparison& comparison,
                               const std::vector<ComparedView>& views,
                               const std::vector<ReviewedFinding>& findings) = 0;
-  /// Earlier decisions are kept; the last one holds.
+  /// Records a decision on a finding. Earlier decisions are kept; the latest one applies.
   /// @param comparison number of the comparison that found it
-  /// @throws Error when there is no such finding, or it was compared anew since
+  /// @throws Error when there is no such finding, or that comparison is not the current one
   virtual void decide(std::int64_t id, int comparison, int finding, const Decision& decision) = 0;
 
-  /// Adds an account or takes the place of the one of that name.
+  /// Adds an account, or replaces the one with the same name.
   virtual void set_account(const Account& account) = 0;
   [[nodiscard]] virtual std::vector<Account> accounts() const = 0;
-  /// @return whether there was one
+  /// @return whether the account existed
   virtual bool remove_account(const std::string& name) = 0;
 };
 

@@ -48,7 +48,7 @@ bool is_three_digits(const std::string& name) {
   return name.size() == 3 && name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// Repairs one inspection's folder. What it does not know, it leaves alone.
+/// Repairs one inspection's folder. Unknown files are left alone.
 class Repair {
  public:
   Repair(fs::path folder, const Inspection& inspection, std::vector<std::string>& done)
@@ -63,8 +63,8 @@ class Repair {
   }
 
  private:
-  // A former version moved a final side to SIDE.replaced while it was taken anew: the new views become a
-  // round of their own.
+  // An earlier version of the program moved a side to SIDE.replaced while it was taken again. The moved side
+  // is restored, and the views taken since become a round of their own.
   void restore_replaced(const std::string& side) {
     const fs::path place = folder_ / side;
     const fs::path aside = folder_ / (side + ".replaced");
@@ -76,11 +76,11 @@ class Repair {
       fs::rename(place, folder_ / fmt::format("{}-{}", side, round), failure);
     }
     if (!failure) fs::rename(aside, place, failure);
-    tell(place, failure ? "cannot be restored: look at the folder's rights"
-                        : "restored: it was being taken anew when the program was stopped");
+    tell(place, failure ? "cannot be restored: check the folder's permissions"
+                        : "restored: it was being captured again when the program was stopped");
   }
 
-  // Begun, perhaps complete, but never recorded: nobody was shown them.
+  // Such a comparison may be complete, but it was never recorded, so nobody has seen it.
   void remove_unfinished_comparisons() {
     for (const std::string& name : inspection_.unfinished_comparisons) {
       if (holds_only(folder_ / name, comparison_files())) remove(folder_ / name);
@@ -95,7 +95,7 @@ class Repair {
     }
   }
 
-  // Of captures, and of the results of a former version.
+  // Removes unfinished captures, and unfinished results of an earlier version of the program.
   void remove_unfinished_views(const fs::path& side) {
     const std::vector<std::string> files =
         side.filename() == "results" ? view_result_files() : capture_files();
@@ -118,14 +118,14 @@ class Repair {
       if (!name.starts_with(prefix) || is_name_of_remains(path)) continue;
       const std::optional<std::int64_t> number = InspectionFolder::number_in(name.substr(prefix.size()));
       if (number && *number > inspection_.comparisons)
-        tell(path, "is of a comparison that the records do not have; it stays");
+        tell(path, "belongs to a comparison that is not in the records; it is kept");
     }
   }
 
   void remove(const fs::path& path) {
     std::error_code failure;
     fs::remove_all(path, failure);
-    tell(path, failure ? "is incomplete, and cannot be removed: look at the folder's rights"
+    tell(path, failure ? "is incomplete and cannot be removed: check the folder's permissions"
                        : "removed: it was not complete when the program was stopped");
   }
 
@@ -148,8 +148,8 @@ std::vector<std::string> recover_data(const fs::path& data, const Records& recor
     if (const std::optional<Inspection> inspection = records.find(*id))
       Repair(folder, *inspection, done).run();
     else
-      done.push_back(
-          fmt::format("{}: is of an inspection that the records do not have; it stays", printable(folder)));
+      done.push_back(fmt::format("{}: belongs to an inspection that is not in the records; it is kept",
+                                 printable(folder)));
   }
   return done;
 }

@@ -1,4 +1,4 @@
-// A data folder after whatever stopped the program.
+// Repairs a data folder after the program was stopped at an arbitrary moment.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace rva {
 
-/// Removes captures and results that were not complete when the program was killed, and comparisons that were
-/// begun and never recorded; restores earlier captures that a former version of the program had moved aside.
-/// What is complete, recorded or of somebody else stays; what the records do not have is named. To be called
-/// before anything else uses the folder.
-/// @param data the folder, which no other program uses
-/// @return what was done, a sentence for each path, for a person
+/// Removes captures and results that were incomplete when the program was killed, and comparisons that were
+/// begun but never recorded; restores captures that an earlier version of the program had moved aside. Files
+/// that are complete, recorded or not written by this program stay. What is missing from the records is
+/// reported. Call this before anything else uses the folder.
+/// @param data the folder; no other program may be using it
+/// @return what was done or noticed, one sentence for the user for each path
 /// @throws Error when the records cannot be read
 std::vector<std::string> recover_data(const std::filesystem::path& data, const Records& records);
 

@@ -21,7 +21,7 @@ float median_m(const Image<float>& depth_m) {
   return measured.empty() ? 1.0F : quantile(measured, 0.5);
 }
 
-/// Where each pixel of a view lies in an image, as OpenCV's remap() takes it.
+/// The coordinates in an image of each pixel of a view, in the form that OpenCV's remap() takes.
 struct PixelMap {
   Image<float> u;
   Image<float> v;
@@ -55,7 +55,8 @@ Image<Pixel> sample(const Image<Pixel>& image, const PixelMap& map, int interpol
   return seen;
 }
 
-// A colour imager sees less than the depth imager: beyond it, grey, the darker the farther.
+// The colour imager's view is smaller than the depth imager's. Pixels beyond it become grey, the farther the
+// darker.
 void shade_beyond(ColorImage& seen, const Image<float>& depth_m) {
   const float usual_m = median_m(depth_m);
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -65,7 +66,8 @@ void shade_beyond(ColorImage& seen, const Image<float>& depth_m) {
   }
 }
 
-// The last one, when the light had settled. Empty where it cannot be read: depth is compared all the same.
+// The last colour image, taken when the light had settled. Empty if it cannot be read: depth is compared all
+// the same.
 ColorImage last_color(const Capture& capture) {
   if (capture.color_frames() == 0) return {};
   try {
@@ -124,7 +126,8 @@ Rgb color_of(ChangeKind kind, std::uint8_t level) {
   return {part(2), level, part(3)};
 }
 
-// Brighter the higher the change, to be added to a picture. Where depth was lost there is no height.
+// The changes as a picture that is added to another one: the greater the height, the brighter. A finding
+// where depth was lost has no height and is drawn at full brightness.
 ColorImage draw_changed(const Detection& detection) {
   constexpr double strong_mm = 20.0;
   constexpr double least = 0.45;
@@ -138,7 +141,7 @@ ColorImage draw_changed(const Detection& detection) {
   return picture;
 }
 
-// Stripes, so that it is not told by colour alone.
+// Striped, so that the marking does not depend on colour alone.
 ColorImage draw_not_inspected(const Detection& detection) {
   constexpr int period_px = 10;
   constexpr Rgb bright{230, 60, 200};

@@ -1,4 +1,4 @@
-// Pictures for a person who decides: before and after in one view, pixel upon pixel.
+// Pictures for the review of findings: before and after the work in one view, aligned pixel by pixel.
 #pragma once
 
 #include "depth/capture.hpp"
@@ -8,34 +8,35 @@
 
 namespace rva {
 
-/// All have the size of the final depth image and show what its imager sees, so that a place has the same
-/// pixel in each.
+/// All pictures have the size and the view of the final depth image, so that a point has the same pixel in
+/// each. Pictures in colour are grey beyond the colour imager's view, and empty if the capture has no colour.
+/// Pictures of depth are colourised on one common scale, and black where depth was not measured.
 struct ReviewPictures {
-  ColorImage
-      initial_color;  ///< grey beyond the colour imager's view; empty where the captures have no colour
+  ColorImage initial_color;
   ColorImage final_color;
-  ColorImage initial_depth;  ///< colourised, of one scale; black where not measured
+  ColorImage initial_depth;
   ColorImage final_depth;
-  ColorImage changed;        ///< black where nothing changed; the stronger the change, the brighter
-  ColorImage not_inspected;  ///< black where a change could have been found; else striped
+  ColorImage changed;        ///< black where nothing changed; the greater the change, the brighter
+  ColorImage not_inspected;  ///< black where a change could have been found, striped elsewhere
 };
 
-/// Of a view and its comparison.
-/// @param initial, final the captures that were compared
+/// Draws the pictures of a view from its comparison.
+/// @param initial, final the first captures of the two sides that were compared
 [[nodiscard]] ReviewPictures draw_review(const Capture& initial, const Capture& final,
                                          const Detection& detection);
 
-/// A capture by itself, of the size of its depth image, to draw regions on.
+/// The last depth image of a capture, colourised, as the background on which regions are drawn.
 [[nodiscard]] ColorImage draw_depth(const Capture& capture);
-/// The same in colour, grey beyond the colour imager's view. Empty where the capture has no colour.
+/// The last colour image of a capture in the view of its depth image, grey beyond the colour imager's view.
+/// Empty if the capture has no colour.
 [[nodiscard]] ColorImage draw_color(const Capture& capture);
 
-/// What an image shows at the places that another camera sees.
-/// @param image            of `camera`
-/// @param camera_from_view where the image's imager stood
+/// Maps an image into the view of another camera.
+/// @param image            taken by `camera`
+/// @param camera_from_view transforms points from the other camera's frame to that of `camera`
 /// @param view             the other camera
-/// @param view_depth_m     of its pixels, metres; where 0, the place is taken to be as far as the median
-/// @return of the view's size; black where the image does not reach
+/// @param view_depth_m     depth of its pixels, metres; the median depth is used where it is 0
+/// @return an image of the view's size; black outside of `image`
 [[nodiscard]] ColorImage seen_from(const ColorImage& image, const Intrinsics& camera,
                                    const Transform& camera_from_view, const Intrinsics& view,
                                    const Image<float>& view_depth_m);

@@ -1,4 +1,4 @@
-// What the program is doing for an inspection, for all who watch.
+// The state of the current task, which all consoles show.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace rva {
 enum class TaskKind {
   readiness,
   capture,
-  check,  ///< of a baseline that is complete
+  check,  ///< comparison of a complete baseline with itself (check_baseline())
   comparison,
 };
 [[nodiscard]] std::string_view name_of(TaskKind kind);
@@ -23,23 +23,23 @@ enum class TaskKind {
 enum class TaskEnd {
   running,
   done,
-  cancelled,  ///< by a person; what was complete is kept
+  cancelled,  ///< by the user, by the next task or by a signal; what was complete is kept
   failed,     ///< see `problem`
 };
 [[nodiscard]] std::string_view name_of(TaskEnd end);
 
 struct TaskState {
-  std::uint64_t number = 0;  ///< of the tasks since the program began; 0: there was none
+  std::uint64_t number = 0;  ///< from 1, in the order of the tasks since the program started; 0: none yet
   TaskKind kind = TaskKind::readiness;
   TaskEnd end = TaskEnd::done;
-  std::int64_t inspection = 0;  ///< 0 of a task that is about none
-  Side side = Side::initial;    ///< of a capture
-  CaptureProgress progress{};   ///< of a capture
-  std::size_t done = 0;         ///< of `total`; of other tasks
+  std::int64_t inspection = 0;  ///< 0 if the task does not belong to an inspection
+  Side side = Side::initial;    ///< for captures only
+  CaptureProgress progress{};   ///< for captures only
+  std::size_t done = 0;         ///< steps of `total`, for tasks other than captures
   std::size_t total = 0;
-  std::string waiting{};                      ///< for a device that is away: why
-  std::string problem{};                      ///< why it failed
-  std::shared_ptr<const NoiseSoFar> noise{};  ///< of the view under way, or of the last one; null before
+  std::string waiting{};                      ///< why the task waits for a device; empty if it does not
+  std::string problem{};                      ///< why the task failed
+  std::shared_ptr<const NoiseSoFar> noise{};  ///< of the current view, or of the last one; null before that
 };
 
 }  // namespace rva

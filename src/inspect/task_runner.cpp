@@ -41,15 +41,15 @@ void TaskRunner::start(TaskState task, std::uint64_t ends_asked_for, const std::
   thread_ = std::thread([this, work = std::move(work)] { run(work); });
 }
 
-// Under the lock.
+// Call with mutex_ locked.
 void TaskRunner::require_free(std::uint64_t ends_asked_for) const {
   if (task_.end == TaskEnd::running)
-    throw Error(std::string(name_of(task_.kind)), "is under way", "wait for its end, or cancel it");
+    throw Error(std::string(name_of(task_.kind)), "is in progress", "wait for its end, or cancel it");
   if (ends_asked_for_ != ends_asked_for)
-    throw Error("start", "somebody has stopped or cancelled since it was asked for", "ask for it again");
+    throw Error("start", "was stopped or cancelled before it began", "try again");
 }
 
-// Whoever asks for more does not wait for a check to end.
+// A new task does not wait for a check to finish: the check is ended.
 void TaskRunner::end_check() {
   const TaskState now = task();
   const bool is_check = now.kind == TaskKind::readiness || now.kind == TaskKind::check;
@@ -103,7 +103,7 @@ void TaskRunner::throw_if_ended() const {
   throw_if_interrupted();
 }
 
-// What a person ended ends at the next piece of work, as by Ctrl-C.
+// A cancelled task ends when it next reports progress, as after Ctrl-C.
 Progress TaskRunner::counted_progress() {
   return [this](std::string_view /*step*/, std::size_t done, std::size_t total) {
     throw_if_ended();

@@ -1,4 +1,4 @@
-// Long work, one task at a time, on a thread of its own.
+// Runs long tasks, one at a time, on a thread of their own.
 #pragma once
 
 #include <atomic>
@@ -13,44 +13,44 @@
 
 namespace rva {
 
-/// Every member may be called from any thread. A check of readiness or of a baseline ends when another
+/// Every member may be called from any thread. A check of readiness or of a baseline is ended when another
 /// task is to start.
 class TaskRunner {
  public:
   using Work = std::function<void()>;
 
   TaskRunner() = default;
-  ~TaskRunner();  ///< ends a task under way, as cancel() does
+  ~TaskRunner();  ///< cancels the running task, if any, and waits for its end
   TaskRunner(const TaskRunner&) = delete;
   TaskRunner& operator=(const TaskRunner&) = delete;
 
-  /// How often somebody has cancelled or stopped so far. A start that was asked for before the last time does
-  /// not happen: ask for it at the beginning of a request.
+  /// Number of calls of cancel() and stop_capture() so far. Read it at the beginning of a request and pass it
+  /// to start(), which refuses requests that are older than the last of those calls.
   [[nodiscard]] std::uint64_t ends_asked_for() const;
 
-  /// @param prepare looks at what is to be worked on, and gives the work; nothing else starts meanwhile, and
-  ///                what runs `between_starts()` waits
-  /// @throws Error when another task is under way, or somebody cancelled since `ends_asked_for`; what
-  /// `prepare`
-  ///         throws
+  /// @param prepare checks whether the task is possible and returns its work; meanwhile no other task starts,
+  ///                and between_starts() waits
+  /// @throws Error when another task is running, or when cancel() or stop_capture() was called after
+  ///         `ends_asked_for` was read; what `prepare` throws
   void start(TaskState task, std::uint64_t ends_asked_for, const std::function<Work()>& prepare);
 
-  /// Changes what tasks read, while none is about to start.
+  /// Calls `change`, which modifies what tasks read, while no task is being started.
   template <typename Change>
   auto between_starts(const Change& change) {
     const std::lock_guard starting(starting_);
     return change();
   }
 
-  /// Ends the task under way, if any: soon after.
+  /// Asks the running task, if any, to end, and returns at once.
   void cancel();
-  /// The same where it is a capture.
+  /// Like cancel(), but lets a task other than a capture continue.
   void stop_capture();
 
   [[nodiscard]] TaskState task() const;
   void update(const std::function<void(TaskState&)>& change);
 
-  // For work: each throws Interrupted when it is to end.
+  // For use by the work. throw_if_ended() and both progress callbacks throw Interrupted once the task is to
+  // end.
 
   void throw_if_ended() const;
   [[nodiscard]] Progress counted_progress();

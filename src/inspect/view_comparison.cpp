@@ -22,7 +22,7 @@
 namespace rva {
 namespace {
 
-/// A view's captures, and what changed between them, in the view of the first final one.
+/// A view's captures, and the changes between them in the view of the first final capture.
 struct ViewResult {
   Captures initial;
   Captures final;
@@ -47,7 +47,7 @@ void write_picture(const std::filesystem::path& file, const ColorImage& picture)
   if (!picture.empty()) write_file(file, encode_png(picture));
 }
 
-// @return the picture of changes
+// @return the picture ReviewPictures::changed
 ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
   const Detection& detection = result.detection;
   std::error_code ignored;  // write_file() reports the error
@@ -100,7 +100,7 @@ bool is_same_thing(const ReviewedFinding& a, const ReviewedFinding& b, double re
          (*a.in_foot_m - *b.in_foot_m).norm() < reach_m;
 }
 
-// By their numbers in the inspection rather than their ids in one view.
+// Converts Finding::moved_from, an id within one view, to the number within the inspection.
 void name_moved_things(std::vector<ReviewedFinding>& findings) {
   for (ReviewedFinding& finding : findings) {
     if (!finding.finding.moved_from) continue;
@@ -159,7 +159,7 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
   std::vector<MapPoint> points;
   for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
     throw_if_interrupted();
-    // Told again at each step of a view, so that whoever waits can end it there.
+    // Reported again at each step of a view, so that the user can cancel the comparison there.
     const Progress views = [&](std::string_view /*step*/, std::size_t /*done*/, std::size_t /*total*/) {
       if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
     };

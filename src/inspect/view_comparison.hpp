@@ -1,4 +1,4 @@
-// Before against after: one view, and all of an inspection.
+// Compares the initial with the final side, for all views of an inspection.
 #pragma once
 
 #include <filesystem>
@@ -21,21 +21,23 @@ struct Compared {
 [[nodiscard]] Captures open_captures(const InspectionFolder& folder, const Inspection& inspection, Side side,
                                      int view);
 
-/// Compares each view's captures, and writes the results of all views with the map of the bay into a folder
-/// of their own (InspectionFolder), whole or not at all.
-/// @param number of the comparison, which no earlier one has
-/// @param moved a robot carried the camera
-/// @param chain where a camera is taken to be that does not say it
+/// Compares the captures of each view, and writes the results of all views, with the map of the bay, into a
+/// folder of their own (InspectionFolder), either completely or not at all.
+/// @param number of the comparison; no earlier one may have it
+/// @param moved whether a robot carried the camera
+/// @param chain the robot's geometry, from which the poses of captures that state none are taken
 /// @throws Error when a capture is missing or cannot be compared; Interrupted
 [[nodiscard]] Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number,
                                      bool moved, const PanTiltChain& chain, const Progress& progress);
 
-/// What the folder of a comparison may hold, and that of one view's results, for an OutputFolder.
+/// The files that the folder of a comparison, and that of one view's results, may contain, in the form that
+/// OutputFolder takes.
 [[nodiscard]] std::vector<std::string> comparison_files();
 [[nodiscard]] std::vector<std::string> view_result_files();
 
-/// Says of findings of several views which are the same thing: of one kind, and nearer to each other in the
-/// foot's frame than `reach_m`. Numbers and orders all of them.
+/// Orders and numbers the findings of several views, most suspicious first, and sets `same_as` of those that
+/// show the same object: findings of the same kind in different views, less than `reach_m` metres apart in
+/// the frame of the robot's foot.
 [[nodiscard]] std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m = 0.03);
 
 }  // namespace rva

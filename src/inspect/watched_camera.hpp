@@ -1,4 +1,4 @@
-// A camera whose frames somebody else sees go by.
+// A camera whose frames are also passed to an observer.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,9 @@
 
 namespace rva {
 
-/// Passes on what another camera gives, and shows each frame under the projector to `see`, which may throw to
-/// end the work. Says of its captures when they were taken. Refers to the other camera.
+/// Forwards the frames of another camera, and passes each frame taken under the projector to `see`, which may
+/// throw to end the work. Adds the current time to info() as the time of the capture. The other camera must
+/// outlive this object.
 class WatchedCamera : public Camera {
  public:
   WatchedCamera(Camera& camera, std::function<void(const CameraFrame&)> see);

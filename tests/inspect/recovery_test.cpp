@@ -77,7 +77,7 @@ TEST_F(Recovery, RemovesAComparisonThatWasBegunAndNotRecorded) {
 // The records were restored from a copy that is older than the folder.
 TEST_F(Recovery, NamesAComparisonThatTheRecordsDoNotHaveAndLeavesIt) {
   const fs::path shown = put("comparison-2/map.ply");
-  EXPECT_THAT(recover(), ElementsAre(HasSubstr("it stays")));
+  EXPECT_THAT(recover(), ElementsAre(HasSubstr("it is kept")));
   EXPECT_TRUE(fs::exists(shown));
 }
 
