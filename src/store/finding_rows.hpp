@@ -14,7 +14,8 @@ namespace rva {
 void insert_finding(SQLite::Database& database, std::int64_t inspection, int comparison,
                     const ReviewedFinding& finding);
 
-/// Of one comparison, each with its last decision. Their pixels are not kept here.
+/// The findings of one comparison in the order of their numbers, each with its latest decision. Their pixels
+/// are not stored.
 [[nodiscard]] std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_t inspection,
                                                        int comparison);
 

@@ -127,7 +127,7 @@ void require_inspection(SQLite::Database& database, std::int64_t id) {
   SQLite::Statement query(database, "select 1 from inspection where id = ?");
   query.bind(1, id);
   if (!query.executeStep())
-    throw Error(fmt::format("inspection {}", id), "there is none", "see the list of inspections");
+    throw Error(fmt::format("inspection {}", id), "does not exist", "see the list of inspections");
 }
 
 void replace_views(SQLite::Database& database, std::int64_t id, const std::vector<PanTilt>& views) {
@@ -183,7 +183,7 @@ void insert_side(SQLite::Database& database, std::int64_t id, Side side, const B
   insert.exec();
 }
 
-// One that was begun has no time yet.
+// A comparison that was begun but not completed has an empty time.
 void insert_comparison(SQLite::Database& database, std::int64_t id, const RecordedComparison& comparison) {
   SQLite::Statement remove(database,
                            "delete from comparison where inspection = ? and number = ? and compared_at = ''");

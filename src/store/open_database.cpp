@@ -12,7 +12,7 @@
 namespace rva {
 namespace {
 
-// Not the first four bytes of the file's header alone: another program's database is refused.
+// Stored in the file as SQLite's application_id, so that the database of another program is refused.
 constexpr int our_application = 0x52564131;  // "RVA1"
 constexpr int busy_limit_ms = 5000;
 
@@ -35,20 +35,20 @@ SQLite::Database open_database(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, ignored)))
     throw Error(place, "is a link, which would lead records out of the data folder",
-                "put the file in its place, or give another --data folder");
+                "replace it with the file, or use another data folder");
   try {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_limit_ms);
     const int application = database.execAndGet("pragma application_id");
     const int version = database.execAndGet("pragma user_version");
     const int tables = database.execAndGet("select count(*) from sqlite_master");
     if (application != our_application && (application != 0 || tables > 0))
-      throw Error(place, "is a database of another program", "give another --data folder");
+      throw Error(place, "is a database of another program", "use another data folder");
     if (version > schema_version)
-      throw Error(place, "was written by a newer version of this program", "use that one");
+      throw Error(place, "was written by a newer version of this program", "use that version");
     database.exec("pragma journal_mode = wal");
     database.exec("pragma synchronous = full");
     bring_up_to_date(database, version);
-    database.exec("pragma foreign_keys = on");  // not before: tables take the place of others
+    database.exec("pragma foreign_keys = on");  // only now: migrations replace tables
     return database;
   } catch (const SQLite::Exception& failure) {
     throw database_error(place, failure);
@@ -65,15 +65,16 @@ Error database_error(const std::string& place, const SQLite::Exception& failure)
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:
-      return {place, "cannot be opened or written", "look at the folder, and at the file's rights"};
+      return {place, "cannot be opened or written", "check the folder and the file's permissions"};
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return {place, "is damaged, or no database", "restore it from a copy"};
+      return {place, "is damaged or not a database", "restore it from a backup"};
     case SQLITE_IOERR:
-      return {place, "cannot be read or written: the disk fails", "look at the disk"};
+      return {place, "cannot be read or written: the disk failed", "check the disk"};
     default:
-      return {place, fmt::format("refuses the change (database error {})", failure.getExtendedErrorCode()),
-              "try again, and report this number if it comes again"};
+      return {place,
+              fmt::format("cannot be read or changed (database error {})", failure.getExtendedErrorCode()),
+              "try again, and report this number if it happens again"};
   }
 }
 

@@ -1,4 +1,4 @@
-// The file of SqliteRecords.
+// Opens the database file of SqliteRecords.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -11,11 +11,14 @@
 
 namespace rva {
 
-/// Opens or makes a file with the tables of schema.hpp; files of earlier versions are brought up to date.
-/// @throws Error when it cannot be opened or made, is no database of ours, or is of a newer version
+/// Opens or creates a file with the tables of schema.hpp. Files of earlier versions are brought up to date.
+/// @throws Error when the file cannot be opened or created, belongs to another program, or was written by a
+///         newer version of this one
 [[nodiscard]] SQLite::Database open_database(const std::filesystem::path& file);
 
-/// What SQLite refused, in words for a person and without SQLite's own, which name tables and columns.
+/// A failure of SQLite as an error for the user, without SQLite's own message, which names tables and
+/// columns.
+/// @param place the file
 [[nodiscard]] Error database_error(const std::string& place, const SQLite::Exception& failure);
 
 }  // namespace rva

@@ -6,8 +6,8 @@ namespace rva {
 /// `pragma user_version` of a file with these tables.
 inline constexpr int schema_version = 4;
 
-/// The tables of version 1. Lists within a row are JSON. `decision` only grows: the last one of a finding
-/// holds.
+/// The tables of version 1. Lists within a row are JSON. Rows of `decision` are only added: the latest one of
+/// a finding applies.
 inline constexpr const char* schema = R"sql(
 create table inspection (
   id integer primary key,
@@ -52,7 +52,7 @@ create table account (
 ) strict, without rowid;
 )sql";
 
-/// What version 2 has beyond version 1: regions that are left out, and objects that were moved.
+/// Changes from version 1 to 2: regions that are left out, and objects that were moved.
 inline constexpr const char* schema_2_from_1 = R"sql(
 create table ignored_region (
   inspection integer not null references inspection, view integer not null, regions text not null,
@@ -62,7 +62,7 @@ alter table compared_view add column left_out real;
 alter table finding add column moved_from integer;
 )sql";
 
-/// What version 3 has beyond version 2: sides are taken in rounds, comparisons have numbers, accounts
+/// Changes from version 2 to 3: sides are taken in rounds, comparisons have numbers, accounts have
 /// generations. Findings and decisions belong to a comparison's number rather than to its time.
 inline constexpr const char* schema_3_from_2 = R"sql(
 create table comparison (
@@ -122,7 +122,7 @@ alter table account add column generation text not null default '';
 update account set generation = lower(hex(randomblob(16)));
 )sql";
 
-/// What version 4 has beyond version 3: findings of appearance, and what speaks for each finding.
+/// Changes from version 3 to 4: findings of appearance, and the evidence for each finding.
 inline constexpr const char* schema_4_from_3 = R"sql(
 create table finding_4 (
   inspection integer not null, comparison integer not null, number integer not null,

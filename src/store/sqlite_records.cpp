@@ -32,7 +32,7 @@ auto SqliteRecords::change(const Work& work) {
   }
 }
 
-// In a transaction too, so that all that is read is of one moment.
+// Reads in one transaction, so that all values belong to the same state of the database.
 template <typename Work>
 auto SqliteRecords::read(const Work& work) const {
   const std::lock_guard lock(mutex_);
@@ -163,7 +163,7 @@ void SqliteRecords::decide(std::int64_t id, int comparison, int finding, const D
     insert.bind(7, comparison);
     if (insert.exec() == 0)
       throw Error(fmt::format("finding {} of inspection {}", finding, id),
-                  "is none of those that were found last", "load the list of findings again");
+                  "is not a finding of the latest comparison", "reload the list of findings");
     return true;
   });
 }
@@ -187,7 +187,7 @@ std::vector<Account> SqliteRecords::accounts() const {
     std::vector<Account> accounts;
     while (query.executeStep()) {
       const std::optional<PersonRole> role = role_from_name(query.getColumn(1).getString());
-      if (!role) throw Error(place_, "holds an account with an unknown role", "add that account anew");
+      if (!role) throw Error(place_, "contains an account with an unknown role", "add that account again");
       accounts.push_back({query.getColumn(0), *role, query.getColumn(2), query.getColumn(3)});
     }
     return accounts;

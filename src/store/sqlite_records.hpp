@@ -10,11 +10,13 @@
 
 namespace rva {
 
-/// The file is made where there is none. Several programs may have it open; each change is one transaction,
-/// on the disk when it ends (write-ahead log, full synchronisation).
+/// Several programs may have the file open. Each change is one transaction, which is on the disk when it ends
+/// (write-ahead log, full synchronisation).
 class SqliteRecords : public Records {
  public:
-  /// @throws Error when the file cannot be opened or made, is no database of ours, or is of a newer version
+  /// Creates the file if it does not exist.
+  /// @throws Error when the file cannot be opened or created, belongs to another program, or was written by a
+  ///         newer version of this one
   explicit SqliteRecords(const std::filesystem::path& file);
 
   [[nodiscard]] std::int64_t add_inspection(const InspectionOrder& order, const std::string& created_at,

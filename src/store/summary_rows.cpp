@@ -8,7 +8,7 @@
 namespace rva {
 namespace {
 
-// `compared_whole` and `undecided` say what stage_of() and is_settled() say.
+// `compared_whole` and `undecided` must match stage_of() and is_settled().
 constexpr const char* summaries = R"sql(
 select i.id, i.aircraft, i.zone, i.work_order, i.person, i.created_at,
   a.taken_at, a.person, a.base, a.round,

@@ -9,7 +9,7 @@
 
 namespace rva {
 
-/// Newest first, in one query.
+/// Summaries of all inspections, newest first, in one query.
 [[nodiscard]] std::vector<InspectionSummary> summaries_of(SQLite::Database& database);
 
 }  // namespace rva
