@@ -20,7 +20,7 @@ std::vector<std::string_view> segments(std::string_view path) {
   return parts;
 }
 
-// What stands where the route has {}; empty where the path is another's.
+// The parts of the path for which the route has {}; empty if the path does not match the route.
 std::optional<std::vector<std::string>> match(std::string_view route, std::string_view path) {
   const std::vector<std::string_view> wanted = segments(route);
   const std::vector<std::string_view> given = segments(path);
@@ -97,8 +97,8 @@ ApiResponse Api::dispatch(const ApiRequest& request) const {
     return (this->*route.handler)({request, who, *places, parse_body(request.body)});
   }
   if (known_path)
-    return refusal(405, "method-not-allowed", request.method + " has no meaning here; see docs/api.md");
-  return refusal(404, "not-found", "nothing is here; see docs/api.md");
+    return refusal(405, "method-not-allowed", request.method + " is not supported here; see docs/api.md");
+  return refusal(404, "not-found", "there is nothing at this address; see docs/api.md");
 }
 
 std::optional<Person> Api::person(const std::string& token) const {
@@ -108,14 +108,14 @@ std::optional<Person> Api::person(const std::string& token) const {
 
 void Api::require_role(const Route& route, const std::optional<Person>& person) const {
   if (!route.least) return;
-  if (!person) throw ApiError(401, "sign-in-required", "console", "nobody is signed in", "sign in first");
+  if (!person) throw ApiError(401, "sign-in-required", "console", "you are not signed in", "sign in first");
   if (person->role < *route.least)
     throw ApiError(403, "not-allowed", person->name,
-                   "may not do this as a " + std::string(name_of(person->role)),
-                   "ask somebody who may, or for another role");
+                   "is not allowed to do this in the role of " + std::string(name_of(person->role)),
+                   "ask somebody with the required role");
 }
 
-// A capture turns the camera: not under the hands of somebody else.
+// A capture turns the camera, so it must not begin while somebody else is driving.
 void Api::require_robot_free(const Call& call) const {
   const auto holder = parts_.lease.holder(steady_clock().now_s());
   if (parts_.drive != nullptr && holder && holder->client != call.request.client)
@@ -128,14 +128,14 @@ std::int64_t Api::inspection_id(const Call& call) const {
   std::int64_t id = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), id);
   if (failure != std::errc{} || end != text.data() + text.size() || id < 1)
-    throw ApiError(404, "not-found", "inspection", printable(text) + " is no number",
+    throw ApiError(404, "not-found", "inspection", printable(text) + " is not a number",
                    "see the list of inspections");
   if (!parts_.inspector.has(id))
-    throw ApiError(404, "not-found", "inspection " + text, "there is none", "see the list of inspections");
+    throw ApiError(404, "not-found", "inspection " + text, "does not exist", "see the list of inspections");
   return id;
 }
 
-// An account's name is its own; without accounts people say who they are.
+// The name of the account; without accounts, the name that the request states.
 std::string Api::person_of(const Call& call) {
   return call.person && !call.person->name.empty() ? call.person->name : text_field(call.body, "person");
 }

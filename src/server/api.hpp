@@ -1,4 +1,4 @@
-// The HTTP API (docs/api.md), without HTTP: a question, an answer.
+// The HTTP API (docs/api.md), independent of HTTP itself: requests in, responses out.
 #pragma once
 
 #include <functional>
@@ -16,11 +16,11 @@ namespace rva {
 
 struct ApiRequest {
   std::string method;  ///< "GET", "POST", "PUT"
-  std::string path;    ///< "/api/...", without what follows a question mark
+  std::string path;    ///< "/api/...", without the query
   std::string body;    ///< JSON, or empty
-  std::string client;  ///< of a console: the same as in its WebSocket
-  std::string token;   ///< of the session cookie; empty where there is none
-  std::string from;    ///< the address that asks
+  std::string client;  ///< id of the console, the same as in its WebSocket
+  std::string token;   ///< from the session cookie; empty if there is none
+  std::string from;    ///< address of the client
 };
 
 struct ApiResponse {
@@ -30,7 +30,7 @@ struct ApiResponse {
   std::vector<std::pair<std::string, std::string>> headers{};
 };
 
-/// What is refused: `code` for programs, the sentence for people.
+/// A refused request: the code is for programs, the message for people.
 class ApiError : public Error {
  public:
   ApiError(int status, std::string code, const std::string& place, const std::string& problem,
@@ -49,13 +49,14 @@ class ApiError : public Error {
 /// Every member may be called from any thread.
 class Api {
  public:
-  /// @param secure_cookie browsers send it over TLS only
+  /// @param secure_cookie whether browsers send the session cookie over TLS only
   Api(const ServerParts& parts, bool secure_cookie);
 
-  /// Never throws: what goes wrong is an answer.
+  /// Never throws: an error becomes a response.
   [[nodiscard]] ApiResponse answer(const ApiRequest& request) const;
 
-  /// Who asks: without accounts, anybody may do everything.
+  /// The person who is signed in with this token; empty if nobody is. Without accounts, everybody may do
+  /// everything.
   [[nodiscard]] std::optional<Person> person(const std::string& token) const;
 
  private:
@@ -63,14 +64,14 @@ class Api {
   struct Call {
     const ApiRequest& request;
     std::optional<Person> person;
-    std::vector<std::string> places;  ///< what stands where the route has {}
+    std::vector<std::string> places;  ///< the parts of the path for which the route has {}
     Json body;                        ///< an object
   };
   using Handler = ApiResponse (Api::*)(const Call&) const;
   struct Route {
     std::string_view method;
     std::string_view path;
-    std::optional<PersonRole> least;  ///< empty: who is not signed in may, too
+    std::optional<PersonRole> least;  ///< empty: allowed without signing in
     Handler handler;
   };
   static const std::vector<Route>& routes();

@@ -1,13 +1,13 @@
-// Boost.Asio and Beast with coroutines, and short names for them. For source files of src/server alone.
+// Boost.Asio and Beast with coroutines, and short names for them. Only for source files of src/server.
 #pragma once
 
-// Boost 1.74 knows coroutines of g++ alone; clang-tidy reads with clang.
+// Boost 1.74 detects the coroutines of g++ only, but clang-tidy parses with clang.
 #if defined(__clang__)
 #define BOOST_ASIO_HAS_CO_AWAIT 1
 #define BOOST_ASIO_HAS_STD_COROUTINE 1
 #endif
 
-#include <utility>  // Boost 1.74's awaitable.hpp forgets it
+#include <utility>  // missing in Boost 1.74's awaitable.hpp
 
 // After <utility>.
 #include <boost/asio/co_spawn.hpp>
@@ -35,7 +35,7 @@ namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 
-/// co_await gives the failure to `failure` instead of throwing it.
+/// Completion token with which co_await stores an error in `failure` instead of throwing it.
 inline auto noting(ErrorCode& failure) { return asio::redirect_error(asio::use_awaitable, failure); }
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-// What the server has to say of its visitors: each kind once, then how often.
+// A log of refused requests and connections, limited in rate.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,9 @@
 
 namespace rva {
 
-/// Passes on the first complaint of a kind, and then, a minute later, how many more there were. So nobody
-/// fills a log from outside. Complaints hold nothing that a visitor sent. Any thread.
+/// Logs the first complaint of a kind. Further ones are counted, and logged with their number when one comes
+/// a minute or more after the last logged one, so that clients cannot flood the log. Complaints must not
+/// contain anything that a client sent. Every member may be called from any thread.
 class Complaints {
  public:
   explicit Complaints(std::function<void(const std::string& line)> log) : log_(std::move(log)) {}

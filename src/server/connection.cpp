@@ -23,7 +23,7 @@ constexpr std::size_t most_body_bytes = 65536;
 
 double now_s() { return steady_clock().now_s(); }
 
-/// Is among the open connections while it lives.
+/// Keeps a connection in the list of open ones during its own lifetime.
 class Registered {
  public:
   Registered(Place& place, std::function<void()> close)
@@ -38,7 +38,7 @@ class Registered {
   std::list<OpenConnection>::iterator entry_;
 };
 
-// Asks the database, which may be slow: the live view does not wait for it.
+// Runs on the pool, since the database may be slow and must not delay the live view.
 asio::awaitable<std::optional<Person>> person_now(const std::string& token, Place& place) {
   co_return co_await asio::co_spawn(
       place.pool,
@@ -46,13 +46,14 @@ asio::awaitable<std::optional<Person>> person_now(const std::string& token, Plac
         try {
           co_return place.api.person(token);
         } catch (const Error&) {
-          co_return std::nullopt;  // whoever they are, nothing vouches for them
+          co_return std::nullopt;  // without the records, nobody can be identified
         }
       },
       asio::use_awaitable);
 }
 
-/// Says at its end, however that comes, that somebody no longer needs the socket.
+/// Sets a flag when it is destroyed, on every way out of a coroutine, so that others learn that this
+/// coroutine no longer uses the socket.
 class Until {
  public:
   Until(bool& flag, bool at_end) : flag_(flag), at_end_(at_end) {}
@@ -93,18 +94,18 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
     if (failure == websocket::error::message_too_big || failure == websocket::error::buffer_overflow)
       co_return "a WebSocket message was too large";
     if (failure) co_return "";
-    if (!socket.got_text()) co_return "a WebSocket message was no text";
+    if (!socket.got_text()) co_return "a WebSocket message was not text";
     try {
       const auto bytes = buffer.cdata();
       member.conversation.hear({static_cast<const char*>(bytes.data()), bytes.size()}, now_s());
       member.wake();
-    } catch (const std::exception& error) {  // of a protocol that is not kept, or of ours
+    } catch (const std::exception& error) {  // a violation of the protocol, or an internal error
       co_return std::string(error.what());
     }
   }
 }
 
-// Who signs out, or whose account goes or changes, does not keep what they might do before.
+// Applies sign-outs and account changes to an open connection: closes it, or changes the person's role.
 template <typename Socket>
 asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Member> member, std::string token,
                                    Place& place) {
@@ -148,7 +149,7 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   place.hub.leave(member);
   if (!complaint.empty()) {
     place.complaints.add("a console was refused: " + complaint, now_s());
-    // A close frame holds 123 bytes of reason.
+    // A close frame has room for a reason of 123 bytes.
     co_await socket.async_close({websocket::close_code::policy_error, complaint.substr(0, 120)},
                                 noting(failure));
   }
@@ -161,7 +162,7 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   }
 }
 
-/// Why a request could not be read, as an answer; nothing where the visitor has gone.
+/// The response to a request that could not be read; empty if the client has disconnected.
 std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
   if (failure == http::error::body_limit) return refusal(413, "too-large", "the request is too large");
   if (failure == http::error::header_limit || failure == http::error::buffer_overflow)
@@ -172,7 +173,7 @@ std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
   return std::nullopt;
 }
 
-// What asks the database or reads pictures does not hold up the live view.
+// Runs on a pool, so that requests that query the database or read pictures do not delay the live view.
 asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCaller& caller, Place& place) {
   const bool is_list = request.method() == http::verb::get &&
                        request.target().substr(0, request.target().find('?')) == "/api/inspections";
@@ -181,7 +182,7 @@ asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCalle
       [&]() -> asio::awaitable<Response> { co_return http_answer(request, caller); }, asio::use_awaitable);
 }
 
-// Whoever has one address of version 6 has all of its network.
+// The network of an IPv6 address, since a client that has one address of it has all of them.
 std::string address_of(const beast::tcp_stream& stream) {
   ErrorCode gone;
   const asio::ip::address address = stream.socket().remote_endpoint(gone).address();

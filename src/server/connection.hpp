@@ -1,4 +1,4 @@
-// One connection: requests until it ends, or becomes a WebSocket.
+// Serves one connection: requests until it ends or becomes a WebSocket.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,19 @@
 namespace rva {
 
 struct OpenConnection {
-  bool idle = true;  ///< nothing of a request has come
+  bool idle = true;  ///< no complete request has arrived since the last response
   std::function<void()> close;
 };
 
-/// What connections share. For the context's thread, but for the pool.
+/// The state that all connections share. Only `api` and `files` are used on the pools' threads, too; all else
+/// belongs to the context's thread.
 struct Place {
   const Api& api;
   LiveHub& hub;
   const ConsoleFiles& files;
   Complaints& complaints;
   asio::thread_pool::executor_type pool;
-  asio::thread_pool::executor_type lists;  ///< one thread: long lists hold up each other, and nobody else
+  asio::thread_pool::executor_type lists;  ///< one thread, so that long lists delay only each other
   bool tls = false;
   bool loopback = true;
   std::list<OpenConnection> open;

@@ -1,4 +1,4 @@
-// The console's page and what it loads, read once.
+// The console's page and the files that it loads, read once.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@ namespace rva {
 struct ConsoleFile {
   std::string content_type;
   std::string bytes;
-  std::string gzip;        ///< the same compressed; empty where there is none beside it
-  bool immutable = false;  ///< its name changes with what it holds
+  std::string gzip;        ///< the same compressed; empty if there is no .gz file beside it
+  bool immutable = false;  ///< its name changes with its content
 };
 
-/// All files of a folder, by the path in an address ("/assets/main.js"); "/" is index.html. What is not in
-/// here cannot be asked for.
+/// All files of a folder, by the path in a URL ("/assets/main.js"); "/" is index.html. Other files cannot be
+/// requested.
 class ConsoleFiles {
  public:
   /// @throws Error when there is no index.html, or a file cannot be read
   explicit ConsoleFiles(const std::filesystem::path& folder);
 
-  /// Null where there is none.
+  /// Null if there is no such file.
   [[nodiscard]] const ConsoleFile* find(const std::string& path) const;
 
  private:

@@ -19,7 +19,7 @@ double unix_ms(std::chrono::system_clock::time_point moment) {
   return std::chrono::duration<double, std::milli>(moment.time_since_epoch()).count();
 }
 
-// Length of the description (4 bytes, little endian), description as JSON, JPEG.
+// A binary message: length of the description (4 bytes, little endian), description as JSON, JPEG.
 Message message_of(const LivePicture& picture) {
   Json head{{"stream", name_of(picture.stream)},
             {"number", picture.number},
@@ -37,7 +37,7 @@ Message message_of(const LivePicture& picture) {
   return message;
 }
 
-// Others read it as that of whoever drives; what they could not read is no name.
+// Others see the name of whoever is driving, so an illegible one is dropped.
 std::string legible_name(const std::string& name) { return is_legible_name(name) ? name : ""; }
 
 Json parse(std::string_view text) {
@@ -63,7 +63,6 @@ Conversation::~Conversation() {
   if (!parts_.drive->state().lent) parts_.drive->halt();
 }
 
-// Whoever may no longer drive does not.
 void Conversation::set_role(PersonRole role) {
   person_.role = role;
   const auto holder = parts_.lease.holder(steady_clock().now_s());
@@ -72,7 +71,7 @@ void Conversation::set_role(PersonRole role) {
   parts_.lease.release(client_);
 }
 
-// Everybody's: the robot, and the capture that would move it on.
+// Permitted in every role. Stops the robot, and the capture, which would move it again.
 void Conversation::stop() {
   parts_.inspector.stop_capture();
   if (parts_.drive != nullptr) parts_.drive->halt();
@@ -83,7 +82,7 @@ void Conversation::hear(std::string_view text, double now_s) {
   const Json message = parse(text);
   const auto found = message.find("type");
   const std::string type = found != message.end() && found->is_string() ? found->get<std::string>() : "";
-  if (client_.empty() && type != "hello") throw ProtocolError("the first message is no hello");
+  if (client_.empty() && type != "hello") throw ProtocolError("the first message is not a hello");
   try {
     if (type == "hello") return greet(message);
     if (type == "watch") return watch(message);
@@ -98,7 +97,7 @@ void Conversation::hear(std::string_view text, double now_s) {
   throw ProtocolError("unknown message");
 }
 
-// A bucket that fills again: bursts pass, floods do not.
+// A token bucket: short bursts pass, floods do not.
 void Conversation::limit_rate(double now_s) {
   allowance_ = std::min(most_messages_per_s, allowance_ + (now_s - heard_s_) * most_messages_per_s);
   heard_s_ = now_s;
@@ -109,12 +108,12 @@ void Conversation::limit_rate(double now_s) {
 void Conversation::greet(const Json& message) {
   const auto version = message.find("protocol");
   if (version == message.end() || *version != protocol)
-    throw ProtocolError("this console is of another version; load the page again");
+    throw ProtocolError("this console has another version than the server; reload the page");
   if (!client_.empty()) throw ProtocolError("a second hello");
   const std::string client = text_field(message, "client");
   name_ = person_.name.empty() ? legible_name(text_field(message, "name")) : person_.name;
   constexpr std::size_t least_client_bytes = 16;
-  if (client.size() < least_client_bytes) throw ProtocolError("the console gives no number of its own");
+  if (client.size() < least_client_bytes) throw ProtocolError("the console's id is missing or too short");
   client_ = client;
   parts_.lease.arrive(client_);
 }
@@ -129,9 +128,9 @@ void Conversation::watch(const Json& message) {
 
 void Conversation::shown(const Json& /*message*/) { shown_ = std::min(shown_ + 1, sent_); }
 
-// A message that was long under way says how the sticks were, not how they are: silence stops the robot. The
-// console's clock counts from another time, so the quickest message so far says what no delay is; clocks that
-// run apart by less than 1 in 5000 do not matter.
+// A delayed message reports how the sticks were, not how they are. It is ignored, since the robot stops when
+// there are no messages. The console's clock has another origin, so the smallest delay so far counts as none;
+// clocks that drift apart by less than 1 in 5000 are tolerated.
 bool Conversation::is_fresh(double stamp_s, double now_s) {
   constexpr double most_late_s = 0.3;
   constexpr double drift = 2e-4;
@@ -150,16 +149,17 @@ void Conversation::drive(const Json& message, double now_s) {
   const bool held = deflection != Deflection{};
   const auto holder = parts_.lease.holder(now_s);
   if (person_.role < PersonRole::operator_ || !holder || holder->client != client_) {
-    if (held) refuse("not-driving", "robot: you do not drive it; take the controls first");
+    if (held) refuse("not-driving", "robot: you do not have the controls; take the controls first");
     return;
   }
   if (held && !parts_.lease.use(client_, now_s)) return;
-  if (fresh || !held) parts_.drive->steer(deflection);  // to let go is never too late
+  if (fresh || !held) parts_.drive->steer(deflection);  // letting go is never too late
 }
 
 void Conversation::lease(const Json& message, double now_s) {
   if (person_.role < PersonRole::operator_)
-    throw ApiError(403, "not-allowed", "robot", "you may look, and stop it", "ask an operator to drive");
+    throw ApiError(403, "not-allowed", "robot", "your role only permits viewing and stopping it",
+                   "ask an operator to drive");
   const std::string action = text_field(message, "action");
   if (action == "release") {
     const auto holder = parts_.lease.holder(now_s);

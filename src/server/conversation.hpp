@@ -1,4 +1,4 @@
-// One console's WebSocket, without the socket: what it says, what it is told (docs/api.md).
+// The messages of one console's WebSocket (docs/api.md), independent of the socket itself.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace rva {
 
-/// The console says what no console of ours would: the connection ends, with this reason.
+/// A client violated the protocol: its connection is closed with this reason.
 class ProtocolError : public std::exception {
  public:
   explicit ProtocolError(std::string reason) : reason_(std::move(reason)) {}
@@ -30,9 +30,9 @@ struct Message {
   std::string bytes;
 };
 
-/// Tells a console the newest that there is: a picture or a status that has not been sent when the next one
-/// comes is never sent. A picture is sent when the console has said that it shows the one before the last, so
-/// that a slow line gets fewer pictures, not older ones. For one thread.
+/// Sends a console only the newest picture and status: one that has not been sent when the next arrives is
+/// never sent. A picture is sent only after the console has acknowledged the one before the last, so that a
+/// slow connection gets fewer pictures, not older ones. For use by one thread.
 class Conversation {
  public:
   static constexpr int protocol = 1;
@@ -40,21 +40,21 @@ class Conversation {
   static constexpr double most_messages_per_s = 200.0;
 
   Conversation(const ServerParts& parts, LivePictures& pictures, Person person);
-  ~Conversation();  ///< whoever drove stops
+  ~Conversation();  ///< stops the robot if this was the last connection of the client that drives it
   Conversation(const Conversation&) = delete;
   Conversation& operator=(const Conversation&) = delete;
 
   /// @param text one message
-  /// @throws ProtocolError when the connection is to end
+  /// @throws ProtocolError when the connection must be closed
   void hear(std::string_view text, double now_s);
 
-  /// What the person may do has changed.
+  /// Applies a change of the person's role. A person who may no longer drive loses the controls.
   void set_role(PersonRole role);
 
   void offer(const std::shared_ptr<const LivePicture>& picture);
   void offer(const std::shared_ptr<const std::string>& status) { status_ = status; }
 
-  /// What is to be sent now, if anything; as sent when it returns.
+  /// The next message to be sent, if any. It counts as sent once this returns.
   [[nodiscard]] std::optional<Message> next(double now_s);
 
  private:
@@ -72,11 +72,11 @@ class Conversation {
   const ServerParts& parts_;
   LivePictures& pictures_;
   Person person_;
-  std::string client_;  // empty before it greeted
+  std::string client_;  // empty before its hello
   std::string name_;
   std::optional<Stream> watched_;
   std::shared_ptr<const LivePicture> picture_;  // to be sent
-  std::uint64_t sent_ = 0;                      // pictures
+  std::uint64_t sent_ = 0;                      // number of pictures
   std::uint64_t shown_ = 0;
   std::shared_ptr<const std::string> status_;
   std::shared_ptr<const std::string> sent_status_;
@@ -84,8 +84,8 @@ class Conversation {
   std::deque<std::string> replies_;
   double allowance_ = most_messages_per_s;
   double heard_s_ = 0.0;
-  std::optional<double> least_delay_s_;  // of drive messages, by two clocks
-  double stamped_s_ = 0.0;               // when the last one came
+  std::optional<double> least_delay_s_;  // of drive messages, from the console's clock to the server's
+  double stamped_s_ = 0.0;               // time of arrival of the last one
 };
 
 }  // namespace rva

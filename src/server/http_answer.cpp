@@ -15,7 +15,7 @@ std::string_view field(const Request& request, std::string_view name) {
   return view_of(request[beast::string_view(name.data(), name.size())]);
 }
 
-// A name that leads here by a trick of the name service is not ours.
+// Other host names are refused, since they may lead here by DNS rebinding.
 bool is_known_host(std::string_view host, bool loopback) {
   if (!loopback) return true;
   const std::size_t colon = host.rfind(':');
@@ -35,7 +35,7 @@ std::string_view path_of(const Request& request) {
 }
 
 ApiResponse wrong_origin() {
-  return refusal(403, "wrong-origin", "the page that asks is not this server's console");
+  return refusal(403, "wrong-origin", "the requesting page is not this server's console");
 }
 
 ApiResponse file_answer(const ConsoleFile& file, const Request& request) {
@@ -52,9 +52,9 @@ ApiResponse file_answer(const ConsoleFile& file, const Request& request) {
 
 ApiResponse api_answer(const Request& request, const HttpCaller& caller) {
   const bool reads = request.method() == http::verb::get;
-  // A form of another page cannot send JSON, and says where it comes from.
+  // A form of another page cannot send JSON, and states its origin.
   if (!reads && !field(request, "Content-Type").starts_with("application/json"))
-    return refusal(415, "not-json", "requests that change something are JSON; set Content-Type");
+    return refusal(415, "not-json", "requests that change something must be JSON; set Content-Type");
   if (!reads && request.count("Origin") > 0 && !is_same_origin(request, caller.tls)) return wrong_origin();
   return caller.api.answer({std::string(view_of(request.method_string())), std::string(path_of(request)),
                             request.body(), std::string(field(request, "X-RVA-Client")),
@@ -63,13 +63,14 @@ ApiResponse api_answer(const Request& request, const HttpCaller& caller) {
 
 ApiResponse answer_of(const Request& request, const HttpCaller& caller) {
   if (!is_known_host(field(request, "Host"), caller.loopback))
-    return refusal(421, "wrong-host", "this is not the server of that name");
+    return refusal(421, "wrong-host", "this server does not have that name");
   const std::string_view path = path_of(request);
   if (path.starts_with("/api/")) return api_answer(request, caller);
   if (request.method() != http::verb::get && request.method() != http::verb::head)
-    return refusal(405, "method-not-allowed", "only GET has a meaning here");
+    return refusal(405, "method-not-allowed", "only GET is supported here");
   const ConsoleFile* file = caller.files.find(std::string(path));
-  return file == nullptr ? refusal(404, "not-found", "nothing is here") : file_answer(*file, request);
+  return file == nullptr ? refusal(404, "not-found", "there is nothing at this address")
+                         : file_answer(*file, request);
 }
 
 }  // namespace
@@ -117,11 +118,11 @@ Response http_answer(const Request& request, const HttpCaller& caller) {
 }
 
 std::variant<Person, ApiResponse> who_talks(const Request& request, const HttpCaller& caller) {
-  if (path_of(request) != "/api/live") return refusal(404, "not-found", "nothing is here");
+  if (path_of(request) != "/api/live") return refusal(404, "not-found", "there is nothing at this address");
   if (!is_known_host(field(request, "Host"), caller.loopback) || !is_same_origin(request, caller.tls))
     return wrong_origin();
   std::optional<Person> person = caller.api.person(session_token(request));
-  if (!person) return refusal(401, "sign-in-required", "nobody is signed in");
+  if (!person) return refusal(401, "sign-in-required", "you are not signed in");
   return std::move(*person);
 }
 

@@ -1,4 +1,4 @@
-// Between HTTP messages and the API.
+// Converts between HTTP messages and the API.
 #pragma once
 
 #include <variant>
@@ -13,22 +13,23 @@ struct HttpCaller {
   const Api& api;
   const ConsoleFiles& files;
   bool tls = false;
-  bool loopback = true;  ///< listens to this computer only
-  std::string from;      ///< the address that asks
+  bool loopback = true;  ///< whether the server accepts connections from this computer only
+  std::string from;      ///< address of the client
 };
 
-/// From any thread. Never throws.
+/// May be called from any thread. Never throws.
 [[nodiscard]] http::response<http::string_body> http_answer(const http::request<http::string_body>& request,
                                                             const HttpCaller& caller);
 
-/// With what every answer says for a browser's safety.
+/// Converts a response and adds the security headers that every response has.
 [[nodiscard]] http::response<http::string_body> http_response(const ApiResponse& answer, bool keep_alive,
                                                               bool tls);
 
-/// What says who somebody is, in their cookie; empty where they have none.
+/// The token in the session cookie; empty if there is none.
 [[nodiscard]] std::string session_token(const http::request<http::string_body>& request);
 
-/// Whoever wants a WebSocket, or why not. Its page must come from here: browsers let any page ask.
+/// The person who requests a WebSocket, or the refusal. The page that requests it must come from this server,
+/// since browsers allow any page to request one.
 [[nodiscard]] std::variant<Person, ApiResponse> who_talks(const http::request<http::string_body>& request,
                                                           const HttpCaller& caller);
 

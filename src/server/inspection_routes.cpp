@@ -26,7 +26,8 @@ std::vector<PanTilt> views_in(const Json& body) {
   return views;
 }
 
-// By its number; or by its time, as consoles of before there were numbers say it.
+// The number of the comparison that a request refers to, by its number or, from older consoles, by its time.
+// 0 if it is none.
 int comparison_in(const Json& body, const Inspection& inspection) {
   if (body.contains("comparison")) {
     const double number = number_field(body, "comparison");
@@ -74,7 +75,7 @@ ApiResponse Api::set_regions(const Call& call) const {
     throw ApiError(400, "bad-request", "ignore", "is missing", "see docs/api.md");
   const double view = number_field(call.body, "view");
   if (!(view >= 0.0 && view < 1000.0))
-    throw ApiError(404, "not-found", "view", "there is none", "see its views");
+    throw ApiError(404, "not-found", "view", "does not exist", "give one of the inspection's views");
   const Json regions{{"format", "rva-regions"}, {"version", 1}, {"ignore", *ignore}};
   parts_.inspector.set_ignored(id, static_cast<int>(view), parse_regions(regions.dump(), "regions").ignore);
   return json_answer(json_of(parts_.inspector.inspection(id)));
@@ -109,11 +110,11 @@ ApiResponse Api::decide(const Call& call) const {
   int number = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (failure != std::errc{} || end != text.data() + text.size())
-    throw ApiError(404, "not-found", "finding", printable(text) + " is no number",
+    throw ApiError(404, "not-found", "finding", printable(text) + " is not a number",
                    "see the list of findings");
   const std::optional<Verdict> verdict = verdict_from_name(text_field(call.body, "verdict"));
   if (!verdict)
-    throw ApiError(400, "bad-request", "verdict", "is none that there is",
+    throw ApiError(400, "bad-request", "verdict", "is missing or unknown",
                    "give debris-removed, installed-work, false-alarm or second-look");
   parts_.inspector.decide(
       id, comparison_in(call.body, parts_.inspector.inspection(id)), number,

@@ -7,7 +7,7 @@
 namespace rva {
 namespace {
 
-// To so many digits after the point.
+// Rounds to a number of decimal places.
 double rounded(double number, int digits) {
   const double scale = std::pow(10.0, digits);
   return std::round(number * scale) / scale;

@@ -1,4 +1,4 @@
-// What the program knows, as the API says it (docs/api.md).
+// Converts the state of the program to the JSON of the API (docs/api.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace rva {
 using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json json_of(const PanTilt& joints);
-/// Without findings: of the list.
+/// For the list of inspections, without findings.
 [[nodiscard]] Json json_of(const InspectionSummary& summary);
 [[nodiscard]] Json json_of(const Inspection& inspection);
 [[nodiscard]] Json json_of(const ReviewedFinding& finding);

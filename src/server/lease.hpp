@@ -1,4 +1,4 @@
-// Who drives.
+// The right to drive the robot.
 #pragma once
 
 #include <map>
@@ -8,30 +8,31 @@
 
 namespace rva {
 
-/// One client at a time holds it, and all can see who. Who does nothing with it for a minute loses it, and
-/// so does who has been gone for ten seconds; until then a page that is loaded again finds it as it was.
-/// Every member may be called from any thread; times are of one clock that does not go back.
+/// One client at a time has the lease, and everybody can see who. The lease ends when it has not been used
+/// for a minute, or when its holder has been disconnected for ten seconds, so that a reloaded page keeps it.
+/// Every member may be called from any thread. All times are of one clock that never goes back.
 class Lease {
  public:
   static constexpr double idle_limit_s = 60.0;
   static constexpr double gone_limit_s = 10.0;
 
   struct Holder {
-    std::string client;  ///< nobody else knows it
-    std::string name;    ///< for people
+    std::string client;  ///< secret id of the client
+    std::string name;    ///< for display
     bool operator==(const Holder&) const = default;
   };
 
-  /// @param take_over from whoever holds it
-  /// @return whether it is theirs now
+  /// @param take_over even if another client has it
+  /// @return whether `who` has it now
   bool take(const Holder& who, bool take_over, double now_s);
   void release(const std::string& client);
 
-  /// The holder did something.
-  /// @return whether it is theirs
+  /// Records that a client used the lease, which extends it.
+  /// @return whether the client has it
   bool use(const std::string& client, double now_s);
 
-  // A client may have several connections, as when it opens a new one before the old one is known to be dead.
+  // A client may have several connections, for example when it opens a new one before the loss of the old one
+  // is detected.
   void arrive(const std::string& client);
   /// @return whether this was its last connection
   bool leave(const std::string& client, double now_s);
@@ -45,7 +46,7 @@ class Lease {
   std::optional<Holder> holder_;
   double used_s_ = 0.0;
   std::optional<double> gone_s_;
-  std::map<std::string, int> connections_;  // of clients
+  std::map<std::string, int> connections_;  // their number, by client
 };
 
 }  // namespace rva

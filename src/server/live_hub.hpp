@@ -1,4 +1,4 @@
-// All consoles that are connected.
+// All connected consoles.
 #pragma once
 
 #include <list>
@@ -10,21 +10,22 @@
 
 namespace rva {
 
-/// Passes pictures and status on to conversations, and wakes whoever writes them. All members are for the
-/// thread of the context, but for what LivePictures calls.
+/// Passes pictures and status to the conversations, and wakes the coroutines that send them. All members must
+/// be called on the thread of the context.
 class LiveHub {
  public:
   LiveHub(asio::io_context& context, const ServerParts& parts);
 
-  /// A conversation and its alarm: the timer is cancelled when there may be something to send.
+  /// A conversation, and the timer on which its sender waits. wake() cancels the timer when there may be
+  /// something to send.
   struct Member {
     Member(asio::io_context& context, const ServerParts& parts, LivePictures& pictures, Person person)
         : conversation(parts, pictures, std::move(person)), alarm(context) {}
     Conversation conversation;
     asio::steady_timer alarm;
-    bool ended = false;    ///< nothing more is to be written
-    bool written = false;  ///< and nothing is
-    bool watched = false;  ///< nobody looks at their rights any more
+    bool ended = false;    ///< nothing more is to be sent
+    bool written = false;  ///< the sender has ended
+    bool watched = false;  ///< the person's rights are still being checked
 
     void wake() { alarm.cancel(); }
   };
@@ -32,9 +33,10 @@ class LiveHub {
   [[nodiscard]] std::shared_ptr<Member> join(Person person);
   void leave(const std::shared_ptr<Member>& member) { members_.remove(member); }
 
-  /// Ten times a second where it changed, else once: silence tells a console that the line is broken.
+  /// Sends the status ten times a second while it changes, and once a second otherwise, so that silence shows
+  /// a console that the connection is broken. Runs until end().
   asio::awaitable<void> tell_status();
-  /// tell_status() ends soon.
+  /// Ends tell_status() soon afterwards.
   void end() { ended_ = true; }
 
  private:

@@ -70,7 +70,7 @@ LivePictures::LivePictures(const LiveCamera& camera, Listener listener)
 
 void LivePictures::watch(Stream stream, int change) { watchers_.at(index_of(stream)) += change; }
 
-// Colour may be missing in every second frame of a camera that moves.
+// Colour is looked up in the info, since it may be missing in every second frame of a camera that moves.
 std::vector<Stream> LivePictures::streams() const {
   const std::shared_ptr<const LiveFrame> live = camera_.newest();
   std::vector<Stream> streams;
@@ -94,7 +94,7 @@ void LivePictures::run(const std::stop_token& stop) {
   }
 }
 
-// The scale is held for a while, so that colours do not flicker.
+// The scale is kept for several frames, so that colours do not flicker.
 ColorImage LivePictures::colorized(const LiveFrame& live) {
   constexpr std::uint64_t held_frames = 30;
   const Image<float> depth_m = metres(live);

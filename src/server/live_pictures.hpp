@@ -1,4 +1,4 @@
-// The camera's newest frame as pictures, made once however many look.
+// The camera's newest frame as pictures, encoded once for all consoles.
 #pragma once
 
 #include <array>
@@ -28,16 +28,16 @@ inline constexpr std::array all_streams{Stream::color, Stream::depth, Stream::in
 /// A frame as a JPEG.
 struct LivePicture {
   Stream stream = Stream::color;
-  std::uint64_t number = 0;  ///< the camera's own
+  std::uint64_t number = 0;  ///< of the camera's frame
   int width = 0;
   int height = 0;
   std::chrono::system_clock::time_point taken_at;
-  std::optional<ColorScale> scale_m;  ///< of depth: what the colours stand for
+  std::optional<ColorScale> scale_m;  ///< range of the colours; only for depth
   std::vector<std::byte> jpeg;
 };
 
-/// Encodes on a thread of its own, and only what somebody looks at. Never more than the newest frame waits.
-/// Every member may be called from any thread.
+/// Encodes on a thread of its own, and only streams that somebody watches. Only the newest frame waits to be
+/// encoded. Every member may be called from any thread.
 class LivePictures {
  public:
   using Listener = std::function<void(std::shared_ptr<const LivePicture>)>;
@@ -45,10 +45,10 @@ class LivePictures {
   /// @param listener called with each picture, on the thread that encodes: it must be quick
   LivePictures(const LiveCamera& camera, Listener listener);
 
-  /// How many look at a stream; none: it is not encoded.
+  /// Changes the number of viewers of a stream. A stream without viewers is not encoded.
   void watch(Stream stream, int change);
 
-  /// What the camera's frames bring.
+  /// The streams that the camera provides.
   [[nodiscard]] std::vector<Stream> streams() const;
 
  private:
@@ -60,7 +60,7 @@ class LivePictures {
   Listener listener_;
   std::array<std::atomic<int>, all_streams.size()> watchers_{};
   std::optional<ColorScale> scale_m_;
-  std::uint64_t scale_number_ = 0;  // of the frame that the scale is of
+  std::uint64_t scale_number_ = 0;  // of the frame from which the scale was computed
   std::jthread thread_;             // last: it uses all above
 };
 

@@ -23,14 +23,14 @@ std::optional<double> depth_around(const LiveFrame& live, int u, int v) {
   return quantile(measured, 0.5) * live.info.depth_unit_m;
 }
 
-/// A pixel of the depth image as a candidate for a place in the colour picture.
+/// A pixel of the depth image as a candidate for a pixel of the colour picture.
 struct Candidate {
   Eigen::Vector2d pixel{0, 0};
-  double off_px = 0.0;  ///< from the place
+  double off_px = 0.0;  ///< distance of its projection from the pixel of the colour picture
   double depth_m = 0.0;
 };
 
-// Where one surface hides another, the nearer is seen.
+// Where one surface hides another, the nearer one is visible.
 bool is_better(const Candidate& a, const Candidate& b) {
   constexpr double same_px = 1.0;
   return a.off_px < b.off_px - same_px || (a.off_px < b.off_px + same_px && a.depth_m < b.depth_m);
@@ -48,7 +48,7 @@ std::optional<Candidate> candidate_at(const LiveFrame& live, int u, int v,
   return candidate;
 }
 
-// The pixel of the depth image whose surface the colour imager sees nearest to the place.
+// The pixel of the depth image whose surface is projected nearest to a pixel of the colour picture.
 std::optional<Eigen::Vector2d> depth_pixel_of(const LiveFrame& live, const Eigen::Vector2d& color_pixel) {
   if (!live.info.color || !live.info.color_from_depth) return std::nullopt;
   constexpr double farthest_px = 3.0;

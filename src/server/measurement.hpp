@@ -1,4 +1,4 @@
-// Distances and lengths, from pixels that a person points at.
+// Measures distances at pixels that the user selects.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,17 @@
 
 namespace rva {
 
-/// The surface under a pixel.
+/// A point of the surface at a pixel.
 struct MeasuredPoint {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< in the depth camera's frame
   double distance_m = 0.0;                               ///< from the depth imager, along the line of sight
 };
 
-/// The median depth of the 5 x 5 pixels of the depth image around the place, if a third of them are measured.
-/// @param pixel of the stream's picture; of a colour picture, the nearest surface that its imager sees there
-/// @return empty where nothing is measured, or the pixel is outside
+/// Takes the median depth of the 5 x 5 pixels of the depth image around the point, if at least a third of
+/// them are measured.
+/// @param pixel of the stream's picture; in a colour picture, the nearest surface that is visible there is
+///              measured
+/// @return empty if there is no measurement, or if the pixel is outside the picture
 [[nodiscard]] std::optional<MeasuredPoint> measure(const LiveFrame& live, Stream stream,
                                                    const Eigen::Vector2d& pixel);
 

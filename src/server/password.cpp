@@ -12,7 +12,7 @@ namespace {
 
 void require_sodium() {
   if (sodium_init() < 0)
-    throw Error("passwords", "the system gives no random numbers", "restart the computer");
+    throw Error("passwords", "the system provides no random numbers", "restart the computer");
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ std::string hash_password(const std::string& password) {
   std::array<char, crypto_pwhash_STRBYTES> hash{};
   if (crypto_pwhash_str(hash.data(), password.data(), password.size(), crypto_pwhash_OPSLIMIT_INTERACTIVE,
                         crypto_pwhash_MEMLIMIT_INTERACTIVE) != 0)
-    throw Error("password", "there is not enough memory to keep it safely", "close other programs");
+    throw Error("password", "there is not enough memory to hash it", "close other programs");
   return hash.data();
 }
 

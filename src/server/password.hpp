@@ -1,22 +1,22 @@
-// Passwords, kept so that nobody can read them back.
+// Hashes of passwords, from which the passwords cannot be recovered.
 #pragma once
 
 #include <string>
 
 namespace rva {
 
-/// Shorter ones are refused.
+/// Limits in bytes; shorter and longer passwords are refused.
 inline constexpr std::size_t least_password_length = 8;
 inline constexpr std::size_t most_password_length = 256;
 
-/// Argon2id with salt, in libsodium's text form. Takes a tenth of a second on purpose.
+/// Argon2id with salt, in libsodium's text form. Deliberately takes a tenth of a second.
 /// @throws Error when the password is too short or too long
 [[nodiscard]] std::string hash_password(const std::string& password);
 
 /// @param hash as hash_password() made it
 [[nodiscard]] bool is_password(const std::string& password, const std::string& hash);
 
-/// 32 random bytes of the system's own as 64 hexadecimal digits: nobody guesses it.
+/// 32 random bytes from the operating system, as 64 hexadecimal digits.
 [[nodiscard]] std::string random_token();
 
 }  // namespace rva

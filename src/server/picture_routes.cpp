@@ -17,12 +17,12 @@
 namespace rva {
 namespace {
 
-/// The files of a view's result that may be asked for.
+/// The files of a view's result that may be requested.
 constexpr std::array pictures{"initial_color.png",      "final_color.png", "initial_depth.png",
                               "final_depth.png",        "changed.png",     "not_inspected.png",
                               "level_of_detection.png", "changes.png"};
 
-ApiError not_there() { return {404, "not-found", "picture", "there is none", "take both captures first"}; }
+ApiError not_there() { return {404, "not-found", "picture", "does not exist", "take both captures first"}; }
 
 int view_number(const std::string& text) {
   int view = -1;
@@ -35,7 +35,8 @@ std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Not kept by a browser, where it would outlive a sign-out. A link could lead to any file of this computer.
+// Browsers do not cache the file (http_response()), since it would outlive a sign-out. Links are refused,
+// since they could lead to any file of this computer.
 ApiResponse file_answer(const InspectionFolder& folder, const std::filesystem::path& path,
                         const std::string& content_type) {
   std::error_code ignored;
@@ -115,7 +116,7 @@ ApiResponse Api::measure_points(const Call& call) const {
       points->size() > most_points)
     throw ApiError(400, "bad-request", "measure", "needs a stream and one or two points", "see docs/api.md");
   const std::shared_ptr<const LiveFrame> live = parts_.camera.newest();
-  if (!live) throw Error("camera", "has given no frame yet", "wait a moment");
+  if (!live) throw Error("camera", "has delivered no frame yet", "wait a moment");
   Json answer{{"points", Json::array()}};
   std::vector<std::optional<MeasuredPoint>> measured;
   for (const Json& point : *points) {
@@ -128,7 +129,7 @@ ApiResponse Api::measure_points(const Call& call) const {
 }
 
 ApiResponse Api::simulate_work(const Call& call) const {
-  if (!parts_.simulated_work) throw Error("simulation", "the bay is real", "do the work there");
+  if (!parts_.simulated_work) throw Error("simulation", "the bay is not simulated", "do the work in the bay");
   parts_.simulated_work(flag_field(call.body, "done"));
   return {200, "application/json", "{}"};
 }

@@ -1,4 +1,4 @@
-// What a request says, checked.
+// Reads and checks the fields of a request.
 #pragma once
 
 #include <string>
@@ -7,20 +7,22 @@
 
 namespace rva {
 
-/// Names and numbers of things; longer ones are refused.
+/// Limits of texts; longer ones are refused.
 inline constexpr std::size_t most_field_bytes = 200;
 inline constexpr std::size_t most_note_bytes = 4000;
 
 /// @throws ApiError (400) when the text is not a JSON object, or nested more than a few levels
 [[nodiscard]] Json parse_body(const std::string& text);
 
-/// @return empty where the field is missing @throws ApiError (400) when it is no text, is longer, or has
-/// control characters other than line feeds and tabs
+/// @return the text; empty if the field is missing or null
+/// @throws ApiError (400) when the field is not a text, is longer than `most_bytes`, or has control
+///         characters other than line feeds and tabs
 [[nodiscard]] std::string text_field(const Json& body, const char* key,
                                      std::size_t most_bytes = most_field_bytes);
-/// @return false where the field is missing @throws ApiError (400) when it is neither true nor false
+/// @return the value; false if the field is missing or null
+/// @throws ApiError (400) when the field is neither true nor false
 [[nodiscard]] bool flag_field(const Json& body, const char* key);
-/// @throws ApiError (400) when it is missing, no number, or not finite
+/// @throws ApiError (400) when the field is missing, not a number, or not finite
 [[nodiscard]] double number_field(const Json& body, const char* key);
 
 }  // namespace rva

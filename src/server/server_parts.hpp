@@ -1,4 +1,4 @@
-// What the server stands around.
+// The objects that the server works with.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,18 @@
 
 namespace rva {
 
-/// Of a bay that exists only as a file: lets the work happen, or begins anew with a clean bay. Called from
-/// any thread; returns at once.
+/// Switches a simulated bay to its state after the work (`done`) or before it. May be called from any thread;
+/// returns at once.
 using SimulatedWork = std::function<void(bool done)>;
 
-/// All of them outlive the server.
+/// All of them must outlive the server.
 struct ServerParts {
   LiveCamera& camera;
-  Drive* drive = nullptr;  ///< null where there is no robot
+  Drive* drive = nullptr;  ///< null if there is no robot
   Inspector& inspector;
   Sessions& sessions;
   Lease& lease;
-  SimulatedWork simulated_work;  ///< empty where the bay is real
+  SimulatedWork simulated_work;  ///< empty if the bay is not simulated
 };
 
 }  // namespace rva

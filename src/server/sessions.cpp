@@ -27,7 +27,8 @@ bool Sessions::too_many(const std::string& name, const std::string& from, double
 Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& password,
                                    const std::string& from, double now_s) {
   if (too_many(name, from, now_s)) return {Answer::too_many, {}};
-  // Of a password that nobody has, so that the time it takes does not tell whether there is such a name.
+  // The hash of a password that nobody has, so that the time of the check does not reveal whether the name
+  // exists.
   static const std::string nobody = hash_password(random_token());
   const std::optional<Account> known = account(name);
   const bool right = is_password(password, known ? known->password_hash : nobody);

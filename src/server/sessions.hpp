@@ -1,4 +1,4 @@
-// Who is signed in.
+// Sign-ins of people with accounts.
 #pragma once
 
 #include <atomic>
@@ -12,16 +12,17 @@
 
 namespace rva {
 
-/// Somebody who asks.
+/// The person who makes a request.
 struct Person {
-  std::string name;  ///< of the account; empty where nobody needs to sign in
+  std::string name;  ///< of the account; empty if there are no accounts
   PersonRole role = PersonRole::viewer;
 };
 
-/// Sign-ins are kept in memory: a restart ends them. They end after twelve hours, a shift. From one place,
-/// five wrong passwords for a name, or thirty for all, close the door to that place for a minute; so whoever
-/// guesses locks nobody else out, until a hundred from many places close it for that name. Every member may
-/// be called from any thread; times are of one clock that does not go back.
+/// Sign-ins are kept in memory, so a restart ends them. They expire after twelve hours, the length of a
+/// shift. From one address, five wrong passwords for a name block that name, and thirty for any names block
+/// all names, for a minute after the last of them. A client that guesses passwords therefore locks out nobody
+/// else, until a hundred wrong passwords from all addresses block the name everywhere. Every member may be
+/// called from any thread. All times are of one clock that never goes back.
 class Sessions {
  public:
   static constexpr double lifetime_s = 12.0 * 3600.0;
@@ -35,19 +36,20 @@ class Sessions {
   enum class Answer { signed_in, wrong, too_many };
   struct SignIn {
     Answer answer = Answer::wrong;
-    std::string token;  ///< where signed in
+    std::string token;  ///< only if signed in
   };
   /// Takes a tenth of a second, whether the name is known or not.
-  /// @param from where the request comes from: an address
+  /// @param from address of the client
   [[nodiscard]] SignIn sign_in(const std::string& name, const std::string& password, const std::string& from,
                                double now_s);
   void sign_out(const std::string& token);
 
-  /// Empty where the token is unknown or old, or the account was removed or changed since the sign-in.
+  /// The person who signed in with a token; empty if the token is unknown or has expired, or if the account
+  /// was removed or changed since the sign-in.
   [[nodiscard]] std::optional<Person> person(const std::string& token, double now_s) const;
 
-  /// Where there is no account nobody can sign in, and nobody needs to. Where there was one once, it stays
-  /// so: who removes the last account opens the door to nobody, not to everybody.
+  /// Whether people must sign in: true from the first account on. While the program runs, it stays true when
+  /// the last account is removed, which locks everybody out rather than letting everybody in.
   [[nodiscard]] bool needed() const {
     if (!needed_ && !records_.accounts().empty()) needed_ = true;
     return needed_;
@@ -58,7 +60,7 @@ class Sessions {
     int count = 0;
     double last_s = 0.0;
   };
-  /// By name and place; with one of them empty, of all names or of all places.
+  /// By name and address; an empty name or address stands for all of them.
   using FailuresOf = std::map<std::pair<std::string, std::string>, Failures>;
   struct Session {
     std::string name;

@@ -1,4 +1,4 @@
-// What all consoles are told again and again.
+// The status that all consoles receive regularly.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace rva {
 
 /// A "status" message (docs/api.md).
-/// @param consoles how many are connected
+/// @param consoles number of connected consoles
 [[nodiscard]] std::string status_message(const ServerParts& parts, const LivePictures& pictures,
                                          std::size_t consoles);
 

@@ -19,8 +19,8 @@ asio::ip::address parse_address(const std::string& text) {
   ErrorCode failure;
   const auto address = asio::ip::make_address(text, failure);
   if (failure)
-    throw UsageError("--address", printable(text) + " is no address",
-                     "give one like 127.0.0.1, or 0.0.0.0 for all");
+    throw UsageError("--address", printable(text) + " is not an IP address",
+                     "give one like 127.0.0.1, or 0.0.0.0 for all interfaces");
   return address;
 }
 
@@ -29,18 +29,19 @@ std::unique_ptr<asio::ssl::context> tls_context(const ServerOptions& options) {
   auto context = std::make_unique<asio::ssl::context>(asio::ssl::context::tls_server);
   context->set_options(asio::ssl::context::default_workarounds | asio::ssl::context::no_tlsv1 |
                        asio::ssl::context::no_tlsv1_1);
-  // Of TLS 1.2 only what keeps recorded traffic secret when the key becomes known later; 1.3 has nothing
-  // else.
+  // TLS 1.2 is limited to ciphers with forward secrecy, which keep recorded traffic secret if the key becomes
+  // known later. TLS 1.3 has no others.
   if (SSL_CTX_set_cipher_list(context->native_handle(), "ECDHE+AESGCM:ECDHE+CHACHA20") != 1)
     throw Error("TLS", "the library has no cipher with forward secrecy", "install a newer OpenSSL");
   ErrorCode failure;
   context->use_certificate_chain_file(options.tls_certificate, failure);
   if (failure)
-    throw Error(printable(options.tls_certificate), "holds no certificate (" + failure.message() + ")",
+    throw Error(printable(options.tls_certificate), "contains no certificate (" + failure.message() + ")",
                 "give --tls-certificate a PEM file");
   context->use_private_key_file(options.tls_key, asio::ssl::context::pem, failure);
   if (failure)
-    throw Error(printable(options.tls_key), "holds no key for that certificate (" + failure.message() + ")",
+    throw Error(printable(options.tls_key),
+                "contains no key for that certificate (" + failure.message() + ")",
                 "give --tls-key a PEM file");
   return context;
 }
@@ -48,10 +49,10 @@ std::unique_ptr<asio::ssl::context> tls_context(const ServerOptions& options) {
 void require_safe(const asio::ip::address& address, bool tls, bool accounts) {
   if (address.is_loopback()) return;
   if (!tls)
-    throw UsageError("--address", "others than this computer must come by TLS",
-                     "give --tls-certificate and --tls-key, or stay at 127.0.0.1");
+    throw UsageError("--address", "remote access requires TLS",
+                     "give --tls-certificate and --tls-key, or use 127.0.0.1");
   if (!accounts)
-    throw UsageError("--address", "others than this computer must sign in, and there is no account",
+    throw UsageError("--address", "remote access requires an account, and there is none",
                      "add one: rva account add NAME --role inspector --data DIR");
 }
 
@@ -66,7 +67,7 @@ tcp::acceptor listen(asio::io_context& context, const asio::ip::address& address
     return acceptor;
   } catch (const boost::system::system_error& error) {
     throw Error(fmt::format("{}:{}", address.to_string(), port),
-                fmt::format("cannot be listened at ({})", error.code().message()),
+                fmt::format("cannot listen on this address ({})", error.code().message()),
                 "give another --port or --address");
   }
 }
@@ -132,7 +133,8 @@ class WebServer::Implementation {
   }
 
  private:
-  // Everything ends by itself, so that nothing is left in the context that refers to what is gone.
+  // Lets every coroutine end by itself, so that none is left in the context with references to destroyed
+  // objects.
   void end() {
     stopping_ = true;
     hub_.end();
@@ -160,7 +162,7 @@ class WebServer::Implementation {
       tcp::socket socket = co_await acceptor_.async_accept(noting(failure));
       if (stopping_) co_return;
       if (failure) {
-        complaints_.add("a connection could not be taken: " + failure.message(), steady_clock().now_s());
+        complaints_.add("a connection could not be accepted: " + failure.message(), steady_clock().now_s());
         asio::steady_timer pause(context_, std::chrono::milliseconds(50));
         co_await pause.async_wait(asio::use_awaitable);
         continue;
@@ -175,7 +177,7 @@ class WebServer::Implementation {
     }
   }
 
-  // Who was let in and does nothing goes first. @return whether there is room, or soon will be
+  // Closes the oldest idle connection if there are too many. @return whether there is room, or soon will be
   bool make_room() {
     if (place_.open.size() < static_cast<std::size_t>(options_.connections)) return true;
     complaints_.add("too many connections: idle ones are closed", steady_clock().now_s());

@@ -1,4 +1,4 @@
-// The console and the API over HTTP, the live view over WebSockets.
+// Serves the console and the API over HTTP, and the live view over WebSockets.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace rva {
 
 struct ServerOptions {
-  std::string address = "127.0.0.1";  ///< to listen at; "0.0.0.0" or "::" for all
-  int port = 8080;                    ///< 0: any that is free
+  std::string address = "127.0.0.1";  ///< to listen on; "0.0.0.0" or "::" for all interfaces
+  int port = 8080;                    ///< 0: any free port
   int connections = 256;
   std::string console;          ///< folder of the console's files
   std::string tls_certificate;  ///< PEM file; both or neither
@@ -26,16 +26,17 @@ struct ServerOptions {
   }
 };
 
-/// Beyond this computer there must be TLS and at least one account. One thread serves all; what takes time
-/// (the database, pictures, passwords) is done by two others, lists of all inspections by one more. A visitor
-/// who sends what is malformed or too much, or reads too slowly, is refused without a say in what others get
-/// (docs/api.md, "Limits").
+/// Remote access requires TLS and at least one account. One thread serves all connections; slow work (the
+/// database, pictures, passwords) is done by two others, lists of all inspections by one more. A client that
+/// sends malformed or too much data, or reads too slowly, is refused without affecting others (docs/api.md,
+/// "Limits").
 class WebServer {
  public:
-  /// Listens from now on, and serves from run() on.
-  /// @param log takes lines for a person, from any thread
-  /// @throws UsageError when options are out of range, or not safe for others than this computer
-  /// @throws Error when the address cannot be listened at, or certificate, key or console cannot be read
+  /// Listens at once; requests are served by run().
+  /// @param log receives lines for the user, from any thread
+  /// @throws UsageError when options are out of range or permit unsafe remote access
+  /// @throws Error when the server cannot listen on the address, or certificate, key or console cannot be
+  /// read
   WebServer(const ServerOptions& options, const ServerParts& parts,
             std::function<void(const std::string&)> log);
   ~WebServer();
@@ -44,9 +45,9 @@ class WebServer {
   [[nodiscard]] std::string address() const;
   [[nodiscard]] std::uint16_t port() const;
 
-  /// Returns after stop(), or soon after a signal.
+  /// Returns after stop(). @throws Interrupted soon after a signal
   void run();
-  /// From any thread.
+  /// May be called from any thread.
   void stop();
 
  private:

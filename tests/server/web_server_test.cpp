@@ -194,7 +194,7 @@ TEST_F(Web, WhoBreaksTheProtocolIsToldAndOthersGoOn) {
   auto binary = console("client-number-three");
   binary->binary(true);
   tell(*binary, "{}");
-  EXPECT_THAT(close_reason(*binary), HasSubstr("no text"));
+  EXPECT_THAT(close_reason(*binary), HasSubstr("not text"));
   // Raw bytes that are no frame.
   auto raw = console("client-number-four");
   asio::write(raw->next_layer(), asio::buffer(std::string(100, '\xff')));
