@@ -83,7 +83,7 @@ class AccountStage(CommandStage):
         return problems
 
     def accepts(self, setting, place, ended):
-        return 'is no account' in ended.stderr and self._names(setting, place) == self.names_after
+        return 'is not an account' in ended.stderr and self._names(setting, place) == self.names_after
 
     def run_again(self, setting, place):
         problems = super().run_again(setting, place)

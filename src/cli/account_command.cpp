@@ -23,7 +23,7 @@ struct AccountArguments {
   std::string data;
 };
 
-// Never from the command line, where others can read it.
+// Passwords are not taken from the command line, where others can read them.
 std::string read_password() {
   if (::isatty(STDIN_FILENO) == 1) {
     const char* const typed = ::getpass("Password: ");
@@ -40,7 +40,7 @@ std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
   return std::make_unique<SqliteRecords>(std::filesystem::path(data) / "rva.db");
 }
 
-// An account that is there keeps its role unless another one is given.
+// An existing account keeps its role unless another one is given.
 PersonRole role_of(const AccountArguments& arguments, const Records& records) {
   if (const auto given = role_from_name(arguments.role)) return *given;
   for (const Account& account : records.accounts()) {
@@ -53,13 +53,13 @@ void add_account(const AccountArguments& arguments) {
   constexpr std::size_t most_name_bytes = 100;
   if (arguments.name.size() > most_name_bytes || !is_name_of_one_script(arguments.name))
     throw UsageError(
-        "NAME", "is no name that everybody reads alike",
+        "NAME", "is too long or can be mistaken for another name",
         fmt::format("give up to {} letters, digits and single spaces of one script", most_name_bytes));
   const std::unique_ptr<SqliteRecords> records = open_records(arguments.data);
   for (const Account& account : records->accounts()) {
     if (account.name != arguments.name && look_alike(account.name, arguments.name))
       throw Error(printable(arguments.name), "looks like the account " + printable(account.name),
-                  "give a name that nobody takes for it");
+                  "give a name that cannot be confused with it");
   }
   const PersonRole role = role_of(arguments, *records);
   records->set_account({arguments.name, role, hash_password(read_password())});
@@ -68,7 +68,7 @@ void add_account(const AccountArguments& arguments) {
 
 void remove_account(const AccountArguments& arguments) {
   if (!open_records(arguments.data)->remove_account(arguments.name))
-    throw Error(printable(arguments.name), "is no account", "see rva account list");
+    throw Error(printable(arguments.name), "is not an account", "see rva account list");
   print("{} may no longer sign in\n", arguments.name);
 }
 
@@ -78,7 +78,7 @@ void list_accounts(const AccountArguments& arguments) {
 }
 
 void add_data_flag(CLI::App& command, AccountArguments& arguments) {
-  command.add_option("--data", arguments.data, "folder of inspections, as of rva serve")
+  command.add_option("--data", arguments.data, "folder of inspections, as for rva serve")
       ->required()
       ->type_name("DIR");
 }
@@ -86,27 +86,27 @@ void add_data_flag(CLI::App& command, AccountArguments& arguments) {
 }  // namespace
 
 void add_account_command(CLI::App& program, Outcome& /*outcome*/) {
-  CLI::App& command = *program.add_subcommand("account", "who may sign in to the console");
+  CLI::App& command = *program.add_subcommand("account", "manages the accounts of the console");
   command.require_subcommand(1);
   const auto arguments = std::make_shared<AccountArguments>();
 
   CLI::App& add = *command.add_subcommand(
       "add", "adds an account, or changes its role and password; asks for the password");
-  add.add_option("NAME", arguments->name, "of the person")->required();
+  add.add_option("NAME", arguments->name, "name of the person")->required();
   add.add_option(
          "--role", arguments->role,
-         "viewer (looks), operator (drives, captures), inspector (decides); without it, viewer, or as "
-         "it was")
+         "viewer (looks), operator (drives, captures), inspector (decides); by default viewer for a new "
+         "account, unchanged for an existing one")
       ->check(CLI::IsMember({"viewer", "operator", "inspector"}));
   add_data_flag(add, *arguments);
   add.callback([arguments] { add_account(*arguments); });
 
-  CLI::App& remove = *command.add_subcommand("remove", "takes an account away");
-  remove.add_option("NAME", arguments->name, "of the person")->required();
+  CLI::App& remove = *command.add_subcommand("remove", "removes an account");
+  remove.add_option("NAME", arguments->name, "name of the person")->required();
   add_data_flag(remove, *arguments);
   remove.callback([arguments] { remove_account(*arguments); });
 
-  CLI::App& list = *command.add_subcommand("list", "all accounts");
+  CLI::App& list = *command.add_subcommand("list", "lists all accounts");
   add_data_flag(list, *arguments);
   list.callback([arguments] { list_accounts(*arguments); });
 }

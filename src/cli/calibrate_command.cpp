@@ -34,14 +34,14 @@ struct CalibrateArguments {
   bool json = false;
 };
 
-// Of one camera on one robot whose foot stood still, each once.
+// All captures must come from one camera on one robot whose foot did not move.
 void require_same_robot(const CaptureInfo& first, const CaptureInfo& info, const std::string& name) {
   const auto base = [](const CaptureInfo& of) { return of.pose ? of.pose->base : std::nullopt; };
   const auto device = [](const CaptureInfo& of) { return of.camera.value_or(CameraInfo{}); };
   if (!base(info))
-    throw Error(name, "does not say where it was taken (pose.base)", "give captures of one rva map");
+    throw Error(name, "does not state where it was taken (pose.base)", "give captures of one rva map");
   if (base(info) != base(first))
-    throw Error(name, "was not taken from the same place as the others (pose.base)",
+    throw Error(name, "was not taken from the same position as the others (pose.base)",
                 "give captures of one rva map");
   if (info.depth != first.depth || device(info).serial != device(first).serial ||
       device(info).baseline_m != device(first).baseline_m)
@@ -66,7 +66,7 @@ std::vector<MapView> load_views(const std::vector<std::string>& captures) {
   return views;
 }
 
-/// All views as one.
+/// Sums over all views.
 struct Agreements {
   ViewAgreement before;
   ViewAgreement after;
@@ -134,16 +134,15 @@ void print_table(const Calibration& calibration, const std::vector<MapView>& vie
 void require_replaceable(const fs::path& file, bool overwrite) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(file, ignored))) return;
-  if (!overwrite)
-    throw Error(printable(file), "is there already", "choose another name, or give --overwrite");
+  if (!overwrite) throw Error(printable(file), "already exists", "choose another name, or give --overwrite");
   try {
     if (fs::is_regular_file(fs::symlink_status(file, ignored))) {
       (void)load_robot_geometry(file);
       return;
     }
-  } catch (const Error&) {  // said below
+  } catch (const Error&) {  // reported below
   }
-  throw Error(printable(file), "is no robot's geometry, so it is not replaced", "choose another name");
+  throw Error(printable(file), "is not a robot's geometry, so it is not replaced", "choose another name");
 }
 
 void calibrate_robot(const CalibrateArguments& arguments) {
@@ -154,7 +153,7 @@ void calibrate_robot(const CalibrateArguments& arguments) {
   const Calibration calibration = calibrate(views, given, arguments.options);
   if (!calibration.doubt.empty())
     throw Error("views", calibration.doubt,
-                "take more of them, all over the reach, before something with structure");
+                "take more of them, over the whole range of the joints, in front of structured surfaces");
   throw_if_interrupted();
   replace_file(arguments.out, robot_geometry_json(calibration.chain));
   if (arguments.json)
@@ -170,11 +169,12 @@ void add_calibrate_command(CLI::App& program, Outcome& /*outcome*/) {
       "calibrate", "finds where the robot's joints and camera are, from views at known joint angles");
   const auto arguments = std::make_shared<CalibrateArguments>();
   command
-      .add_option("captures", arguments->captures, "views from one place, as rva map leaves them in .views")
+      .add_option("captures", arguments->captures,
+                  "views from one position, as rva map writes them to .views")
       ->required()
       ->type_name("CAPTURE");
   command
-      .add_option("--geometry", arguments->geometry, "as it was measured; without it, as the robot is built")
+      .add_option("--geometry", arguments->geometry, "as it was measured; by default as the robot is built")
       ->type_name("FILE");
   command.add_option("--out", arguments->out, "the robot's geometry, for rva map --geometry")
       ->required()

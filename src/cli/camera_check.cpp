@@ -24,19 +24,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How a person reads a quantity, and what to do when it is not as usual.
+/// How a quantity is printed, and what the user can do if it is not as usual.
 struct Wording {
   const char* unit;
-  double units;  // of one
+  double units;  // factor from the stored value to `unit`
   const char* advice;
 };
 
 const Wording& wording_of(std::string_view quantity) {
   static const std::map<std::string_view, Wording> wordings{
-      {"noise", {"mm", 1.0, "clean its windows; see that light and exposure are the usual ones"}},
-      {"measured", {"%", 100.0, "clean its windows; see that the scene is the usual one"}},
+      {"noise", {"mm", 1.0, "clean its windows; check that light and exposure are as usual"}},
+      {"measured", {"%", 100.0, "clean its windows; check that the scene is the usual one"}},
       {"drift", {"%", 100.0, "let it warm up and check again"}},
-      {"distance", {"m", 1.0, "put it before the usual scene, where it always stands"}}};
+      {"distance", {"m", 1.0, "put it in front of the usual scene, in its usual position"}}};
   return wordings.at(quantity);
 }
 
@@ -52,7 +52,7 @@ fs::path own_folder() {
   return home / ".local" / "state" / "rva" / "cameras";
 }
 
-// A history is a camera's, not a port's: by its serial number.
+// A history belongs to a camera, not to a port, so it is named by the serial number.
 std::string file_name(const CaptureInfo& info) {
   const CameraInfo camera = info.camera.value_or(CameraInfo{});
   std::string name = camera.serial.empty() ? camera.model : camera.serial;
@@ -68,7 +68,7 @@ std::vector<CameraCheck> earlier_checks(const fs::path& file) {
 }
 
 void add_to_history(const fs::path& file, const CameraCheck& check) {
-  std::error_code ignored;  // where the folder is missing in the end, the file says why
+  std::error_code ignored;  // append_to_file() reports a folder that could not be created
   fs::create_directories(file.parent_path(), ignored);
   append_to_file(file, check_line(check) + "\n");
 }
@@ -109,7 +109,7 @@ void print_for_a_person(const CameraCheck& check, const CameraJudgement& judgeme
   }
   if (check.temperature_c) print("{:<10}  {:>10.1f} C\n", "chip", *check.temperature_c);
   if (!judgement.known) {
-    print("not known: {} of {} earlier checks that it takes to judge; this one is kept\n", judgement.earlier,
+    print("not known: {} of the {} earlier checks needed to judge it; this one is kept\n", judgement.earlier,
           options.least_checks);
     return;
   }

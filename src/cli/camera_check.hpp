@@ -16,7 +16,7 @@ struct CameraCheckArguments {
 };
 
 /// Measures, judges, prints, and adds the check to the history.
-/// @return whether the camera is fit; true also where nothing is known of it
+/// @return whether the camera is fit; true also if there are too few earlier checks to judge it
 /// @throws Error
 [[nodiscard]] bool check_before_work(Camera& camera, const CameraCheckArguments& arguments);
 

@@ -19,7 +19,7 @@ std::unique_ptr<Camera> open_camera(const std::string& uri, std::uint64_t seed,
     return std::make_unique<ReplayCamera>(open_capture(path, recording), ReplayOptions{.paced = false});
   if (kind == "realsense" && (colon == std::string::npos || !path.empty()))
     return open_realsense(path, realsense);
-  throw UsageError(printable(uri), "no camera", "give sim:SCENE, replay:PATH or realsense[:SERIAL]");
+  throw UsageError(printable(uri), "is not a camera", "give sim:SCENE, replay:PATH or realsense[:SERIAL]");
 }
 
 bool is_device(const std::string& uri) { return uri == "realsense" || uri.starts_with("realsense:"); }

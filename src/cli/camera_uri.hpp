@@ -11,15 +11,15 @@
 
 namespace rva::cli {
 
-/// @param seed      of a simulated camera's noise
-/// @param recording what a replayed capture may lack
-/// @param realsense how such a camera is set
+/// @param seed      seed of a simulated camera's noise
+/// @param recording options for a replayed capture
+/// @param realsense settings of a RealSense camera
 /// @throws UsageError for a URI of another form; Error when what it names cannot be opened
 [[nodiscard]] std::unique_ptr<Camera> open_camera(const std::string& uri, std::uint64_t seed,
                                                   const CaptureOptions& recording,
                                                   const RealSenseOptions& realsense);
 
-/// Whether what it sees is seen once: what a device saw cannot be recorded again.
+/// Whether the URI names a device, whose frames cannot be recorded a second time.
 [[nodiscard]] bool is_device(const std::string& uri);
 
 }  // namespace rva::cli

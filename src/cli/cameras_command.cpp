@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is there, and why there is nothing where that is known.
+/// The cameras that were found, and, if the search failed, why.
 struct Cameras {
   std::vector<FoundCamera> found;
   std::string problem;

@@ -1,11 +1,12 @@
-// The commands of `rva`. Each adds itself to the program; its callback does the work when it was chosen.
+// The commands of `rva`. Each function adds a command to the program; the callback of the chosen command does
+// the work.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace rva::cli {
 
-/// What a chosen command leaves for main().
+/// The result of the chosen command, for main().
 struct Outcome {
   int status = 0;
 };

@@ -29,7 +29,7 @@ void apply_config_file(CLI::App& command, const std::string& path) {
     if (is_mark_of_a_section) continue;
     CLI::Option* const option = command.get_option_no_throw("--" + item.name);
     if (option == nullptr || !item.parents.empty())
-      throw Error(printable(path), printable(item.fullname()) + " is no option of " + command.get_name(),
+      throw Error(printable(path), printable(item.fullname()) + " is not an option of " + command.get_name(),
                   "see rva " + command.get_name() + " --help");
     if (option->count() > 0) continue;
     try {

@@ -1,4 +1,4 @@
-// Options of a command from a file.
+// Reads options of a command from a file.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,11 +6,11 @@
 
 namespace rva::cli {
 
-/// Gives the command what the file says, one `option = value` a line, `#` before comments, names without
-/// dashes; what the command line says already stays. Call it from the command's callback; required options
-/// are the caller's to check.
-/// @throws Error when the file cannot be read, or names an option that the command has not; UsageError for a
-///         value that the option refuses
+/// Sets the options that the file states, one `option = value` a line, `#` before comments, names without
+/// dashes. Options that were given on the command line take precedence. Call it from the command's callback;
+/// the caller has to check required options.
+/// @throws Error when the file cannot be read, or names an option that the command does not have; UsageError
+///         for a value that the option refuses
 void apply_config_file(CLI::App& command, const std::string& path);
 
 }  // namespace rva::cli

@@ -12,7 +12,7 @@ std::string console_folder() {
   for (const std::filesystem::path& folder : {here / "console", here.parent_path() / "share/rva/console"}) {
     if (std::filesystem::is_regular_file(folder / "index.html", failure)) return folder.string();
   }
-  throw Error("console", "its files are not beside the program",
+  throw Error("console", "its files were not found beside the program",
               "build it (script/build), or give --console DIR");
 }
 

@@ -5,8 +5,9 @@
 
 namespace rva::cli {
 
-/// Beside the program that runs: `console/` as it is built, `../share/rva/console/` as it is installed.
-/// @throws Error when it is at neither
+/// Looks relative to the running program: for `console/` of a build, and for `../share/rva/console/` of an
+/// installation.
+/// @throws Error when there is neither
 [[nodiscard]] std::string console_folder();
 
 }  // namespace rva::cli

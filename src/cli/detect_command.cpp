@@ -52,7 +52,7 @@ struct DetectArguments {
   bool fail_on_detection = false;
 };
 
-// Pictures on colour need a colour image; without one the result simply has no such file.
+// overlay.png is drawn on a colour image; without one, the result does not have this file.
 std::optional<ColorImage> color_to_draw_on(const Capture& final, std::vector<std::string>& warnings) {
   if (final.color_frames() == 0) {
     warnings.emplace_back("the final capture has no colour image, so there is no overlay.png");
@@ -71,8 +71,8 @@ void write_color_overlay(const Capture& final, const ColorImage& color, const De
   const CaptureInfo& info = final.info();
   if (!detection.findings.findings.empty() && !(info.color && info.color_from_depth))
     warnings.emplace_back(
-        "the final capture does not state how its colour and depth imagers stand to each other: boxes in "
-        "overlay.png lie only about where the findings are; depth_overlay.png shows them exactly");
+        "the final capture does not state the pose of its colour imager relative to its depth imager: boxes "
+        "in overlay.png are only approximate; depth_overlay.png shows them exactly");
   const Overlay overlay = draw_on_color(color, detection.findings.findings, detection.final_m, info);
   if (overlay.outside > 0) {
     warnings.push_back(fmt::format(
@@ -91,7 +91,7 @@ void print_levels(const DetectionLevelSummary& summary) {
           levels.to_m, levels.median_mm, levels.p90_mm);
 }
 
-// What a method cannot give is not faked.
+// A value that the method does not provide is printed as a dash.
 std::string or_none(const char* format, std::optional<double> number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "-";
 }
@@ -140,7 +140,7 @@ std::vector<std::string> flags_of_others(DetectionMethod method) {
   return flags;
 }
 
-// Options of the other methods, given all the same: the person believes that they do something.
+// Warnings of options that belong to other methods, which the user expects to have an effect.
 std::vector<std::string> options_without_effect(const CLI::App& command, DetectionMethod method) {
   std::vector<std::string> warnings;
   for (const std::string& flag : flags_of_others(method)) {
@@ -179,7 +179,7 @@ void check_sides(const DetectArguments& arguments) {
                      "give INITIAL FINAL, or --initial C ... --final C ... for several a side");
 }
 
-// From "x,y,w,h", each within a million.
+// Parses "x,y,w,h", each at most a million in magnitude.
 Box box_from(const std::string& text) {
   std::array<int, 4> numbers{};
   const char* at = text.data();
@@ -190,7 +190,7 @@ Box box_from(const std::string& text) {
     constexpr int most = 1'000'000;
     if (numbers.at(i) < -most || numbers.at(i) > most || failure != std::errc{} ||
         (last ? rest != end : rest == end || *rest != ','))
-      throw UsageError("--within", fmt::format("{} is no rectangle", printable(text)),
+      throw UsageError("--within", fmt::format("{} is not a rectangle", printable(text)),
                        "give x,y,w,h in pixels");
     at = rest + 1;
   }
@@ -206,7 +206,7 @@ Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
     if (box.width < 1 || box.height < 1 || box.x >= width || box.y >= height || box.x + box.width <= 0 ||
         box.y + box.height <= 0)
       throw UsageError("--within",
-                       fmt::format("{},{},{},{} holds no pixel of the depth image of {}x{}", box.x, box.y,
+                       fmt::format("{},{},{},{} contains no pixel of the depth image of {}x{}", box.x, box.y,
                                    box.width, box.height, width, height),
                        "give x,y,w,h in pixels of the initial depth image");
     regions.within.push_back(polygon_of(box));
@@ -270,7 +270,7 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   const auto arguments = std::make_shared<DetectArguments>();
   command.add_option("INITIAL", arguments->initial, "capture before the work");
   command.add_option("FINAL", arguments->final, "capture after the work");
-  command.add_option("--initial", arguments->initial_side, "captures before the work, from nearly one place")
+  command.add_option("--initial", arguments->initial_side, "captures before the work, from nearly one pose")
       ->type_name("CAPTURE");
   command
       .add_option("--final", arguments->final_side,

@@ -33,7 +33,7 @@ void export_points(const ExportArguments& arguments, const Capture& capture) {
   const fs::path file = arguments.out;
   std::error_code failure;
   if (fs::exists(file, failure) && (!arguments.overwrite || !fs::is_regular_file(file, failure)))
-    throw Error(printable(file), "is there already",
+    throw Error(printable(file), "already exists",
                 "choose another name, or give --overwrite to replace a file");
   const std::vector<MapPoint> points = points_of(capture, terminal_progress());
   replace_file(file, arguments.to == "ply" ? encode_ply(points, PointFrame::depth_camera)

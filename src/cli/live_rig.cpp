@@ -20,7 +20,7 @@
 namespace rva::cli {
 namespace {
 
-// Decoding takes longer than showing.
+// The frames are decoded in advance, since decoding takes longer than showing them.
 std::unique_ptr<Camera> open_replay(const std::string& path) {
   constexpr std::size_t most_bytes = 512UL << 20U;
   return std::make_unique<ReplayCamera>(load_to_memory(*open_capture(path), most_bytes, terminal_progress()),

@@ -1,4 +1,4 @@
-// A camera and, where there is one, the robot that carries it, by name, for people who watch.
+// Opens a camera and, if there is one, the robot that carries it, by name, for live use.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace rva::cli {
 
-/// In real time.
+/// A camera and a robot in real time.
 struct LiveRig {
-  std::unique_ptr<Robot> robot;    ///< null where there is none
-  std::unique_ptr<Camera> camera;  ///< may follow the robot: it is closed first
-  /// Of a simulated scene with debris: true lets it be left there, false takes it away, which is how it
-  /// begins. Empty elsewhere.
+  std::unique_ptr<Robot> robot;    ///< null if there is none
+  std::unique_ptr<Camera> camera;  ///< may read the robot's angles, so it is destroyed first
+  /// For a simulated scene with debris or work: true shows the scene after the work, false before it, which
+  /// is the initial state. Empty otherwise.
   std::function<void(bool)> simulated_work;
 };
 
@@ -24,7 +24,7 @@ struct LiveRig {
 ///               another program writes (`<pan_deg> <tilt_deg>`); replay:PATH, which begins again at its end;
 ///               realsense[:SERIAL]
 /// @param robot  sim, serial:DEVICE, none
-/// @param seed   of a simulated camera's noise and a simulated robot's errors
+/// @param seed   seed of a simulated camera's noise and a simulated robot's errors
 /// @throws UsageError for a URI of another form, or a recording on a robot; Error when what it names cannot
 ///         be opened
 [[nodiscard]] LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,

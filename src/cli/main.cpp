@@ -14,7 +14,7 @@ namespace {
 
 using rva::cli::Outcome;
 
-// CLI11 would only say that some command is required.
+// CLI11 would only report that some command is required.
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   for (const CLI::App* command : program.get_subcommands({})) {
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
     return rva::cli::status_failed;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "rva: memory: not enough of it; close other programs or use fewer frames\n");
+    fmt::print(stderr, "rva: memory: there is not enough; close other programs or use fewer frames\n");
     return rva::cli::status_failed;
   } catch (const std::system_error& error) {
     fmt::print(stderr, "rva: system: {}; close other programs and try again\n", error.code().message());

@@ -52,12 +52,12 @@ struct MapArguments {
 GridAxis grid_axis(const double* from_to_count) {
   const double count = from_to_count[2];
   if (!(count >= 1.0 && count <= most_waypoints && count == std::floor(count)))
-    throw UsageError("--grid", fmt::format("{} is no number of angles", count),
+    throw UsageError("--grid", fmt::format("{} is not a number of angles", count),
                      "give FROM,TO,COUNT of pan, then of tilt");
   if (count == 1.0 && from_to_count[0] != from_to_count[1])
     throw UsageError("--grid",
                      fmt::format("one angle cannot be both {} and {}", from_to_count[0], from_to_count[1]),
-                     "give it twice");
+                     "give the same angle twice");
   return {from_to_count[0], from_to_count[1], static_cast<int>(count)};
 }
 
@@ -71,7 +71,7 @@ std::vector<PanTilt> waypoints_of(const MapArguments& arguments) {
   return grid_waypoints(pan, tilt);
 }
 
-// Captures of one base share a world frame, so a place that nobody named has a name that no other has.
+// Captures of one base share a world frame, so a position for which no name was given gets a unique one.
 std::string base_of(const MapArguments& arguments, const Camera& camera) {
   if (arguments.base) return *arguments.base;
   const std::optional<Pose> pose = camera.info().pose;
@@ -94,7 +94,7 @@ MapView load_view(const fs::path& folder) {
   }
 }
 
-// By the names that they have once the map is in its place.
+// Views get the names that they will have once the map has been moved to its final path.
 std::vector<MapView> load_views(const MapFiles& files, const fs::path& taken_in, std::size_t count) {
   const Progress progress = terminal_progress();
   std::vector<MapView> views;
@@ -127,7 +127,7 @@ void print_summary(const MapFiles& files, const std::vector<MapView>& views, con
                    std::size_t points, double ms, bool as_json) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (!map.poses[i].doubt.empty())
-      fmt::print(stderr, "rva: {}: {}, so its place is the one by the joints\n", views[i].name,
+      fmt::print(stderr, "rva: {}: {}, so its pose is the one given by the joints\n", views[i].name,
                  map.poses[i].doubt);
   }
   if (as_json) {
@@ -150,7 +150,7 @@ void check(const MapArguments& arguments) {
   check_map_cloud_options(arguments.cloud);
   check_options(arguments.refinement);
   if (arguments.base && (arguments.base->empty() || !is_utf8(*arguments.base)))
-    throw UsageError("--base", "is no name", "give one in UTF-8");
+    throw UsageError("--base", "is not a name", "give one in UTF-8");
 }
 
 void map_bay(const MapArguments& arguments) {
@@ -160,7 +160,7 @@ void map_bay(const MapArguments& arguments) {
   const PanTiltChain chain = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
   if (finish_map(files))
     fmt::print(stderr,
-               "rva: {}: a map that was being put in place when the program was killed is complete now\n",
+               "rva: {}: a map that was being moved here when the program was killed is complete now\n",
                printable(files.ply));
   require_replaceable(files, arguments.overwrite);
   const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
@@ -181,7 +181,7 @@ void map_bay(const MapArguments& arguments) {
   const double refined_and_joined_ms = start.ms();
   if (points.empty())
     throw Error(printable(files.ply), "would have no point: nothing was measured within --near and --far",
-                "look at the views in " + printable(folder.path()));
+                "check the views in " + printable(folder.path()));
   throw_if_interrupted();
   write_map(files, points, views, map);
   print_summary(files, views, map, points.size(), refined_and_joined_ms, arguments.json);
@@ -207,10 +207,10 @@ void add_map_command(CLI::App& program, Outcome& /*outcome*/) {
       .add_option("--out", arguments->out, "the map; its .pcd, poses (.json) and captures (.views) beside it")
       ->required()
       ->type_name("FILE.ply");
-  command.add_option("--geometry", arguments->geometry, "of the robot, as rva calibrate writes it")
+  command.add_option("--geometry", arguments->geometry, "geometry of the robot, as rva calibrate writes it")
       ->type_name("FILE");
   command.add_option("--base", arguments->base,
-                     "name of the place where the robot's foot stands; captures of one base share a frame");
+                     "name of the position of the robot's foot; captures of one base share a frame");
   command.add_option("--frames", arguments->capture.frames, "depth frames of each view")
       ->check(frame_count())
       ->capture_default_str();
@@ -221,7 +221,7 @@ void add_map_command(CLI::App& program, Outcome& /*outcome*/) {
   add_flags(command, arguments->refinement);
   add_flags(command, arguments->realsense);
   command.add_flag("--no-refine", arguments->no_refine,
-                   "leave the views where the joints have them, as the thesis did");
+                   "keep the poses that the joints give, as the thesis did");
   command.add_flag("--resume", arguments->resume,
                    "go on with a map that was interrupted: take only the missing views");
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier map");

@@ -59,7 +59,8 @@ std::string to_json(const NoiseReport& report) {
   return json.dump(1) + "\n";
 }
 
-// White where the ends of the capture differ, black where they agree, grey where nothing could be tested.
+// White where the first and the last frames differ, black where they do not, grey where there was nothing to
+// test.
 Mask drift_picture(const Noise& noise) {
   constexpr std::uint8_t untested = 96;
   Mask picture(noise.welch_p.width(), noise.welch_p.height());
@@ -83,7 +84,7 @@ void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& repo
   for (const NoiseBin& bin : report.bins)
     print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
   print_row("all", report.overall);
-  if (report.overall.pixels == 0) print("no pixel was measured twice, so nothing is known of its noise\n");
+  if (report.overall.pixels == 0) print("no pixel was measured twice, so the noise is unknown\n");
   print(
       "Welch's test, first against last {} frames: {:.1f} % of pixels differ (p < {}; {:.1f} % expected if "
       "nothing drifts)\n",
@@ -113,12 +114,12 @@ void measure(const NoiseArguments& arguments) {
 
 void check(NoiseArguments arguments, Outcome& outcome) {
   if (!arguments.capture.empty() || !arguments.out.empty())
-    throw UsageError("--camera", "is checked now, and writes no pictures", "leave CAPTURE and --out out");
+    throw UsageError("--camera", "checks a camera and writes no pictures", "leave out CAPTURE and --out");
   arguments.check.json = arguments.json;
   if (arguments.noise.frames != 0) arguments.check.frames = static_cast<std::size_t>(arguments.noise.frames);
   constexpr std::size_t least_frames = 4;
   if (arguments.check.frames < least_frames)
-    throw UsageError("--frames", "too few to see noise in", "give 4 or more");
+    throw UsageError("--frames", "too few to measure noise", "give 4 or more");
   const std::unique_ptr<Camera> camera =
       open_camera(arguments.camera, arguments.seed, arguments.captures.options(), arguments.realsense);
   if (!check_before_work(*camera, arguments.check)) outcome.status = status_detected;
@@ -133,12 +134,13 @@ void add_noise_command(CLI::App& program, Outcome& outcome) {
   command.add_option("--out", arguments->out, "folder for std.png, drift.png and noise.json")
       ->type_name("DIR");
   command
-      .add_option("--camera", arguments->camera,
-                  "instead of CAPTURE: check this camera before a scene that stays, against its own history")
+      .add_option(
+          "--camera", arguments->camera,
+          "instead of CAPTURE: check this camera on a scene that does not change, against its own history")
       ->type_name("URI");
   command.add_option("--history", arguments->check.history, "folder of the histories of cameras")
       ->type_name("DIR");
-  command.add_option("--seed", arguments->seed, "of a simulated camera's noise")
+  command.add_option("--seed", arguments->seed, "seed of a simulated camera's noise")
       ->check(any_seed())
       ->capture_default_str();
   add_flags(command, arguments->noise);

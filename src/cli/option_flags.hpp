@@ -1,4 +1,4 @@
-// Options structs as command line flags.
+// Command line flags for the structs of options.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@
 
 namespace rva::cli {
 
-/// Refuses what is not a number of this type from `low` to `high`. CLI11 alone takes -1 for a very large
-/// count, 1e20 for the largest, and NaN for any number.
+/// Refuses what is not a number of this type from `low` to `high`. CLI11 alone accepts -1 as a very large
+/// count, 1e20 as the largest, and NaN as any number.
 template <typename Number>
 CLI::Validator number_within(Number low, Number high) {
   const auto problem = [low, high](const std::string& text) {
@@ -36,7 +36,7 @@ CLI::Validator number_within(Number low, Number high) {
   return {problem, ""};
 }
 
-/// How many frames a capture that is written may have: their names have six digits.
+/// The number of frames that a written capture may have: their file names have six digits.
 inline CLI::Validator frame_count() { return number_within<std::size_t>(1, 1'000'000); }
 
 inline CLI::Validator any_seed() {
@@ -44,7 +44,7 @@ inline CLI::Validator any_seed() {
 }
 
 /// A flag for each field of the struct, with its default, unit and sentence from the struct's description.
-/// What is on or off may go without its number: it is on then.
+/// A bool may be given without a value, which turns it on.
 template <typename Options>
 void add_flags(CLI::App& command, Options& options) {
   Options::describe(options, [&](auto& value, const OptionField& field) {
@@ -54,7 +54,7 @@ void add_flags(CLI::App& command, Options& options) {
   });
 }
 
-/// What every command that opens captures takes.
+/// The options of every command that opens captures.
 struct CaptureFlags {
   std::vector<double> intrinsics;
   std::vector<std::uint16_t> no_depth;
@@ -70,7 +70,7 @@ struct CaptureFlags {
         ->check(number_within(0.0001, 1000.0));
   }
 
-  /// For commands whose camera has a unit of the same name.
+  /// For commands whose camera has an option --depth-unit of its own.
   void add_without_unit_to(CLI::App& command) {
     command
         .add_option("--no-depth", no_depth,

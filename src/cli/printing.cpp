@@ -6,7 +6,7 @@ namespace rva::cli {
 
 void require_printed() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    throw Error("stdout", "the result cannot be written", "free some space or choose another place");
+    throw Error("stdout", "the result cannot be written", "free some space or write to another disk");
   }
 }
 

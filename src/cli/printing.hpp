@@ -9,14 +9,14 @@
 namespace rva::cli {
 
 /// Writes to stdout as fmt::print does, but leaves a failure for require_printed() to report: a full disk is
-/// an error for a person, not an exception from deep inside.
+/// an error for the user, not an exception from deep inside.
 template <typename... Arguments>
 void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   const std::string text = fmt::format(format, std::forward<Arguments>(arguments)...);
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));
 }
 
-/// A result that could not be printed was not delivered. @throws Error
+/// @throws Error when a result could not be printed
 void require_printed();
 
 }  // namespace rva::cli

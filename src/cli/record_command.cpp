@@ -37,7 +37,7 @@ struct RecordArguments {
   bool overwrite = false;
 };
 
-// What a device saw until something failed cannot be seen again: it is kept.
+// Frames of a device cannot be recorded a second time, so those that were recorded before a failure are kept.
 Recorded record_once(Camera& camera, std::size_t frames, CaptureWriter& writer, OutputFolder& out) {
   std::size_t done = 0;
   const Progress shown = terminal_progress();
@@ -67,20 +67,20 @@ void require_lamp(const Camera& camera, const RecordArguments& arguments) {
 
 void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   if (command.count("--seed") > 0 && !arguments.camera.starts_with("sim:"))
-    throw UsageError("--seed", "has no say in " + printable(arguments.camera),
+    throw UsageError("--seed", "has no effect with " + printable(arguments.camera),
                      "leave it out; it is for sim:SCENE");
   const CaptureOptions recording = arguments.recording.options();
   OutputFolder out(arguments.out, capture_files(), arguments.overwrite ? Existing::replace : Existing::refuse,
                    is_device(arguments.camera) ? Remains::keep : Remains::remove);
   for (const std::filesystem::path& remains : out.remains())
     fmt::print(stderr,
-               "rva: {} holds an unfinished recording of a program that was killed; keep or remove it\n",
+               "rva: {} contains an unfinished recording of a program that was killed; keep or remove it\n",
                printable(remains));
   const std::unique_ptr<Camera> camera =
       open_camera(arguments.camera, arguments.seed, recording, arguments.realsense);
   const CaptureInfo info = camera->info();
-  // What a replayed capture says beyond the format stays with it.
   require_lamp(*camera, arguments);
+  // Fields of a replayed capture that are not part of the format are kept.
   CaptureWriter writer(out.path(""), info,
                        info.format == "rva-capture" && !info.source_json.empty() ? info.source_json : "{}");
   const Recorded recorded = is_device(arguments.camera)
@@ -94,7 +94,7 @@ void record_capture(const CLI::App& command, const RecordArguments& arguments) {
 
 std::string dither_name(int number) { return fmt::format("dither-{:02}", number); }
 
-// What several captures in one folder may hold, each in a folder of its own.
+// The files of several captures in one folder, each in a folder of its own.
 std::vector<std::string> dithered_capture_files() {
   std::vector<std::string> files;
   for (int k = 0; k < most_dithers; ++k) {
@@ -140,7 +140,7 @@ void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
   command.add_option("--frames", arguments->frames, "depth frames")
       ->check(frame_count())
       ->capture_default_str();
-  command.add_option("--seed", arguments->seed, "of a simulated camera's noise")
+  command.add_option("--seed", arguments->seed, "seed of a simulated camera's noise")
       ->check(any_seed())
       ->capture_default_str();
   command

@@ -1,4 +1,4 @@
-// A camera and the robot that carries it, by name.
+// Opens a camera and the robot that carries it, by name.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,19 @@
 
 namespace rva::cli {
 
-/// Both, and the time by which they move: that of a simulated robot goes by as fast as the work is done.
+/// A camera, a robot, and the clock by which they move: with a simulated robot, it advances as fast as the
+/// work is done.
 struct OpenRig {
   std::unique_ptr<Robot> robot;
-  std::unique_ptr<Camera> camera;  ///< may follow the robot: it is closed first
+  std::unique_ptr<Camera> camera;  ///< may read the robot's angles
   Clock clock;
 };
 
-/// @param camera sim:SCENE, which follows a simulated robot as it really stands, another as it says it does;
-///               sim:SCENE,joints=FILE, which follows a file that another program writes
+/// @param camera sim:SCENE, which follows the true angles of a simulated robot, or the angles that another
+///               robot reports; sim:SCENE,joints=FILE, which follows a file that another program writes
 ///               (`<pan_deg> <tilt_deg>`); realsense[:SERIAL], on a serial robot
 /// @param robot  sim, serial:DEVICE
-/// @param seed   of a simulated camera's noise and a simulated robot's errors
+/// @param seed   seed of a simulated camera's noise and a simulated robot's errors
 /// @throws UsageError for a URI of another form; Error when what it names cannot be opened
 [[nodiscard]] OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,
                                const RealSenseOptions& realsense);

@@ -11,7 +11,7 @@ namespace rva::cli {
 std::unique_ptr<Robot> open_serial_robot(const std::string& uri) {
   constexpr std::string_view serial = "serial:";
   if (!uri.starts_with(serial) || uri.size() == serial.size())
-    throw UsageError(printable(uri), "no robot", "give sim or serial:DEVICE");
+    throw UsageError(printable(uri), "is not a robot", "give sim or serial:DEVICE");
   return std::make_unique<SerialRobot>(uri.substr(serial.size()));
 }
 

@@ -35,7 +35,7 @@ struct ServeArguments {
   RealSenseOptions realsense;
 };
 
-// On the command line or in the file.
+// Refuses an option that is neither on the command line nor in the file.
 void require(const std::string& value, const char* option, const std::string& what) {
   if (value.empty()) throw UsageError(option, "is missing", "give " + what);
 }
@@ -80,17 +80,18 @@ void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
       ->type_name("DIR");
   command.add_option("--geometry", arguments->geometry, "the robot's geometry, as rva calibrate writes it")
       ->type_name("FILE");
-  command.add_option("--address", arguments->server.address, "to listen at")->capture_default_str();
+  command.add_option("--address", arguments->server.address, "address to listen on")->capture_default_str();
   add_flags(command, arguments->server);
   command
       .add_option("--tls-certificate", arguments->server.tls_certificate,
-                  "PEM file, for others than this computer")
+                  "PEM file, required for remote access")
       ->type_name("FILE");
   command.add_option("--tls-key", arguments->server.tls_key, "PEM file")->type_name("FILE");
   command.add_option("--console", arguments->server.console, "folder of the console's files")
       ->type_name("DIR");
   command
-      .add_option("--seed", arguments->seed, "of a simulated camera's noise and a simulated robot's errors")
+      .add_option("--seed", arguments->seed,
+                  "seed of a simulated camera's noise and a simulated robot's errors")
       ->check(any_seed())
       ->capture_default_str();
   add_flags(command, arguments->inspector);

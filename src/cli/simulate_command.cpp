@@ -57,7 +57,7 @@ SceneOverrides overrides_from(const CLI::App& command, const SimulateArguments& 
   return overrides;
 }
 
-// How the capture came to be, so that it can be made again.
+// The settings of the simulation, so that the capture can be reproduced.
 std::string origin_json(const SimulateArguments& arguments, const SceneOverrides& overrides,
                         const Scene& scene) {
   Json options;
@@ -89,7 +89,7 @@ void write_infrared(const SimulatedCamera& camera, const OutputFolder& out) {
   write_file(out.path("infrared/right.png"), encode_png(camera.right_infrared()));
 }
 
-// The model's, but for what was stated by itself.
+// The options of the camera model, except those that were given explicitly.
 StereoSensorOptions sensor_of(const CLI::App& command, const std::string& model) {
   StereoSensorOptions sensor = camera_model(model);
   StereoSensorOptions::describe(sensor, [&](auto& value, const OptionField& field) {
@@ -133,9 +133,10 @@ void add_simulate_command(CLI::App& program, Outcome& /*outcome*/) {
       ->capture_default_str();
   command
       .add_option("--debris", arguments->debris,
-                  "none: the bay as it was before the work; or a scene file whose debris is taken instead")
+                  "none: the bay as it was before the work; or a scene file whose debris is used instead")
       ->type_name("none|FILE");
-  command.add_option("--debris-seed", arguments->debris_seed, "of debris that the scene places at random")
+  command
+      .add_option("--debris-seed", arguments->debris_seed, "seed of debris that the scene places at random")
       ->check(any_seed());
   command.add_option("--position", arguments->position_m, "where the robot's foot stands")
       ->check(number_within(-100.0, 100.0))
@@ -151,8 +152,8 @@ void add_simulate_command(CLI::App& program, Outcome& /*outcome*/) {
   command
       .add_option(
           "--camera-model", arguments->camera_model,
-          "of another matcher: d435, census-5, census-13, semi-global, correlation-5, correlation-9, or "
-          "random:SEED or imperfect:SEED, drawn by chance")
+          "with another matcher: d435, census-5, census-13, semi-global, correlation-5, correlation-9, or "
+          "random:SEED or imperfect:SEED, drawn at random")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_flag("--all-colors", arguments->all_colors,

@@ -23,17 +23,17 @@ PanTilt read_joints(const std::string& path) {
   if (text >> joints.pan_deg >> joints.tilt_deg && std::abs(joints.pan_deg) <= most_deg &&
       std::abs(joints.tilt_deg) <= most_deg)
     return joints;
-  throw Error(printable(path), "does not hold two angles", "write pan and tilt in degrees into it");
+  throw Error(printable(path), "does not contain two angles", "write pan and tilt in degrees into it");
 }
 
 SimulatedView parse_simulated_view(const std::string& camera) {
   if (!camera.starts_with(simulated) || camera.size() == simulated.size())
-    throw UsageError(printable(camera), "no camera that a robot can carry",
+    throw UsageError(printable(camera), "is not a camera that a robot can carry",
                      "give sim:SCENE or realsense[:SERIAL]");
   const std::size_t joints = camera.rfind(joints_file);
   if (joints == std::string::npos) return {camera.substr(simulated.size()), ""};
   if (camera.size() == joints + joints_file.size())
-    throw UsageError(printable(camera), "names no file of joints", "give sim:SCENE,joints=FILE");
+    throw UsageError(printable(camera), "does not name a file of joint angles", "give sim:SCENE,joints=FILE");
   return {camera.substr(simulated.size(), joints - simulated.size()),
           camera.substr(joints + joints_file.size())};
 }

@@ -1,4 +1,4 @@
-// Progress as a line that renews itself.
+// Progress as a line that is updated in place.
 #pragma once
 
 #include "core/progress.hpp"

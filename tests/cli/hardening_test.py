@@ -191,10 +191,10 @@ class Accounts(Served):
 
     def test_names_that_can_be_taken_for_another_are_refused(self):
         self.assertEqual(self.account('add', 'paul').returncode, 0)
-        for name, status, words in (('Paul', 1, 'looks like'), ('pau1', 1, 'looks like'), (' paul', 2, 'is no name'),
-                                    ('paul ', 2, 'is no name'), ('pa\u200bul', 2, 'is no name'),
-                                    ('\u202eluap', 2, 'is no name'), ('pa\u2066ul', 2, 'is no name'),
-                                    ('p\u0430ul', 2, 'is no name'), ('\u0440\u0430ul', 2, 'is no name')):
+        for name, status, words in (('Paul', 1, 'looks like'), ('pau1', 1, 'looks like'), (' paul', 2, 'can be mistaken'),
+                                    ('paul ', 2, 'can be mistaken'), ('pa\u200bul', 2, 'can be mistaken'),
+                                    ('\u202eluap', 2, 'can be mistaken'), ('pa\u2066ul', 2, 'can be mistaken'),
+                                    ('p\u0430ul', 2, 'can be mistaken'), ('\u0440\u0430ul', 2, 'can be mistaken')):
             with self.subTest(name):
                 done = self.account('add', name)
                 self.assertEqual(done.returncode, status, done.stderr)

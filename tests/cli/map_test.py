@@ -284,7 +284,7 @@ class MapBadInput(MapTest):
             self.refused('--base', base, names=['--base'], status=2)
         self.refused('--waypoints', '', names=['no such file'], where=())
         self.refused('--geometry', '', names=['no such file'])
-        self.refused(names=['no file of joints'], camera=f'sim:{TOOLS},joints=', status=2)
+        self.refused(names=['a file of joint angles'], camera=f'sim:{TOOLS},joints=', status=2)
 
 
 class Calibrating(MapTest):
@@ -317,7 +317,7 @@ class Calibrating(MapTest):
     def test_an_earlier_geometry_is_not_replaced_unasked(self):
         self.robot.write_text('mine')
         self.check_refused('calibrate', *self.views, '--out', self.robot, names=[self.robot, '--overwrite'])
-        self.check_refused('calibrate', *self.views, '--out', self.robot, '--overwrite', names=["no robot's geometry"])
+        self.check_refused('calibrate', *self.views, '--out', self.robot, '--overwrite', names=["is not a robot's geometry"])
         shutil.copy(self.given, self.robot)
         self.succeed('calibrate', *self.views, '--out', self.robot, '--overwrite')
         self.assertNotEqual(self.robot.read_text(), self.given.read_text())
@@ -332,7 +332,7 @@ class Calibrating(MapTest):
         said = json.loads((other / 'capture.json').read_text())
         said['pose']['base'] = 'elsewhere'
         (other / 'capture.json').write_text(json.dumps(said))
-        self.check_refused('calibrate', *self.views, other, '--out', self.robot, names=[other, 'same place'])
+        self.check_refused('calibrate', *self.views, other, '--out', self.robot, names=[other, 'same position'])
         said['pose']['base'] = 'b1-foot'
         said['camera']['baseline_m'] = 0.06
         (other / 'capture.json').write_text(json.dumps(said))

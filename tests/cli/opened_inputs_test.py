@@ -277,7 +277,7 @@ class OpenedInputsTest(program.ProgramTest):
 
     def test_colour_whose_place_is_unknown_is_drawn_on_with_a_warning(self):
         self.write(lambda at, mm: write_capture(at, mm, pictures=[self.picture], color=CAMERA.fields()))
-        self.assertIn('does not state how its colour and depth imagers stand', self.check_box())
+        self.assertIn('does not state the pose of its colour imager', self.check_box())
         self.check_fails('export', self.folder / 'before', '--to', 'open3d', '--out', self.out / 'x', names=['color_from_depth'])
 
     def test_colour_and_depth_are_paired_by_their_numbers(self):
