@@ -1,4 +1,4 @@
-// The console: what is seen in the middle, what is to be done beside it, the robot below.
+// The console: pictures in the middle, the next step beside them, the robot below.
 import { useEffect } from 'preact/hooks';
 import { DrivePanel } from './drive/DrivePanel';
 import { Begin } from './inspection/Begin';
@@ -83,7 +83,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
   const ended = useStore(link.ended);
   const page = useStore(shownPage);
   const comparison = inspection?.comparison;
-  // Findings that have come are looked at first.
+  // New findings are shown first.
   useEffect(() => {
     review.value = firstLook;
     shownPage.value = comparison ? 'review' : 'live';
@@ -99,7 +99,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <h1>RVA</h1>
           <p role="alert">{ended}</p>
           <button type="button" class="primary" onClick={() => location.reload()}>
-            Load the page again
+            Reload the page
           </button>
         </div>
       </main>

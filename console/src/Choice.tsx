@@ -1,9 +1,9 @@
-// One of a few options, all of them in sight.
+// A choice of one among a few options, all of them visible.
 interface Props<T extends string> {
   label: string;
   options: [T, string][];
   value: T;
-  /** Begins the test ids of the options. */
+  /** Prefix of the options' test ids. */
   name?: string;
   onPick: (value: T) => void;
 }

@@ -1,4 +1,4 @@
-// Who are you? Asked where the server has accounts.
+// The sign-in form, shown if the server has accounts.
 import { useState } from 'preact/hooks';
 import { api, Refusal } from './link/api';
 

@@ -1,4 +1,4 @@
-// A value that pages show: who changes it need not know who shows it.
+// A value that notifies its listeners when it changes, so that its writers do not need to know them.
 import { useEffect, useState } from 'preact/hooks';
 
 export class Store<T> {

@@ -42,7 +42,7 @@ test('an operator works under the name of the account, and is out when it goes',
   await expect(page.getByTestId('release')).toBeVisible();
   served.account('remove', 'olga');
   await expect(page.getByRole('alert')).toContainText('no longer');
-  await page.getByRole('button', { name: 'Load the page again' }).click();
+  await page.getByRole('button', { name: 'Reload the page' }).click();
   await expect(page.getByTestId('sign-in')).toBeVisible();
   await signIn(page, 'ines');
   await page.getByTestId('home').click();

@@ -219,9 +219,9 @@ test.describe('whoever has the controls', () => {
     await expect(page.getByTestId('drive-hint')).toContainText('Pull the stick');
   });
 
-  test('comes to the end of the way and is told', async ({ console: page }) => {
+  test('reaches a limit and is told', async ({ console: page }) => {
     await page.keyboard.down('ArrowUp');
-    await expect(page.getByTestId('drive-hint')).toContainText('End of the way');
+    await expect(page.getByTestId('drive-hint')).toContainText('Limit reached');
     await page.keyboard.up('ArrowUp');
     expect(await angle(page, 'tilt')).toBeLessThanOrEqual(9);
   });
@@ -240,7 +240,7 @@ test('one drives, others watch, stop and take over', async ({ console: ann, serv
   const bob = await (await browser.newContext()).newPage();
   await bob.goto(served.address);
   await bob.getByTestId('open-1').click();
-  await expect(bob.getByTestId('take-over')).toContainText('Ann drives');
+  await expect(bob.getByTestId('take-over')).toContainText('Ann is driving');
   await expect(bob.getByTestId('stick')).toHaveAttribute('aria-disabled', 'true');
 
   await ann.bringToFront();

@@ -23,7 +23,7 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await expect(page.getByTestId('noise')).toContainText('its readings tremble by');
   // In the middle of a capture, the page is loaded again and finds itself there.
   await page.reload();
-  await expect(page.getByTestId('work')).toContainText('The baseline is kept', { timeout: 60_000 });
+  await expect(page.getByTestId('work')).toContainText('The baseline is saved', { timeout: 60_000 });
 
   // The power fails during the work. The baseline is still there.
   const port = served.port;

@@ -1,4 +1,4 @@
-// Where a joint is, between its soft limits.
+// The angle of a joint, shown between its soft limits.
 interface Props {
   label: string;
   angle_deg: number | undefined;

@@ -1,4 +1,4 @@
-// The controllers that are connected, what was taught of them, and the dead zone of their sticks.
+// The connected controllers, the teaching of their mappings, and the dead zone of their sticks.
 import { useState } from 'preact/hooks';
 import { useStore } from '../store';
 import type { PadReport } from './controllers';
@@ -63,7 +63,7 @@ function DeadZone() {
         // The arrow keys turn the camera again once the slider is let go.
         onPointerUp={(event) => event.currentTarget.blur()}
       />
-      <small>How far a stick is pushed before the camera turns.</small>
+      <small>How far a stick must be pushed before the camera turns.</small>
     </label>
   );
 }

@@ -1,4 +1,4 @@
-// Turning the camera: who may, the stick, the angles, and the stop that everyone has.
+// Turning the camera: who has the controls, the stick, the angles, and the stop button, which everybody may use.
 import { useState } from 'preact/hooks';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
@@ -18,18 +18,18 @@ export function StopButton() {
   );
 }
 
-// What keeps the robot from moving just now, or what to do.
+// Why the robot does not move at the moment, or what to do.
 function hint(robot: RobotStatus, yours: boolean, hasController: boolean): string {
   if (robot.problem) return robot.problem;
   if (robot.lent) return 'A capture is turning the camera.';
   if (!yours) return 'Take the controls to turn the camera.';
   if (!robot.armed) return 'Stopped. Let go of the stick, then pull again.';
-  if (robot.at_limit) return 'End of the way: the camera turns no farther.';
+  if (robot.at_limit) return 'Limit reached: the camera cannot turn farther.';
   if (robot.driving) return 'Turning. Let go to stop.';
   return hasController ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
 }
 
-/** @param small a page of pictures needs the room: the stop button and who drives */
+/** @param small whether to show only the stop button and who is driving, to leave room for a page of pictures */
 export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: boolean }) {
   const status = useStore(link.status);
   const lease = useStore(link.lease);
@@ -41,7 +41,7 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
   if (!robot) {
     return (
       <section class="drive" aria-label="Robot">
-        <p class="hint">No robot: the camera stands still.</p>
+        <p class="hint">No robot: the camera does not move.</p>
       </section>
     );
   }
@@ -63,7 +63,7 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
           </div>
         )}
         <p class={`hint ${robot.problem ? 'bad' : denied ? 'warn' : ''}`} role="status" data-testid="drive-hint">
-          {small && !robot.problem ? 'The camera is driven on the page “Live”.' : hint(robot, lease.yours, hasController)}
+          {small && !robot.problem ? 'To drive the camera, open the page “Live”.' : hint(robot, lease.yours, hasController)}
         </p>
         {!small && notice && (
           <p class="warn" role="status" data-testid="controller-notice">
@@ -83,17 +83,17 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
           )}
           {others && !asking && !small && (
             <button type="button" data-testid="take-over" disabled={!mayDrive} onClick={() => setAsking(true)}>
-              {lease.holder || 'Somebody'} drives · take over…
+              {lease.holder || 'Somebody'} is driving · take over…
             </button>
           )}
           {others && asking && (
             <span class="confirm">
-              <span>{lease.holder || 'Somebody'} loses the controls.</span>
+              <span>{lease.holder || 'Somebody'} will lose the controls.</span>
               <button type="button" class="primary" data-testid="take-over-yes" onClick={takeOver}>
                 Take over
               </button>
               <button type="button" onClick={() => setAsking(false)}>
-                Leave them
+                Cancel
               </button>
             </span>
           )}

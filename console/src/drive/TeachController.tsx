@@ -1,4 +1,4 @@
-// Teaches the mapping of a controller: asks for one push or press after the other.
+// Teaches the mapping of a controller by asking for one push or press after another.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { connectedPads, nameOf } from './gamepads';
 import { padMemory } from './pad_memory';
@@ -11,7 +11,7 @@ const instructions: Record<TeachingStep, string> = {
   rest: 'Let go of all sticks and buttons.',
   right: 'Push the left stick to the right, and hold it.',
   up: 'Push the left stick up, and hold it.',
-  stop: 'Press the button that is to stop the robot.',
+  stop: 'Press the button that will stop the robot.',
   'let-go': 'Good. Let go.',
   done: 'Done.',
 };
@@ -50,7 +50,7 @@ export function TeachController({ slot, id, onEnd }: Props) {
       <p class="teach-step" role="status" data-testid="teach-step">
         {instructions[step]}
       </p>
-      <p class="hint">Meanwhile this controller turns nothing.</p>
+      <p class="hint">Meanwhile this controller does not turn the camera.</p>
       <button type="button" ref={cancel} data-testid="teach-cancel" onClick={onEnd}>
         Cancel
       </button>

@@ -1,4 +1,4 @@
-// All controllers that are plugged in: the one that moved last turns the camera, each of them stops it.
+// All connected controllers: the one that was moved last turns the camera, and each of them can stop it.
 import { type Deflection, isNeutral, neutral } from './deflection';
 import type { Pad } from './gamepads';
 import { layoutOf, type TaughtMappings } from './pad_mapping';
@@ -17,25 +17,25 @@ export interface PadReport {
 export interface PadSettings {
   dead_zone: number;
   taught: TaughtMappings;
-  /** The slot of the controller that is being taught, which turns nothing meanwhile. */
+  /** The slot of the controller that is being taught, which does not turn the camera meanwhile. */
   teaching: number | null;
 }
 
 interface Watched {
   slot: number;
-  /** Another controller in the same slot, or another mapping, is watched anew. */
+  /** Differs for another controller in the same slot and for another mapping, which are watched separately. */
   key: string;
   watch: PadWatch;
   stopIsPressed: boolean;
 }
 
 export interface Reading {
-  /** Of the one controller that turns the camera. */
+  /** The deflection of the controller that turns the camera. */
   deflection: Deflection;
-  /** A stop button went down. */
+  /** Whether a stop button was pressed since the last reading. */
   stop: boolean;
   reports: PadReport[];
-  /** The controller that was moved last and is still there, or another one. */
+  /** The id of the controller that was moved last, or of another one if that is no longer connected; empty if there is none. */
   id: string;
 }
 
@@ -43,7 +43,7 @@ export class Controllers {
   private watched: Watched[] = [];
   private moved: number | null = null;
 
-  /** @param disarmed the robot waits for all sticks to be let go */
+  /** @param disarmed whether the robot waits for all sticks to be let go */
   read(pads: Pad[], now_ms: number, settings: PadSettings, disarmed: boolean): Reading {
     const before = this.watched;
     this.watched = [];

@@ -1,4 +1,4 @@
-// How far a stick is deflected, between -1 and 1 each; pan is positive to the left, tilt upwards.
+// The deflection of a stick, -1 to 1 on each axis; pan is positive to the left, tilt upwards.
 export interface Deflection {
   pan: number;
   tilt: number;
@@ -10,7 +10,7 @@ export function isNeutral({ pan, tilt }: Deflection): boolean {
   return pan === 0 && tilt === 0;
 }
 
-/** Adds deflections up, within full deflection. */
+/** The sum of deflections, limited to full deflection. */
 export function sumOf(deflections: Deflection[]): Deflection {
   const sum = (axis: keyof Deflection) =>
     Math.max(-1, Math.min(1, deflections.reduce((total, deflection) => total + deflection[axis], 0)));

@@ -1,9 +1,9 @@
-// The game controllers that the browser shows, copied: in Firefox a Gamepad changes while it is looked at.
+// Copies of the browser's game controllers, since in Firefox a Gamepad changes while it is being read.
 
 export interface Pad {
-  /** Its place among those that the browser shows. */
+  /** Its index among the controllers that the browser lists. */
   slot: number;
-  /** Of its kind: two controllers of one kind have the same. */
+  /** The id of its model: two controllers of the same model have the same id. */
   id: string;
   standard: boolean;
   axes: number[];
@@ -11,7 +11,7 @@ export interface Pad {
   buttons: boolean[];
 }
 
-/** None where the browser has no gamepads or keeps them from the page, as it does on an insecure origin. */
+/** Empty if the browser does not support gamepads or denies access to them, as on an insecure origin. */
 export function connectedPads(): Pad[] {
   let shown: (Gamepad | null)[];
   try {

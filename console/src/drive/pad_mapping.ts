@@ -1,7 +1,7 @@
 // Which axes and buttons of a controller turn the camera, and which stops it.
 import type { Pad } from './gamepads';
 
-/** A share of one when slowly is meant. */
+/** The deflection of slow movements, where 1 is full deflection. */
 export const slow = 0.3;
 
 interface Use {
@@ -22,7 +22,7 @@ export interface Direction {
   sign: 1 | -1;
 }
 
-/** What was taught of a controller: the axis that goes to the right and the one that goes up. */
+/** The taught mapping of a controller: the axes for right and up, and the stop button. */
 export interface TaughtMapping {
   right: Direction;
   up: Direction;
@@ -31,7 +31,7 @@ export interface TaughtMapping {
 
 export type TaughtMappings = Record<string, TaughtMapping>;
 
-/** The left stick drives, the right one slowly, the cross too; the right-hand button stops. */
+/** The left stick drives, the right stick and the cross drive slowly; the right-hand button stops. */
 const standard: Layout = {
   axes: [
     { at: 0, turns: 'pan', scale: -1 },
@@ -48,7 +48,7 @@ const standard: Layout = {
   stop: 1,
 };
 
-/** None for a controller whose mapping is neither standard nor taught. */
+/** The layout of a controller; null if its mapping is neither standard nor taught. */
 export function layoutOf(pad: Pad, taught: TaughtMappings): Layout | null {
   if (pad.standard) return standard;
   const mapping = taught[pad.id];

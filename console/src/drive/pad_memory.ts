@@ -1,4 +1,4 @@
-// What was set and taught of controllers, kept by the browser for this computer.
+// The settings and taught mappings of controllers, stored by the browser for this computer.
 import { Store } from '../store';
 import { isTaughtMapping, type TaughtMapping, type TaughtMappings } from './pad_mapping';
 
@@ -15,7 +15,7 @@ function stored(key: string): unknown {
   }
 }
 
-// A browser that stores nothing, as in some private windows, keeps it until the page is closed.
+// A browser that stores nothing, as in some private windows, keeps the value until the page is closed.
 function store(key: string, value: unknown): void {
   try {
     localStorage.setItem(key, JSON.stringify(value));

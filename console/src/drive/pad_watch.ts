@@ -4,17 +4,18 @@ import type { Pad } from './gamepads';
 import type { Layout } from './pad_mapping';
 import { StickRest } from './stick_rest';
 
-// A stick that only flies through the middle, or whose contacts are loose, has not been let go.
+// A stick must rest this long to count as let go: one that only passes through the middle, or whose contacts are
+// loose, has not been let go.
 const settled_ms = 300;
 const patience_ms = 3000;
 // A smaller change may be noise.
 const movement = 0.1;
 
 export class PadWatch {
-  /** Its sticks do not come to rest: it turns nothing until they do. */
+  /** Its sticks do not come to rest; it does not turn the camera until they do. */
   restless = false;
   deflection: Deflection = neutral;
-  /** When it last began to be deflected, or moved on from there. */
+  /** When its deflection last began or changed. */
   moved_ms = -Infinity;
 
   private readonly rests: StickRest[];
@@ -28,7 +29,7 @@ export class PadWatch {
     this.rests = layout.axes.map(() => new StickRest());
   }
 
-  /** @param disarmed the robot waits for all sticks to be let go */
+  /** @param disarmed whether the robot waits for all sticks to be let go */
   observe(pad: Pad, now_ms: number, dead_zone: number, disarmed: boolean): void {
     this.rests.forEach((rest, i) => rest.observe(this.raw(pad, i), now_ms, dead_zone));
     const deflection = this.read(pad, dead_zone);

@@ -1,8 +1,8 @@
-// What is to be known about the controllers that are connected.
+// Messages about the connected controllers.
 import type { PadReport, PadState } from './controllers';
 import { nameOf } from './gamepads';
 
-/** What keeps a controller from turning the camera, and what to do; empty where all is well. */
+/** Why a controller does not turn the camera, and what to do; empty if there is no such problem. */
 export function noticeOf(pads: PadReport[]): string {
   const restless = pads.find(({ state }) => state === 'restless');
   if (restless)

@@ -5,15 +5,15 @@ export const rest_limit = 0.35;
 
 const still_spread = 0.05;
 const still_ms = 500;
-// Somebody may be turning the camera slowly: only an axis that stands stiller than any thumb is at rest.
+// The user may be turning the camera slowly: only an axis that is stiller than any thumb can hold it is at rest.
 const still_while_deflected_ms = 2000;
 
 // Before its rest is known, an axis counts only when it is clearly deflected.
 const unlearnt_reach = 0.55;
-// However worn the stick is, some way must be left to full deflection.
+// However worn the stick is, some travel must be left to full deflection.
 const longest_dead_way = 0.9;
 
-// A worn stick does not always return to the same place. Later places replace the earliest, so that one at
+// A worn stick does not always return to the same position. Later positions replace the earliest, so that one at
 // which the stick was held by mistake is forgotten.
 const remembered_places = 8;
 
@@ -27,7 +27,7 @@ export class StickRest {
   private readonly places: Place[] = [];
   private latest: Place = { low: NaN, high: NaN, since_ms: NaN };
 
-  /** Learns from where the axis is at a time. */
+  /** Learns from the position of the axis at a time. */
   observe(raw: number, now_ms: number, dead_zone: number): void {
     const low = Math.min(raw, this.latest.low);
     const high = Math.max(raw, this.latest.high);
@@ -41,13 +41,13 @@ export class StickRest {
     if (this.places.length > remembered_places) this.places.shift();
   }
 
-  /** Whether the axis is where it cannot be when the stick is let go. */
+  /** Whether the axis is in a position in which it cannot be when the stick is let go. */
   isAstray(raw: number, dead_zone: number): boolean {
     if (!Number.isFinite(raw) || this.deflection(raw, dead_zone) !== 0) return true;
     return this.places.length === 0 && !canRestAt(raw, dead_zone);
   }
 
-  /** 0 at rest and within the dead zone around it, 1 at the end; fine near the middle. */
+  /** 0 at rest and within the dead zone around it, -1 and 1 at the ends; quadratic, for fine control near the middle. */
   deflection(raw: number, dead_zone: number): number {
     if (!Number.isFinite(raw)) return 0;
     const { low, high } = this.range();
@@ -59,7 +59,8 @@ export class StickRest {
     return within * Math.abs(within);
   }
 
-  // The middle is always in it: where a place was learnt from a stick that was held, letting go turns nothing.
+  // The range always contains the middle, so that letting go stops the camera even if a position was learnt while
+  // the stick was held.
   private range(): { low: number; high: number } {
     if (this.places.length === 0) return { low: -unlearnt_reach, high: unlearnt_reach };
     return {

@@ -1,5 +1,5 @@
-// Everything that can be held to drive, as one pair of sticks. Hold to run: whatever is let go, lost or out
-// of sight reads as neutral.
+// All inputs that drive the camera, combined into one deflection. Hold to run: an input that is let go or lost
+// reads as neutral, and all of them do while the page is hidden or does not have the focus.
 import { link } from '../link/live_link';
 import { Store } from '../store';
 import { Controllers, type PadReport } from './controllers';
@@ -31,18 +31,18 @@ function isDisarmed(): boolean {
 }
 
 class Sticks {
-  /** What is held now. */
+  /** The current deflection of all inputs together. */
   readonly held = new Store<Deflection>(neutral);
-  /** The id of the game controller that was moved last, or of one that is connected, or nothing. */
+  /** The id of the game controller that was moved last, or of one that is connected, or empty. */
   readonly controller = new Store<string>('');
 
   /** All controllers that are connected. */
   readonly pads = new Store<PadReport[]>([]);
 
-  /** The slot of the controller that is being taught its mapping, which turns nothing meanwhile. */
+  /** The slot of the controller that is being taught, which does not turn the camera meanwhile; null if there is none. */
   readonly teaching = new Store<number | null>(null);
 
-  /** Somebody tried to drive who does not have the controls. */
+  /** Whether the user tried to drive without having the controls. */
   readonly denied = new Store(false);
 
   private readonly pressed = new Set<string>();
@@ -61,7 +61,7 @@ class Sticks {
     setInterval(() => this.tick(), period_ms);
   }
 
-  /** Of the stick on the screen, -1 to 1 each; called again whenever it moves. */
+  /** Sets the deflection of the stick on the screen; called whenever it moves. */
   setTouch(deflection: Deflection): void {
     this.touch = deflection;
     this.tick();

@@ -1,4 +1,4 @@
-// How the mapping of a controller is taught: one push or press after the other, each let go before the next.
+// The teaching of a controller's mapping: one push or press after another, each let go before the next.
 import type { Pad } from './gamepads';
 import type { Direction, TaughtMapping } from './pad_mapping';
 import { rest_limit } from './stick_rest';
@@ -75,7 +75,7 @@ export class Teaching {
     this.step = 'let-go';
   }
 
-  /** The axis that is pushed farthest, of those that are not taken. */
+  /** The axis that is pushed farthest, among those that have not been taught. */
   private pushOf(pad: Pad, rest: Pad): { axis: number; way: number } | undefined {
     return sticksOf(rest)
       .filter((axis) => axis !== this.right?.axis)
@@ -89,17 +89,17 @@ function isQuiet(pad: Pad, before: Pad): boolean {
   return samePlaces && newlyPressed(pad, before) < 0 && newlyPressed(before, pad) < 0;
 }
 
-// Triggers rest at an end, a cross that is an axis rests beyond it.
+// The axes that are sticks. Triggers rest at an end, and a cross that is reported as an axis rests beyond it.
 function sticksOf(rest: Pad): number[] {
   return rest.axes.flatMap((raw, i) => (Math.abs(raw) < rest_limit ? [i] : []));
 }
 
-// What stood far out and comes back was a stick that was held while its rest was learnt.
+// An axis that was far out at rest and comes back is a stick that was held while its rest was learnt.
 function wasHeld(pad: Pad, rest: Pad): boolean {
   return rest.axes.some((raw, i) => Math.abs(raw) >= rest_limit && Math.abs(pad.axes[i] ?? NaN) < let_go);
 }
 
-/** The first button that is pressed and was not, or -1. */
+/** The first button that is pressed and was not pressed at rest, or -1. */
 function newlyPressed(pad: Pad, rest: Pad): number {
   return pad.buttons.findIndex((isPressed, i) => isPressed && !rest.buttons[i]);
 }

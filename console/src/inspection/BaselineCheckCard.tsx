@@ -1,4 +1,4 @@
-// What could be found after the work, from the baseline compared with itself.
+// What could be found after the work, as determined by comparing the baseline with itself.
 import { useEffect, useState } from 'preact/hooks';
 import { api, baselineAddress } from '../link/api';
 import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
@@ -26,8 +26,8 @@ function noteOf(view: BaselineCheck['views'][number]): string | null {
   if (view.problem) return `${name} cannot be compared, neither with itself nor after the work: ${view.problem}`;
   const count = view.false_findings ?? 0;
   if (count === 0) return null;
-  const things = count === 1 ? 'one finding that is not there' : `${count} findings that are not there`;
-  return `${name}: the baseline compared with itself shows ${things}. Something may move or shine in the bay. Look at the picture, and expect such findings after the work.`;
+  const things = count === 1 ? 'one false finding' : `${count} false findings`;
+  return `${name}: the baseline compared with itself shows ${things}. Something in the bay may move or reflect light. Look at the picture, and expect such findings after the work.`;
 }
 
 function CheckPicture({ inspection, check }: { inspection: Inspection; check: BaselineCheck }) {
@@ -50,7 +50,7 @@ function CheckPicture({ inspection, check }: { inspection: Inspection; check: Ba
           alt={
             current.false_findings
               ? 'The depth image, with boxes around what was found although nothing changed'
-              : 'Smallest findable height at each place; blue is small, red large, black cannot be judged'
+              : 'Smallest findable height at each pixel; blue is small, red large, black cannot be judged'
           }
         />
       )}
@@ -58,7 +58,7 @@ function CheckPicture({ inspection, check }: { inspection: Inspection; check: Ba
   );
 }
 
-/** A camera that stands still takes one capture of its view, so that only its noise is shown. */
+/** Shows the baseline check, or only the noise where there is none: without a robot, a view has one capture. */
 export function BaselineCheckCard({ inspection, task }: { inspection: Inspection; task: TaskStatus }) {
   const [check, setCheck] = useState<BaselineCheck | null>(null);
   const checking = task.kind === 'check' && task.end === 'running';
@@ -87,11 +87,11 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
   return (
     <div class="card" data-testid="baseline-check">
       <h2>How small a thing would be found here</h2>
-      {levels && <FindableTable levels={levels} caption="Height from which a thing stands out" />}
+      {levels && <FindableTable levels={levels} caption="Height from which an object stands out" />}
       {levels && (
         <p class="hint">
-          For a thing {levels.window_px + hiddenByDepth_px} pixels wide{check.views.length > 1 ? ', in the view where this is hardest' : ''}, as
-          the baseline compared with itself shows it.
+          For an object {levels.window_px + hiddenByDepth_px} pixels wide{check.views.length > 1 ? ', in the least favourable view' : ''},
+          determined by comparing the baseline with itself.
         </p>
       )}
       {notes.map((note) => (

@@ -1,4 +1,4 @@
-// The list of inspections, and a new one.
+// The list of inspections, and the form for a new one.
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { person } from '../link/client';
@@ -15,7 +15,7 @@ function Field({ label, value, required, onInput }: { label: string; value: stri
     <label class="field">
       <span>
         {label}
-        {required && <em> (needed)</em>}
+        {required && <em> (required)</em>}
       </span>
       <input value={value} maxLength={100} required={required ?? false} onInput={(event) => onInput(event.currentTarget.value)} />
     </label>

@@ -1,4 +1,4 @@
-// Whether a capture can begin, in plain words.
+// Shows whether a capture can begin, and if not, why.
 import { useEffect } from 'preact/hooks';
 import { api } from '../link/api';
 import { link } from '../link/live_link';
@@ -40,7 +40,7 @@ export function ReadinessCard({ mayCapture }: { mayCapture: boolean }) {
       </ul>
       {checking && (
         <p class="hint" role="status">
-          Looking at the camera: {status.task.done} of {status.task.total || '…'} frames
+          Checking the camera: {status.task.done} of {status.task.total || '…'} frames
         </p>
       )}
       <button type="button" data-testid="check" disabled={busy || !mayCapture} onClick={() => void attempt(() => api.checkReadiness())}>

@@ -1,4 +1,4 @@
-// The inspection, step by step: what is done, what is next, and why not yet.
+// The steps of an inspection: what is done, what is next, and what prevents the next step.
 import { useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { person } from '../link/client';
@@ -54,12 +54,12 @@ function CaptureButton({ inspection, session, side, replaced, label }: Omit<Step
   const lease = useStore(link.lease);
   const notReady = status?.readiness?.ready === false;
   const others = lease.holder !== undefined && !lease.yours;
-  const why = session.role === 'viewer' ? 'You may look. An operator takes captures.' : others ? `${lease.holder} is driving. Ask them to hand back the controls.` : '';
+  const why = session.role === 'viewer' ? 'You have view access only. An operator takes captures.' : others ? `${lease.holder} is driving. Ask them to hand back the controls.` : '';
   const take = () =>
     void attempt(() => api.capture(inspection.id, side, session.name || person.name || inspection.person, replaced));
   return (
     <>
-      {notReady && <p class="bad">Not everything is ready: see above. You may capture all the same.</p>}
+      {notReady && <p class="bad">Not everything is ready: see above. You can capture anyway.</p>}
       {why && <p class="hint">{why}</p>}
       <button type="button" class="primary big" data-testid={`capture-${side}`} disabled={why !== '' || !status} onClick={take}>
         {label}
@@ -99,19 +99,19 @@ function WorkStep({ inspection, session, task }: StepProps) {
     <>
       <div class="panel-body">
         <div class="card" data-testid="work">
-          <h2>The baseline is kept</h2>
+          <h2>The baseline is saved</h2>
           <p>
-            Taken {inspection.initial && timeOf(inspection.initial.taken_at)} by {inspection.initial?.person}. It outlasts a restart, a power cut and the shift: switch everything off if you like.
+            Taken {inspection.initial && timeOf(inspection.initial.taken_at)} by {inspection.initial?.person}. It survives a restart, a power cut and a change of shift: you can switch everything off.
           </p>
           <p>
             <strong>Now do the work in the bay.</strong> Come back here when it is done.
           </p>
-          {inspection.final && <p>What was captured after the work is kept, too: it can be compared without capturing it again.</p>}
+          {inspection.final && <p>The captures after the work are saved, too: they can be compared without capturing again.</p>}
           {simulation && (
             <div class="note">
-              <p>This bay is simulated: its work is done by a button.</p>
+              <p>This bay is simulated: press the button to have the work done.</p>
               <button type="button" data-testid="simulate-work" onClick={simulate}>
-                {worked ? '✓ Work has been done' : 'Let the work be done'}
+                {worked ? '✓ Work has been done' : 'Simulate the work'}
               </button>
             </div>
           )}
@@ -154,7 +154,7 @@ export function Steps({ session }: { session: Session }) {
   if (!inspection || !task) return <p class="hint">Loading…</p>;
   const running = isBusy(task);
   if (running && task.inspection !== inspection.id) {
-    return <p class="hint">Another inspection is being captured just now.</p>;
+    return <p class="hint">Another inspection is being captured or compared.</p>;
   }
   if (running) {
     return (

@@ -1,4 +1,4 @@
-// From where the bay is looked at: the views that both captures are taken of.
+// The views of the bay, of which both the initial and the final captures are taken.
 import { api } from '../link/api';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
@@ -40,12 +40,12 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
           </li>
         ))}
       </ul>
-      {known >= 0 && <p class="hint">You see view {known + 1}. Turn the camera for another one.</p>}
+      {known >= 0 && <p class="hint">This is view {known + 1}. Turn the camera to add another one.</p>}
       <button type="button" data-testid="add-view" disabled={!enabled || !here || known >= 0} onClick={() => here && set([...views, here])}>
-        Add the view that you see
+        Add the current view
       </button>
       <button type="button" data-testid="only-view" disabled={!enabled || !here} onClick={() => here && set([here])}>
-        Use this view only
+        Use only the current view
       </button>
     </div>
   );

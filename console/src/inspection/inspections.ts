@@ -6,12 +6,12 @@ import type { Inspection, InspectionSummary, TaskStatus } from '../types';
 
 export const openInspection = new Store<Inspection | null>(null);
 export const inspectionList = new Store<InspectionSummary[] | null>(null);
-/** What the server refused last, for a person. */
+/** The message of the last action that failed, for the user; empty if the last one succeeded. */
 export const trouble = new Store<string>('');
 
 const openKey = 'rva-inspection';
 
-/** Runs what a person asked for, and shows why where it is refused. */
+/** Runs an action of the user, and shows the reason if it fails. Returns whether it succeeded. */
 export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
   trouble.value = '';
   try {
@@ -23,12 +23,12 @@ export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
   }
 }
 
-/** Checks end by themselves when something else is to be done. */
+/** Checks are ended by the server when another task is to start. */
 function isCheck(task: TaskStatus): boolean {
   return task.kind === 'readiness' || task.kind === 'check';
 }
 
-/** While a capture or a comparison runs, nothing of the inspection is changed. */
+/** Whether a capture or a comparison is running, during which the inspection must not be changed. */
 export function isBusy(task: TaskStatus | undefined): boolean {
   return task?.end === 'running' && !isCheck(task);
 }
@@ -54,21 +54,21 @@ export async function reopen(): Promise<void> {
   else await loadList();
 }
 
-/** How the last capture or comparison ended, where it did not end well: a check after it does not wipe it away. */
+/** Why the last capture or comparison failed or was cancelled; a later check does not clear it. */
 export const lastFailure = new Store<{ inspection: number; says: string } | null>(null);
 
 function noteEnd(task: TaskStatus): void {
   if (isCheck(task) || task.inspection === undefined) return;
   const says =
     task.end === 'cancelled'
-      ? 'Cancelled. What was complete is kept: start again to go on.'
+      ? 'Cancelled. What was complete is kept: start again to continue.'
       : task.end === 'failed'
-        ? (task.problem ?? 'It failed.')
+        ? (task.problem ?? 'The task failed.')
         : '';
   lastFailure.value = says === '' ? null : { inspection: task.inspection, says };
 }
 
-/** After each task, whoever started it: what it did is in the inspection. */
+/** Reloads the inspection after each task, whoever started it, since the task may have changed it. */
 export function followTasks(): void {
   let seen = '';
   link.status.subscribe(() => {

@@ -1,4 +1,4 @@
-// How things are called on the console.
+// Names and phrases that the console uses.
 import type { Finding, FindingKind, InspectionSummary, Stage, Verdict } from '../types';
 
 export const stageNames: Record<Stage, string> = {
@@ -15,7 +15,7 @@ export const verdictNames: Record<Verdict, string> = {
   'second-look': 'Needs a second look',
 };
 
-/** Depth shows a thing narrower than it is by this much (docs/calibrated.md); levels are about things as depth shows them. */
+/** By how much narrower than it is an object appears in the depth image (docs/calibrated.md); levels refer to its width in that image. */
 export const hiddenByDepth_px = 8;
 
 export function titleOf(inspection: InspectionSummary): string {
@@ -31,7 +31,7 @@ export function millimetres(value: number): string {
   return value < 10 ? `${value.toFixed(1)} mm` : `${Math.round(value)} mm`;
 }
 
-/** How sure: the p-value is how often an unchanged bay would show as much. */
+/** How significant a change is: the p-value is how often an unchanged bay would show as much. */
 export function suspicion(finding: Finding): { level: 1 | 2 | 3; says: string } {
   const certain = 1e-6;
   const likely = 1e-3;
@@ -47,7 +47,7 @@ export function whatChanged(finding: Finding): string {
   return says[finding.kind];
 }
 
-/** In a character, beside the finding's number. */
+/** The character that stands for a kind, beside the finding's number. */
 export function signOf(kind: FindingKind): string {
   return { added: '+', removed: '−', appearance: '≈' }[kind];
 }
@@ -57,7 +57,7 @@ export function whereAndHow(finding: Finding): string {
   const parts: string[] = [];
   if (finding.size_mm) parts.push(`${millimetres(finding.size_mm[0])} × ${millimetres(finding.size_mm[1])}`);
   if (finding.position_m) parts.push(`${finding.position_m[2].toFixed(2)} m away`);
-  if (finding.kind === 'appearance') parts.push('brighter or darker than before; depth cannot tell');
+  if (finding.kind === 'appearance') parts.push('brighter or darker than before; not visible in depth');
   if (finding.height_mm !== undefined)
     parts.push(`surface ${millimetres(Math.abs(finding.height_mm))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
   return parts.join(', ');

@@ -13,7 +13,7 @@ import type {
 } from '../types';
 import { clientId } from './client';
 
-/** What the server refused, in its own words. */
+/** A refused request, with the server's message. */
 export class Refusal extends Error {
   constructor(
     readonly status: number,
@@ -33,7 +33,7 @@ async function call<T>(method: string, path: string, body?: unknown): Promise<T>
       ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     });
   } catch {
-    throw new Refusal(0, 'no-server', 'The server does not answer. Is the program running?');
+    throw new Refusal(0, 'no-server', 'The server does not respond. Is the program running?');
   }
   const answer: unknown = await response.json().catch(() => ({}));
   if (response.ok) return answer as T;
@@ -58,13 +58,13 @@ export const api = {
   baselineCheck: (id: number) => call<BaselineCheck>('GET', `/api/inspections/${id}/baseline-check`),
   begin: (order: Order) => call<Inspection>('POST', '/api/inspections', order),
   setViews: (id: number, views: Joints[]) => call<Inspection>('PUT', `/api/inspections/${id}/views`, { views }),
-  /** Replaces what is left out of one view; a comparison that was made before does not hold any more. */
+  /** Replaces what is left out of one view; an earlier comparison becomes outdated. */
   setRegions: (id: number, view: number, ignore: Polygon[]) =>
     call<Inspection>('PUT', `/api/inspections/${id}/regions`, { view, ignore }),
   capture: (id: number, side: SideName, person: string, replaced: boolean) =>
     call<object>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
   compare: (id: number) => call<object>('POST', `/api/inspections/${id}/compare`, {}),
-  /** Of the findings that were seen: who decides on others that came meanwhile is refused. */
+  /** Decides on a finding of this comparison; refused if the inspection has been compared again since. */
   decide: ({ id, comparison }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
     call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { comparison, verdict, note, person }),
   checkReadiness: () => call<object>('POST', '/api/readiness', {}),
@@ -74,12 +74,12 @@ export const api = {
   simulateWork: (done: boolean) => call<object>('POST', '/api/simulation', { done }),
 };
 
-/** A picture of a view's comparison; `version` changes when it was made anew. */
+/** The URL of a picture of a view's comparison. Its parameter `v` changes with the comparison, so that a new picture is loaded. */
 export function pictureAddress(inspection: Inspection, view: number, name: string): string {
   return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${inspection.comparison ?? 0}`;
 }
 
-/** A picture of the baseline of a view; colour may be missing, and those of its check. */
+/** The URL of a picture of a view's baseline. Colour and the pictures of the baseline check may be missing. */
 export function baselineAddress(inspection: Inspection, view: number, name: 'color' | 'depth' | 'level_of_detection' | 'depth_overlay'): string {
   const taken = encodeURIComponent(inspection.initial?.taken_at ?? '');
   return `/api/inspections/${inspection.id}/baseline/${view}/${name}.png?v=${taken}`;

@@ -1,4 +1,4 @@
-// Who this console is: for the server, which keeps the controls for it when the page is loaded again.
+// Identifies this console to the server, so that it keeps the controls when the page is reloaded.
 
 function remembered(key: string, make: () => string): string {
   const known = sessionStorage.getItem(key);
@@ -13,10 +13,10 @@ function randomId(): string {
   return [...bytes].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** Of this tab. Nobody else knows it. */
+/** The secret id of this tab. */
 export const clientId = remembered('rva-client', randomId);
 
-/** The person who uses this computer, where nobody signs in. */
+/** The person who uses this computer, if there are no accounts. */
 export const person = {
   get name(): string {
     return localStorage.getItem('rva-person') ?? '';

@@ -1,4 +1,4 @@
-// The WebSocket: pictures and status come, what the sticks say goes.
+// The WebSocket, which receives pictures and status and sends the deflections of the sticks.
 import { Store } from '../store';
 import type { Lease, PictureHead, Refused, Status, Stream } from '../types';
 import { api } from './api';
@@ -7,7 +7,7 @@ import { clientId, person } from './client';
 export interface LivePicture {
   head: PictureHead;
   bitmap: ImageBitmap;
-  /** From the camera to here, by the computers' clocks: of the same computer when both are one. */
+  /** Time from the camera to here, by the clocks of both computers; reliable only if both are one computer. */
   latency_ms: number;
 }
 
@@ -89,17 +89,17 @@ class LiveLink {
     };
   }
 
-  // A server that was started again knows nobody who was signed in: it answers, but not to us.
+  // A restarted server has forgotten all sign-ins: it responds, but the session is no longer valid.
   private async reconnect(): Promise<void> {
     const session = await api.session().catch(() => null);
     if (session && !session.role) this.ended.value = 'You are no longer signed in.';
     else this.connect();
   }
 
-  // Status comes every second at least: silence is a broken line, long before the browser notices.
+  // A status arrives at least every second, so silence shows a broken connection long before the browser detects it.
   private watchSilence(): void {
     const now_ms = performance.now();
-    // A page that was busy itself has not listened: what came meanwhile still waits to be heard.
+    // A page that was busy itself may not have processed the messages that have arrived.
     const listened = now_ms - this.watched_ms < 2 * retry_ms;
     this.watched_ms = now_ms;
     if (this.state.value !== 'open' || !listened || now_ms - this.heard_ms < silence_ms) return;
@@ -122,12 +122,12 @@ class LiveLink {
     }
   }
 
-  // Controls that go without a word leave a person pulling at a dead stick.
+  // Without a message, a user who has lost the controls would not know why the stick has no effect.
   private sayWhyLost(now: Lease): void {
     if (this.lease.value.yours && !now.yours && !this.releasing) {
       const message = now.holder !== undefined
         ? `${now.holder || 'Somebody'} has taken over the controls.`
-        : 'Nobody has driven for a minute, so your controls were handed back. Take them again to drive.';
+        : 'You have not driven for a minute, so your controls were handed back. Take them again to drive.';
       this.refused.value = { type: 'refused', code: 'controls-gone', message };
     }
     if (!now.yours) this.releasing = false;

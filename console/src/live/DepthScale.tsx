@@ -1,4 +1,4 @@
-// What the colours of a depth picture stand for.
+// The scale of the colours of a depth picture.
 export function DepthScale({ range_m }: { range_m: [number, number] }) {
   const [low, high] = range_m;
   return (

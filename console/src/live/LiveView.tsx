@@ -1,4 +1,4 @@
-// What the camera sees now, and distances in it.
+// The live picture, and distances measured in it.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { api } from '../link/api';
@@ -55,7 +55,7 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
     };
   }, [stream]);
 
-  // What was measured holds for a camera at rest.
+  // A measurement is valid only while the camera is at rest.
   const turning = status?.robot !== undefined && (status.robot.driving || status.robot.lent);
   useEffect(() => {
     if (!turning) return;
@@ -77,7 +77,7 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
     api.measure(stream, next).then(setMeasured, () => setMeasured(null));
   };
 
-  const problem = state !== 'open' ? 'The line to the robot’s computer is broken. Trying again…' : status?.camera.problem;
+  const problem = state !== 'open' ? 'The connection to the robot’s computer is lost. Reconnecting…' : status?.camera.problem;
   return (
     <section class="view" aria-label="Live view">
       <div class="view-bar">
@@ -95,7 +95,7 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
             </button>
           ))}
         </div>
-        <span class="hint">Tap a place for its distance, a second one for the length between.</span>
+        <span class="hint">Tap a point to read its distance; tap a second to measure between them.</span>
       </div>
       <div class="picture">
         <div class="picture-fit" style={{ aspectRatio: `${head?.width ?? 848} / ${head?.height ?? 480}` }}>

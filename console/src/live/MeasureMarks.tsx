@@ -1,4 +1,4 @@
-// Points that were tapped, and what was measured there.
+// The points that were tapped, and the distances measured there.
 import type { Measurement } from '../types';
 import type { Pixel } from './LiveView';
 
@@ -11,7 +11,7 @@ interface Props {
 
 function sayDistance(measured: Measurement, i: number): string {
   const point = measured.points[i];
-  return point ? `${point.distance_m.toFixed(3)} m` : 'nothing measured here';
+  return point ? `${point.distance_m.toFixed(3)} m` : 'no depth measured here';
 }
 
 function Label({ u, v, width, text }: { u: number; v: number; width: number; text: string }) {
@@ -41,7 +41,7 @@ export function MeasureMarks({ width, height, points, measured }: Props) {
           u={(a.u + b.u) / 2}
           v={(a.v + b.v) / 2}
           width={width}
-          text={length === undefined ? 'nothing measured at one end' : `${length.toFixed(1)} mm`}
+          text={length === undefined ? 'no depth measured at one end' : `${length.toFixed(1)} mm`}
         />
       )}
     </svg>

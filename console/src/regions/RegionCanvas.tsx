@@ -1,4 +1,4 @@
-// Regions that are drawn, selected, moved and removed, by mouse, touch or keyboard.
+// Draws, selects, moves and removes regions by mouse, touch or keyboard.
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { Corner, Inspection, Polygon } from '../types';
 import { changeByKey } from './region_keys';
@@ -11,14 +11,14 @@ import { useStore } from '../store';
 interface Drag {
   from: Corner;
   to: Corner;
-  /** The region that is moved, as it was, or none where one is drawn. */
+  /** Index of the region that is moved, and the region as it was; -1 and undefined while a new one is drawn. */
   region: number;
   before: Polygon | undefined;
-  /** A tap is no drag, also one by a glove. */
+  /** Whether the pointer has moved so far that this is not a tap, even one with a glove. */
   far: boolean;
 }
 
-/** Of a corner that is to be tapped again, on the screen. */
+/** How near to a corner a tap counts as a tap on it, in pixels of the screen. */
 const touch_px = 24;
 const glove_px = 8;
 

@@ -1,4 +1,4 @@
-// What is left out of the view, in words, and saving it.
+// The list of regions that are left out of the view, with buttons to save or discard changes.
 import { useMemo } from 'preact/hooks';
 import { CaptureProgress } from '../inspection/CaptureProgress';
 import { isBusy } from '../inspection/inspections';
@@ -66,7 +66,7 @@ export function RegionPanel({ inspection, session }: { inspection: Inspection; s
         <div class="card" data-testid="region-panel">
           <h2>Leave out parts of the view</h2>
           <p>{purpose}</p>
-          {operates ? <Guide drawingCorners={state.corners !== null} /> : <p class="hint">You may look. An operator changes what is left out.</p>}
+          {operates ? <Guide drawingCorners={state.corners !== null} /> : <p class="hint">You have view access only. An operator changes what is left out.</p>}
         </div>
         <RegionList inspection={inspection} mayChange={operates && !busy} />
       </div>

@@ -1,4 +1,4 @@
-// Regions over a picture: hatched, outlined and numbered, so that they are not told by colour alone.
+// Regions over a picture: hatched, outlined and numbered, so that they do not depend on colour alone.
 import { useId } from 'preact/hooks';
 import type { Polygon } from '../types';
 import { boundsOf, type Size } from './shapes';
@@ -7,7 +7,7 @@ function pointsOf(polygon: Polygon): string {
   return polygon.map(([u, v]) => `${u},${v}`).join(' ');
 }
 
-/** The picture's pixels as the units of a drawing over it. */
+/** The view box of a drawing over a picture, in the picture's pixels. */
 export function viewBoxOf({ width, height }: Size): string {
   return `-0.5 -0.5 ${width} ${height}`;
 }
@@ -38,7 +38,7 @@ export function RegionShape({ region, number, size, hatching }: { region: Polygo
   );
 }
 
-/** A drawing of regions that nobody changes. */
+/** A drawing of regions that cannot be changed. */
 export function StillRegions({ regions, size }: { regions: Polygon[]; size: Size }) {
   const hatching = useId();
   return (

@@ -1,4 +1,4 @@
-// What regions are drawn with.
+// The tools for drawing regions.
 import { useStore } from '../store';
 import type { Inspection } from '../types';
 import { addRegion, change, regionState, removeRegion } from './region_state';

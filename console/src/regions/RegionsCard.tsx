@@ -1,4 +1,4 @@
-// In the work step: what is left out of each view, and the way to change it.
+// Shows in the work step what is left out of each view, with a button to change it.
 import { useState } from 'preact/hooks';
 import { baselineAddress } from '../link/api';
 import { page } from '../pages';
@@ -52,7 +52,7 @@ export function RegionsCard({ inspection, session }: { inspection: Inspection; s
       ))}
       {unsaved && (
         <p class="warn" role="status">
-          What you drew is not saved yet.
+          Your changes are not saved yet.
         </p>
       )}
       <button type="button" data-testid="open-regions" onClick={open}>

@@ -1,4 +1,4 @@
-// A region of which corners are tapped still. The first corner, tapped again, closes it.
+// A region whose corners are still being tapped. A tap on the first corner closes it.
 import type { Corner } from '../types';
 
 export function UnfinishedRegion({ corners, reach_px }: { corners: Corner[]; reach_px: number }) {

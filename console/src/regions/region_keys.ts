@@ -1,4 +1,4 @@
-// Regions by keyboard.
+// Changes regions by keyboard.
 import type { Inspection, Polygon } from '../types';
 import { removeRegion, replaceRegion } from './region_state';
 import { moved, resized, type Size } from './shapes';

@@ -1,23 +1,23 @@
-// Regions while they are drawn: kept while other pages are looked at, until they are saved.
+// Regions while they are drawn. Unsaved ones are kept while other pages are shown.
 import { openInspection } from '../inspection/inspections';
 import { Store } from '../store';
 import type { Corner, Inspection, Polygon } from '../types';
 import type { Size } from './shapes';
 
 export interface RegionState {
-  /** Of which inspection the rest is. */
+  /** The inspection to which the rest belongs. */
   inspection: number | undefined;
   view: number;
   layer: 'color' | 'depth';
-  /** Of the picture, as soon as it was loaded. */
+  /** The size of the picture; null until it is loaded. */
   size: Size | null;
-  /** What was drawn and is not saved, by view. */
+  /** Unsaved regions, by view. */
   drafts: Record<number, Polygon[]>;
   /** Which region of the view is selected; -1: none. */
   selected: number;
-  /** Corners of a region that is drawn corner by corner, or null. */
+  /** The corners so far of a region that is drawn corner by corner; null if there is none. */
   corners: Corner[] | null;
-  /** Which region is to have the keyboard's focus as soon as it is shown; -1: the picture; null: nothing is to change. */
+  /** The region that gets the keyboard's focus once it is shown; -1: the picture; null: the focus does not change. */
   to_focus: number | null;
 }
 
@@ -29,7 +29,7 @@ export function change(part: Partial<RegionState>): void {
   regionState.value = { ...regionState.value, ...part };
 }
 
-/** Drawings of one inspection are not laid over another one. */
+/** Discards the drawings when another inspection is opened. */
 export function followInspection(): void {
   openInspection.subscribe(() => {
     const inspection = openInspection.value?.id;
@@ -45,7 +45,7 @@ export function savedRegions(inspection: Inspection, view: number): Polygon[] {
   return inspection.views[view]?.ignore ?? [];
 }
 
-/** As they are drawn, saved or not. */
+/** The regions of a view as they are drawn, saved or not. */
 export function regionsOf(inspection: Inspection, state: RegionState, view = state.view): Polygon[] {
   return state.drafts[view] ?? savedRegions(inspection, view);
 }

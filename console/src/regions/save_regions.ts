@@ -1,11 +1,11 @@
-// Regions to the server, view by view.
+// Sends regions to the server, view by view.
 import { attempt, openInspection } from '../inspection/inspections';
 import { api } from '../link/api';
 import { page } from '../pages';
 import type { Inspection } from '../types';
 import { change, regionsOf, regionState, unsavedViews } from './region_state';
 
-/** What was saved is no draft any more, also where a later view is refused. */
+/** Saves the changed views. A saved view is no longer a draft, even if a later one is refused. */
 export async function saveRegions(inspection: Inspection): Promise<void> {
   const saved = await attempt(async () => {
     for (const view of unsavedViews(inspection, regionState.value)) {

@@ -34,7 +34,7 @@ export function boundsOf(polygon: Polygon): Bounds {
   return { left: Math.min(...us), top: Math.min(...vs), right: Math.max(...us), bottom: Math.max(...vs) };
 }
 
-/** By the number of edges that a ray to the right crosses, as the server does it. */
+/** Whether a polygon contains a point, by the number of edges that a ray to the right crosses, as on the server. */
 export function contains(polygon: Polygon, [u, v]: Corner): boolean {
   let inside = false;
   polygon.forEach(([u1, v1], i) => {
@@ -44,7 +44,7 @@ export function contains(polygon: Polygon, [u, v]: Corner): boolean {
   return inside;
 }
 
-/** The topmost region at a place, or -1. */
+/** The topmost region at a point, or -1. */
 export function regionAt(regions: Polygon[], place: Corner): number {
   let top = -1;
   regions.forEach((region, i) => {
@@ -70,7 +70,7 @@ export function coveredShare(regions: Polygon[], size: Size): number {
   return count / covered.length;
 }
 
-/** Between two opposite corners, or nothing where that is too small to be meant. */
+/** The rectangle between two opposite corners, or null if it is too small to be intended. */
 export function rectangle(size: Size, from: Corner, to: Corner): Polygon | null {
   const [u1, v1] = within(size, from);
   const [u2, v2] = within(size, to);
@@ -78,13 +78,13 @@ export function rectangle(size: Size, from: Corner, to: Corner): Polygon | null 
   return [[u1, v1], [u2, v1], [u2, v2], [u1, v2]];
 }
 
-/** A quarter as wide and as high as the picture, in its middle. */
+/** A rectangle in the middle of the picture, a quarter as wide and as high. */
 export function middleRectangle({ width, height }: Size): Polygon {
   const [left, top, right, bottom] = [0.375 * width, 0.375 * height, 0.625 * width, 0.625 * height].map((edge) => Math.round(edge) - 0.5) as [number, number, number, number];
   return [[left, top], [right, top], [right, bottom], [left, bottom]];
 }
 
-/** Moved, but not out of the picture. */
+/** The polygon, moved, but not out of the picture. */
 export function moved(polygon: Polygon, size: Size, du: number, dv: number): Polygon {
   const { left, top, right, bottom } = boundsOf(polygon);
   const shift_u = clamp(du, -0.5 - left, size.width - 0.5 - right);
@@ -92,7 +92,7 @@ export function moved(polygon: Polygon, size: Size, du: number, dv: number): Pol
   return polygon.map(([u, v]) => within(size, [u + shift_u, v + shift_v]));
 }
 
-/** Made wider and higher to the right and downwards, but not beyond the picture and not to nothing. */
+/** The polygon, resized at its right and lower sides, but not beyond the picture and not to nothing. */
 export function resized(polygon: Polygon, size: Size, du: number, dv: number): Polygon {
   const { left, top, right, bottom } = boundsOf(polygon);
   const scale = (low: number, high: number, change: number, end: number) =>
@@ -102,7 +102,7 @@ export function resized(polygon: Polygon, size: Size, du: number, dv: number): P
   return polygon.map(([u, v]) => within(size, [left + (u - left) * scale_u, top + (v - top) * scale_v]));
 }
 
-/** Whether two places are so near to each other that the same one was meant. */
+/** Whether two points are so near to each other that the same one was meant. */
 export function isNear([u1, v1]: Corner, [u2, v2]: Corner, reach_px: number): boolean {
   return Math.hypot(u1 - u2, v1 - v2) <= reach_px;
 }

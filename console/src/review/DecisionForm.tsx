@@ -1,4 +1,4 @@
-// What a person says of a finding.
+// The decision on a finding.
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { person } from '../link/client';
@@ -10,7 +10,7 @@ import { show } from './review_state';
 
 const verdicts: Verdict[] = ['debris-removed', 'installed-work', 'false-alarm', 'second-look'];
 
-// To the next that nobody has decided.
+// Selects the next undecided finding.
 function goOn(inspection: Inspection): void {
   const next = groupsOf(inspection).find((group) => !decisionOf(group));
   if (next) show({ group: next.lead.number, view: next.lead.view });
@@ -50,7 +50,7 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
           </button>
         ))}
       </div>
-      {!mayDecide && <p class="hint">An inspector decides.</p>}
+      {!mayDecide && <p class="hint">Only an inspector can decide.</p>}
       {before && (
         <p class="hint">
           {verdictNames[before.verdict]}: {before.person}, {timeOf(before.decided_at)}

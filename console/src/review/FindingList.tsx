@@ -58,7 +58,7 @@ function FindingCard({ inspection, groups, group, session, selected }: { inspect
   );
 }
 
-// Nothing found says nothing of what nobody could see.
+// That nothing was found means nothing for what could not be inspected.
 function Extent({ inspection, nothing }: { inspection: Inspection; nothing: boolean }) {
   const half = 0.5;
   const least = [...inspection.compared].sort((one, other) => one.judged - other.judged)[0];
@@ -71,15 +71,15 @@ function Extent({ inspection, nothing }: { inspection: Inspection; nothing: bool
   return (
     <p class={few ? 'bad' : ''} data-testid="extent">
       {few ? '✗ ' : ''}
-      {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected was '}
-      <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'least well seen view' : 'view'}
+      {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected: '}
+      <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'view with the least coverage' : 'view'}
       {left_out > 0 && `; ${percent(left_out)} was left out as asked`}.{' '}
-      {blind ? 'Most of it could not be: this says next to nothing. Look at the camera and its view, and capture again.' : 'Look at the rest (striped).'}
+      {blind ? 'Most of it could not be inspected, so this result means little. Check the camera and its view, and capture again.' : 'Inspect the rest (striped) by eye.'}
     </p>
   );
 }
 
-// What follows from the decisions. Debris that was removed is gone only when the camera has seen so.
+// The next step after the decisions. Debris that was removed counts as gone only when a new capture shows it.
 function Verdicts({ groups, inspection, session }: { groups: Group[]; inspection: Inspection; session: Session }) {
   const simulation = useStore(link.status)?.simulation ?? false;
   const count = (verdict: string) => groups.filter((group) => decisionOf(group)?.verdict === verdict).length;
@@ -92,21 +92,21 @@ function Verdicts({ groups, inspection, session }: { groups: Group[]; inspection
   if (unsure > 0) {
     return (
       <p class="open" data-testid="all-decided">
-        … {unsure === 1 ? 'One needs' : `${unsure} need`} a second look. Look again, in the bay too, then decide once more: this inspection is not done.
+        … {unsure === 1 ? 'One needs' : `${unsure} need`} a second look. Look again, also in the bay, then decide again: this inspection is not done.
       </p>
     );
   }
   if (removed === 0) {
     return (
       <p class="good" data-testid="all-decided">
-        ✓ All are decided. This inspection is done.
+        ✓ All findings are decided. This inspection is done.
       </p>
     );
   }
   return (
     <>
       <p data-testid="all-decided">
-        <span class="good">✓ All are decided.</span> Debris was removed since these pictures were taken: capture again to see that it is gone, and that nothing else was left.
+        <span class="good">✓ All findings are decided.</span> Debris was removed since these pictures were taken: capture again to see that it is gone, and that nothing else was left.
       </p>
       <button type="button" class="primary" data-testid="capture-again" disabled={session.role === 'viewer'} onClick={again}>
         Capture again{simulation ? ' (the simulated bay is tidied up)' : ''}
@@ -124,7 +124,7 @@ export function FindingList({ inspection, session }: { inspection: Inspection; s
       <div class="panel-body">
         <div class="card" data-testid="first-look">
           <h2>First look</h2>
-          <p>Compare before and after with your own eyes first: blink between them. Then let the program show what it found.</p>
+          <p>First compare before and after by eye: blink between them. Then let the program show its findings.</p>
           <button type="button" class="primary big" data-testid="reveal" onClick={() => show({ findings: true, uninspected: true, group: groups[0]?.lead.number ?? 0, view: groups[0]?.lead.view ?? 0 })}>
             Show the findings
           </button>

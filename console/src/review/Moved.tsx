@@ -1,4 +1,4 @@
-// That a finding may be an object that was moved, and the way to the finding at the other end.
+// A note that a finding may be an object that was moved, with a button that shows the other finding.
 import type { Group } from './groups';
 import { movedFrom, movedTo } from './moves';
 import { show } from './review_state';

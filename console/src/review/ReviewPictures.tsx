@@ -1,4 +1,4 @@
-// Before and after, pixel upon pixel, with what changed and what could not be inspected.
+// Before and after, aligned pixel by pixel, with what changed and what could not be inspected.
 import { useEffect, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { pictureAddress } from '../link/api';
@@ -29,7 +29,7 @@ function Toggle({ label, on, testId, onChange }: { label: string; on: boolean; t
   );
 }
 
-// Every second of the time, of an eye that compares.
+// Whether to show the picture before the work; alternates while blinking.
 function useBlink(moment: Moment): boolean {
   const [before, setBefore] = useState(false);
   useEffect(() => {
@@ -142,7 +142,7 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
       </div>
       {chosen && !here.some(({ group }) => group === chosen) && (
         <p class="coverage" data-testid="not-here">
-          Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here does not speak against it.
+          Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here is no evidence against it.
         </p>
       )}
       {coverage && <CoverageText compared={coverage} marked={state.findings} />}

@@ -1,15 +1,15 @@
-// Findings of several views that are one thing, as one.
+// Groups of findings that show the same object in several views.
 import type { Decision, Finding, Inspection } from '../types';
 
 export interface Group {
-  /** Its place in the list, from 1: what a person calls it. */
+  /** Its position in the list, from 1, shown to the user as its number. */
   label: number;
-  /** The most suspicious finding of the thing; its number is the group's for the server. */
+  /** The most suspicious finding of the group; its number identifies the group to the server. */
   lead: Finding;
   all: Finding[];
 }
 
-/** Most suspicious first. */
+/** The groups of an inspection's findings, most suspicious first. */
 export function groupsOf(inspection: Inspection): Group[] {
   const groups = new Map<number, Group>();
   for (const finding of inspection.findings) {

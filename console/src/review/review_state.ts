@@ -1,11 +1,11 @@
-// What the review shows: kept while other pages are looked at.
+// What the review shows; kept while other pages are shown.
 import { Store } from '../store';
 
 export type Layer = 'color' | 'depth' | 'binary';
 export type Moment = 'after' | 'before' | 'blink';
 
 export interface ReviewState {
-  /** Number of the group that is looked at; 0: none. */
+  /** Number of the selected group; 0: none. */
   group: number;
   view: number;
   layer: Layer;
@@ -13,7 +13,7 @@ export interface ReviewState {
   /** Overlays: none during the first look (thesis 4.2.2). */
   findings: boolean;
   uninspected: boolean;
-  /** The finding that is looked at fills the picture. */
+  /** Whether the selected finding fills the picture. */
   closer: boolean;
 }
 

@@ -1,4 +1,4 @@
-// Findings in the map: a ring and a number at each.
+// The findings in the map, each with a ring and a number.
 import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
 import { signOf } from '../inspection/words';
 import type { Group as FindingGroup } from '../review/groups';

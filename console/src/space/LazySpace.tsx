@@ -1,4 +1,4 @@
-// three.js is most of the console: it is loaded when it is first needed.
+// Loads the 3D view when it is first needed, since three.js makes up most of the console.
 import type { FunctionComponent } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import type { Inspection } from '../types';

@@ -1,4 +1,4 @@
-// The map's points: by colour, by height, or what changed.
+// The map's points, coloured by colour, by height, or with the changes.
 import { BufferAttribute, BufferGeometry, Color, Points, PointsMaterial, Vector3 } from 'three';
 import { PLYLoader } from 'three/examples/jsm/loaders/PLYLoader.js';
 
@@ -7,7 +7,7 @@ export type Coloring = 'color' | 'height' | 'change';
 /** While the view turns, no more points than this are drawn; at rest, all. */
 const most_while_moving = 400_000;
 
-// In an order without order, so that the first few stand for all.
+// A pseudo-random order, so that the first points are a fair sample of all.
 function shuffled(count: number): Uint32Array {
   const order = Uint32Array.from({ length: count }, (_, i) => i);
   let state = 1;
@@ -21,7 +21,7 @@ function shuffled(count: number): Uint32Array {
   return order;
 }
 
-// Of a few thousand points, which are in no order: what lies at this share of them. Strays have no say.
+// The quantile of a random sample of a few thousand values, on which outliers have no influence.
 function quantile(values: Float32Array, share: number): number {
   return values.sort()[Math.floor(share * (values.length - 1))] ?? 0;
 }

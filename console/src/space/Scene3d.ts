@@ -1,4 +1,4 @@
-// The stage that layers stand on: camera, light hand, drawing only when something changed.
+// The 3D scene that contains the layers: the camera, its control by the user, and drawing only after changes.
 import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
@@ -38,7 +38,7 @@ export class Scene3d {
     this.scene.remove(object);
   }
 
-  /** As the robot looks at the bay: along y, a little from above. */
+  /** Views the bay as the robot does: along y, a little from above. */
   lookAt(center: Vector3, radius_m: number): void {
     this.controls.target.copy(center);
     this.camera.position.copy(center).add(new Vector3(0, -1.35 * radius_m, 0.9 * radius_m));
@@ -54,7 +54,7 @@ export class Scene3d {
     this.draw();
   }
 
-  /** The nearest of the objects under a place of the page. */
+  /** The nearest of the objects under a point of the page, or null. */
   pick(event: { clientX: number; clientY: number }, objects: Object3D[]): Object3D | null {
     const box = this.renderer.domElement.getBoundingClientRect();
     const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);

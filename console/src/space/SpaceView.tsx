@@ -1,4 +1,4 @@
-// The bay in 3D with what was found in it.
+// The bay in 3D, with the findings.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Vector3 } from 'three';
 import { groupsOf } from '../review/groups';
@@ -41,7 +41,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     try {
       scene = new Scene3d(box.current);
     } catch {
-      setSays('This browser cannot draw in 3D (WebGL is off). Everything else works without.');
+      setSays('This browser cannot draw in 3D (WebGL is off). Everything else works without it.');
       return;
     }
     const findings = new FindingLayer();
@@ -58,7 +58,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
         now.changes = new PointLayer(changes, largerThanOthers_m);
         scene.add(now.changes.points);
         scene.lookAt(now.points.center, now.points.radius_m);
-        setSays('Drag to turn, two fingers or wheel for closer, right button to shift.');
+        setSays('Drag to turn, pinch or use the wheel to zoom, drag with the right button to pan.');
       })
       .catch((error: Error) => {
         if (!loading.signal.aborted) setSays(error.message);
