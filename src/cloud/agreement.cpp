@@ -44,6 +44,7 @@ struct Fall {
 };
 
 // Computes the same as fall() in alignment.cpp for a block of points.
+// Equations 32 and 33 of docs/math.md.
 Fall fall(const Vectors& points, Eigen::Index count, const PlanarPatches& onto) {
   constexpr float nearest_m = 0.05F;
   const Intrinsics& camera = onto.camera();
@@ -89,6 +90,7 @@ Residuals residuals_of(const Fall& fall, const Vectors& points, const Vectors& g
        Numbers::Constant(by_offset)}};
 }
 
+// Equation 35 of docs/math.md.
 Residuals final_on_initial(const SampleBlock& block, const PlanarPatches& initial,
                            const Alignment& alignment) {
   const Vectors points = moved(alignment.initial_from_final, block.position_m);
@@ -96,6 +98,7 @@ Residuals final_on_initial(const SampleBlock& block, const PlanarPatches& initia
   return residuals_of(onto, points, onto.gradient, 1.0F, alignment.offset_px);
 }
 
+// Equation 36 of docs/math.md.
 Residuals initial_on_final(const SampleBlock& block, const PlanarPatches& final, const Alignment& alignment,
                            const Transform& final_from_initial) {
   const Fall onto = fall(moved(final_from_initial, block.position_m), block.count, final);
@@ -103,6 +106,7 @@ Residuals initial_on_final(const SampleBlock& block, const PlanarPatches& final,
   return residuals_of(onto, block.position_m, turned(back, onto.gradient), -1.0F, alignment.offset_px);
 }
 
+// Equation 37 of docs/math.md.
 void add(const Residuals& residuals, float reach_px, Agreement& sum) {
   const Numbers weight = residuals.compared * (1.0F - (residuals.px / reach_px).square()).max(0.0F).square();
   sum.compared += static_cast<double>(residuals.compared.sum());
@@ -129,6 +133,7 @@ ViewPair::ViewPair(const PlanarPatches& initial_patches, const PlanarPatches& fi
       initial_blocks(blocks_of(initial_samples)),
       final_blocks(blocks_of(final_samples)) {}
 
+// Equation 38 of docs/math.md.
 double Agreement::score() const {
   // A pose that is off by the pitch of the stringers fits almost as well as the true one, but places
   // stringers in space that the other view saw through.

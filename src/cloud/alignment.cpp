@@ -4,6 +4,7 @@ namespace rva {
 namespace {
 
 // Derivative, by the point's position, of its disparity minus that of the plane at its pixel.
+// Equation 33 of docs/math.md.
 Eigen::Vector3d gradient_at(const Eigen::Vector3d& point, const PlanarPatch& patch, const PlanarPatches& of) {
   const double by_z = 1.0 / point.z();
   const double along_u = static_cast<double>(patch.slope_u) * of.camera().fx;
@@ -17,6 +18,7 @@ struct Fall {
   Eigen::Vector3d gradient;
 };
 
+// Equation 32 of docs/math.md.
 bool fall(const Eigen::Vector3d& point, const PlanarPatches& onto, Fall& result) {
   constexpr double nearest_m = 0.05;
   if (point.z() < nearest_m) return false;
@@ -31,6 +33,7 @@ bool fall(const Eigen::Vector3d& point, const PlanarPatches& onto, Fall& result)
   return true;
 }
 
+// Equation 35 of docs/math.md.
 AlignmentStep by_step(const Eigen::Vector3d& point, const Eigen::Vector3d& gradient, double by_offset) {
   AlignmentStep step;
   step << point.cross(gradient), gradient, by_offset;
@@ -39,6 +42,7 @@ AlignmentStep by_step(const Eigen::Vector3d& point, const Eigen::Vector3d& gradi
 
 }  // namespace
 
+// Equation 34 of docs/math.md.
 Alignment moved(const Alignment& alignment, const AlignmentStep& step) {
   const Eigen::Vector3d rotation = step.head<3>();
   const double angle = rotation.norm();
@@ -62,6 +66,7 @@ std::vector<SurfaceSample> samples_of(const PlanarPatches& patches, int every) {
   return points;
 }
 
+// Equations 32 and 35 of docs/math.md.
 bool final_on_initial(const SurfaceSample& final_point, const PlanarPatches& initial,
                       const Alignment& alignment, AlignmentResidual& residual) {
   const Eigen::Vector3d point = alignment.initial_from_final * final_point.position_m;
@@ -74,6 +79,7 @@ bool final_on_initial(const SurfaceSample& final_point, const PlanarPatches& ini
 }
 
 // A step moves the frame of the final view; relative to it, the initial point moves the opposite way.
+// Equation 36 of docs/math.md.
 bool initial_on_final(const SurfaceSample& initial_point, const PlanarPatches& final,
                       const Alignment& alignment, const Transform& final_from_initial,
                       AlignmentResidual& residual) {

@@ -50,6 +50,7 @@ std::string why_not_comparable(const Captures& initial, const Captures& final, L
   return "";
 }
 
+// Equation 26 of docs/math.md.
 void add_significant(const JudgedChange& found, double false_findings, const Mask& left_out, Mask& mask) {
   const AppearanceChange& change = found.change;
   const auto least = static_cast<float>(found.tail.height_of(0.5 * false_findings));
@@ -60,6 +61,7 @@ void add_significant(const JudgedChange& found, double false_findings, const Mas
 }
 
 // Score: -log10 of the expected number of locations with as much evidence by chance, in all lights together.
+// Equation 27 of docs/math.md.
 double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<JudgedChange>& lights) {
   double score = -std::numeric_limits<double>::infinity();
   for (const JudgedChange& light : lights) {

@@ -80,6 +80,7 @@ Mask well_within(const Mask& lit) {
 }
 
 // Combines brightness and geometry, whose errors are independent: the squares of the evidence are added.
+// Equation 67 of docs/math.md.
 AppearanceChange with_surface(AppearanceChange change, const SurfaceChange& surface) {
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
     if (surface.judged[i] == 0) continue;

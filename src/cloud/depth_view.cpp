@@ -13,6 +13,7 @@ constexpr double jumping_px = 0.6;
 
 }  // namespace
 
+// Equations 1 and 2 of docs/math.md.
 DepthView depth_view(const DepthStatistics& depth, const Intrinsics& camera, double unit_m,
                      double disparity_m_px) {
   assert(depth.width() == camera.width && depth.height() == camera.height);

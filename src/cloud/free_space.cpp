@@ -51,6 +51,7 @@ class Surroundings {
 
   // Disparity minus that of the surface at a pixel: interpolated on a surface; at an edge, the distance from
   // the range of disparities within reach. Empty where nothing was measured, and in the border.
+  // Equation 43 of docs/math.md.
   [[nodiscard]] std::optional<float> excess_px(float disparity_px, float u, float v) const {
     constexpr auto border = static_cast<float>(border_px);
     const auto right = static_cast<float>(disparity_px_.width() - 1 - border_px);
@@ -108,6 +109,7 @@ class FreeSpace {
         expected_surroundings_(expected_px_),
         final_surroundings_(final.disparity_px) {}
 
+  // Equation 45 of docs/math.md.
   [[nodiscard]] std::optional<float> change_px(int u, int v) const {
     const std::optional<float> along_initial_ray = before_px(u, v);
     const std::optional<float> along_final_ray = after_px(u, v);
@@ -121,6 +123,7 @@ class FreeSpace {
  private:
   // Compares the final point with the surface along the ray of the initial camera through it. Positive
   // in front.
+  // Equation 42 of docs/math.md.
   [[nodiscard]] std::optional<float> before_px(int u, int v) const {
     const float z = static_cast<float>(final_.disparity_m_px) / final_.disparity_px(u, v);
     const Eigen::Vector3f ray(static_cast<float>((u - final_.camera.cx) / final_.camera.fx),
@@ -137,6 +140,7 @@ class FreeSpace {
 
   // The same along the ray of the final camera, where the initial view has a surface. A removed surface must
   // lie in front of all disparities that the final camera measured within reach.
+  // Equation 44 of docs/math.md.
   [[nodiscard]] std::optional<float> after_px(int u, int v) const {
     const auto column = static_cast<float>(u);
     const auto row = static_cast<float>(v);

@@ -60,6 +60,7 @@ class Fusion {
   }
 
  private:
+  // Equation 47 of docs/math.md.
   void fill(int u, int v, DisparityChange& fused) const {
     const float after_px = surface_.disparity_px(u, v);
     if (after_px <= 0.0F) return;

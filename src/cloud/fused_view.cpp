@@ -17,6 +17,7 @@ struct Fused {
 };
 
 // Mean and deviation of the disparities near the median; 0 if there are fewer than `least` of them.
+// Equation 46 of docs/math.md.
 Fused fuse_pixel(std::vector<float>& seen_px, std::size_t least) {
   if (seen_px.size() < least) return {};
   const auto middle = seen_px.begin() + static_cast<std::ptrdiff_t>(seen_px.size() / 2);

@@ -28,6 +28,7 @@ class PlaneFit {
   }
 
   // The plane about (0, 0); empty if the pixels do not lie on one.
+  // Equation 31 of docs/math.md.
   [[nodiscard]] PlanarPatch plane(double least_pixels) const {
     if (n_ < least_pixels) return {};
     const double uu = uu_ - u_ * u_ / n_;

@@ -23,6 +23,7 @@ constexpr int window_px = 8;           // of a patch: about that of the matcher
 constexpr double last_reach_px = 0.6;  // four deviations of the fixed-pattern noise of a matcher
 
 // One Gauss-Newton step, slightly damped so that unconstrained directions do not move.
+// Equation 37 of docs/math.md.
 AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
   AlignmentInformation information = sum.information;
   AlignmentStep gradient = sum.gradient;

@@ -33,6 +33,7 @@ class Tiles {
     held_ += 0.5 * weight * (cross + cross.transpose());
   }
 
+  // Equation 40 of docs/math.md.
   [[nodiscard]] AlignmentInformation scatter() const {
     AlignmentInformation sum = AlignmentInformation::Zero();
     for (const AlignmentStep& gradient : gradients_) sum += gradient * gradient.transpose();
@@ -61,6 +62,7 @@ AlignmentStep scales(double distance_m, double disparity_m_px) {
 
 // Unconstrained directions get a standard deviation of one metre, or of one radian at a distance of
 // one metre.
+// Equation 41 of docs/math.md.
 AlignmentInformation covariance_of(const AlignmentInformation& held, const AlignmentInformation& scatter) {
   constexpr double nothing = 1e-9;
   constexpr double next_to_nothing = 1e-4;  // of the information on the best constrained direction
@@ -82,6 +84,7 @@ AlignmentInformation covariance_of(const AlignmentInformation& held, const Align
 
 }  // namespace
 
+// Equations 39 to 41 of docs/math.md.
 RegistrationUncertainty uncertainty(const ViewPair& views, const Alignment& alignment, double reach_px) {
   Tiles of_final;
   Tiles of_initial;

@@ -13,6 +13,7 @@ constexpr double mm_per_m = 1000.0;
 
 }  // namespace
 
+// Equation 30 of docs/math.md.
 void lower_level_of_detection(const JudgedChange& light, double false_findings, double disparity_m_px,
                               Detection& detection) {
   const SurfaceChange& surface = light.surface;

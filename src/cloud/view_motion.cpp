@@ -90,6 +90,7 @@ Eigen::Matrix<double, 3, motion_terms> motions_of(const Eigen::Vector3d& point) 
 
 /// The change of disparity at a pixel due to a motion is the change of the disparity of the surface point
 /// minus the slope of disparity times the flow.
+/// Equations 48 and 49 of docs/math.md.
 Sample sample_at(int u, int v, const SmoothedPair& pair, const Intrinsics& camera, double disparity_m_px) {
   const auto disparity_px = static_cast<double>(pair.mean_px.at<float>(v, u));
   const double z_m = disparity_m_px / disparity_px;
@@ -151,6 +152,7 @@ struct Fit {
   std::vector<double> weights;
 };
 
+// Equation 12 of docs/math.md.
 void reweigh(const std::vector<Sample>& samples, Fit& fit) {
   constexpr double tuning = 4.685;  // 95 % of the efficiency of least squares (Beaton and Tukey)
   constexpr double least_reach_px = 0.15;
@@ -192,6 +194,7 @@ Fit fit_motion(const std::vector<Sample>& samples) {
   return fit;
 }
 
+// Equation 50 of docs/math.md.
 Eigen::Matrix<double, motion_terms, motion_terms> covariance_of_motion(const std::vector<Sample>& samples,
                                                                        const Fit& fit) {
   std::array<Terms, tile_columns * tile_rows> scores;
@@ -205,6 +208,7 @@ Eigen::Matrix<double, motion_terms, motion_terms> covariance_of_motion(const std
 }
 
 // Computes the root mean square displacement in the image and its standard error.
+// Equation 51 of docs/math.md.
 void measure_displacement(const std::vector<Sample>& samples, const Fit& fit, ViewMotion& motion) {
   const MotionTerms terms = fit.terms.head<motion_terms>();
   const auto covariance = covariance_of_motion(samples, fit);
@@ -235,6 +239,7 @@ int groups_of(const std::array<double, tile_columns * tile_rows>& held) {
   return static_cast<int>(Blobs(informative).count());
 }
 
+// Equation 52 of docs/math.md.
 void measure_support(const std::vector<Sample>& samples, const Fit& fit, ViewMotion& motion) {
   const Eigen::Matrix<double, drift_terms, motion_terms> as_drift =
       fit.information.bottomRightCorner<drift_terms, drift_terms>().ldlt().solve(

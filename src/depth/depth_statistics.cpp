@@ -11,6 +11,7 @@
 namespace rva {
 namespace kernel {
 
+// Equation 4 of docs/math.md.
 void add_pass_portable(const std::uint16_t* const* frames, std::size_t count, std::size_t pixels,
                        const Sums& sums) {
   for (std::size_t frame = 0; frame < count; ++frame) {

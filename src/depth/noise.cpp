@@ -45,6 +45,7 @@ struct Sample {
   }
 };
 
+// Equation 2 of docs/math.md.
 void measure_deviation(const DepthStatistics& all, const CaptureInfo& info, double bin_m, Noise& noise) {
   const std::optional<double> baseline_m = info.camera ? info.camera->baseline_m : std::nullopt;
   Sample overall;

@@ -73,6 +73,7 @@ DepthStatistics statistics_of(const Capture& capture, std::size_t frames, const 
   return statistics;
 }
 
+// Equation 1 of docs/math.md.
 double disparity_m_px(const CaptureInfo& info) {
   constexpr double usual_baseline_m = 0.050;
   const double baseline_m = info.camera && info.camera->baseline_m.value_or(0.0) > 0.0

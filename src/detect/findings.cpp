@@ -39,6 +39,7 @@ std::optional<double> height_mm(RegionDepth& depth, std::size_t pixels, ChangeKi
   return agrees ? std::optional(height_mm) : std::nullopt;
 }
 
+// Equation 27 of docs/math.md.
 Finding measure(Region region, ChangeKind kind, const Comparison& comparison, const Intrinsics& camera) {
   Finding finding;
   finding.kind = kind;

@@ -19,12 +19,14 @@ struct Gaussian {
 };
 
 // Equations 3.1 and 3.2.
+// Equation 5 of docs/math.md.
 bool is_nearer(const Gaussian& final, const Gaussian& initial, double sigmas) {
   const double t_i = initial.mean - sigmas * initial.deviation;
   const double t_f = final.mean + sigmas * final.deviation;
   return t_f < t_i;
 }
 
+// Equation 6 of docs/math.md.
 double evidence(const Gaussian& final, const Gaussian& initial) {
   const double variance = initial.deviation * initial.deviation + final.deviation * final.deviation;
   return (initial.mean - final.mean) / std::sqrt(variance + rounding_variance);

@@ -13,6 +13,7 @@ constexpr double tail = 0.025;
 
 }  // namespace
 
+// Equation 70 of docs/math.md.
 Interval share_interval(std::size_t successes, std::size_t trials) {
   assert(successes <= trials);
   const auto k = static_cast<double>(successes);
@@ -23,6 +24,7 @@ Interval share_interval(std::size_t successes, std::size_t trials) {
   return interval;
 }
 
+// Equation 71 of docs/math.md.
 Interval rate_interval(std::size_t count, std::size_t trials) {
   assert(trials > 0);
   const auto k = static_cast<double>(count);

@@ -26,6 +26,7 @@ class Likelihood {
   /// The logarithm of the likelihood, penalised by the square root of the information matrix's determinant
   /// (Firth 1993). Without the penalty, curves from few trials are too steep, and the coverage of the bounds
   /// is lower than stated.
+  /// Equations 72 and 73 of docs/math.md.
   [[nodiscard]] double log_of(double ln_a90, double slope) const {
     double sum = 0.0;
     double information = 0.0;  // information matrix of the logit at a90 and of the slope
@@ -88,6 +89,7 @@ struct Profile {
 
 // The smallest size such that it and all larger ones are rejected by the likelihood ratio test;
 // empty if none.
+// Equation 74 of docs/math.md.
 std::optional<double> upper_bound_mm(const Profile& profile) {
   constexpr double quantile_90_of_chi_squared = 2.705543454095404;  // one-sided: 95 %
   const double least = profile.log_likelihood[profile.best()] - 0.5 * quantile_90_of_chi_squared;

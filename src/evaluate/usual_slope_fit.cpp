@@ -42,6 +42,7 @@ class Likelihood {
  public:
   explicit Likelihood(std::vector<Excesses> images) : images_(std::move(images)) {}
 
+  // Equation 69 of docs/math.md.
   [[nodiscard]] double at(double log_slope, double log_peaks) const {
     const double shape = std::exp(log_peaks);
     const double rate = shape / std::exp(log_slope);

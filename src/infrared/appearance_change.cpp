@@ -47,6 +47,7 @@ float beyond(float value, float least, float most) {
 
 // By how much either image exceeds the range of the other; the smaller of both if they have the same
 // direction, else 0.
+// Equation 58 of docs/math.md.
 Image<float> beyond_misregistration(const cv::Mat& before, const cv::Mat& after) {
   const Range range_before = within_half_a_pixel(before);
   const Range range_after = within_half_a_pixel(after);
@@ -64,6 +65,7 @@ Image<float> beyond_misregistration(const cv::Mat& before, const cv::Mat& after)
 
 }  // namespace
 
+// Equation 59 of docs/math.md.
 AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeImage& final, const Mask& lit) {
   constexpr float least_pixels = 13.0F;  // of the window
   const Mask judged = judged_pixels(initial, final, lit);

@@ -91,6 +91,7 @@ InfraredView::InfraredView(const Image<float>& grey, const Transform& pose, Ligh
       dots(light == Light::projector ? dot_mask(log_image) : either_set(saturated, without_light(grey))),
       view_from_reference(pose) {}
 
+// Equation 55 of docs/math.md.
 DotFreeImage fuse(const ReferenceSurface& surface, std::span<const InfraredView> views) {
   const int width = surface.inverse_depth_per_m.width();
   const int height = surface.inverse_depth_per_m.height();

@@ -24,6 +24,7 @@ float noise_of(const cv::Mat& image) {
 
 }  // namespace
 
+// Equation 53 of docs/math.md.
 Image<float> log_grey(const Image<float>& grey, float scale) {
   constexpr float floor_grey = 3.0F;
   Image<float> result(grey.width(), grey.height());
@@ -31,6 +32,7 @@ Image<float> log_grey(const Image<float>& grey, float scale) {
   return result;
 }
 
+// Equation 54 of docs/math.md.
 Mask dot_mask(const Image<float>& log_image) {
   constexpr double least_rise = 0.1;
   constexpr double deviations = 2.5;

@@ -117,6 +117,7 @@ class Target {
   }
 
   // Derivative of the smoothed image at a pixel by a rotation of the camera.
+  // Equation 56 of docs/math.md.
   [[nodiscard]] Eigen::Vector3d slope(const cv::Point& pixel) const {
     const Intrinsics& camera = surface_.camera;
     const double x = (pixel.x - camera.cx) / camera.fx;
@@ -126,6 +127,7 @@ class Target {
     return {-x * y * gu - (1.0 + y * y) * gv, (1.0 + x * x) * gu + x * y * gv, x * gv - y * gu};
   }
 
+  // Equation 57 of docs/math.md.
   [[nodiscard]] Eigen::Vector3d turn_between(const SmoothView& smooth, const InfraredView& view) const {
     const ViewOfSurface seen(surface_, view.view_from_reference, view.camera.value_or(surface_.camera));
     cv::Mat difference = cv::Mat::zeros(smooth_.size(), CV_32F);

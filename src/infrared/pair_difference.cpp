@@ -48,6 +48,7 @@ float moved_texture(const Image<float>& texture, int u, int v, const Eigen::Vect
 
 }  // namespace
 
+// Equation 60 of docs/math.md.
 PairDifference pair_difference(const InfraredView& initial, const InfraredView& final,
                                const ReferenceSurface& surface, const Image<float>& texture) {
   const Warp warp(surface, final.view_from_reference);

@@ -98,6 +98,7 @@ struct PixelValues {
 };
 
 // Takes the median over the pairs at pixels seen by at least half of the pairs and at least `fewest`.
+// Equation 61 of docs/math.md.
 PairedChange median_over(const std::vector<PairEvidence>& pairs, std::size_t fewest, const Mask& lit) {
   PairedChange change{Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
                       Mask(lit.width(), lit.height())};
@@ -122,6 +123,7 @@ PairedChange median_over(const std::vector<PairEvidence>& pairs, std::size_t few
 
 // Normalises deviations by those of the unchanged majority, since noise of neighbouring pixels is correlated,
 // and a median scatters less than its values.
+// Equation 61 of docs/math.md.
 void divide_by_bulk(PairedChange& change) {
   const float deviation = deviation_of(as_mat(change.deviations), change.judged);
   if (deviation <= 0.0F) return;

@@ -135,6 +135,7 @@ class WindowCosts {
   }
 
   /// Adds the costs of the middle row of those given.
+  /// Equation 62 of docs/math.md.
   RVA_VECTOR_CLONES void add_to(SweptCosts& costs, int v) {
     sum_columns();
     std::fill(along_.begin(), along_.end(), 0.0F);
@@ -288,6 +289,7 @@ void align_disparities(const ReferenceSurface& surface, double disparity_m_px, s
   });
 }
 
+// Equation 64 of docs/math.md.
 Minimum minimum_of(std::span<const float> costs) {
   const auto least = std::ranges::min_element(costs);
   const auto label = static_cast<float>(least - costs.begin());

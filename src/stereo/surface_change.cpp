@@ -37,6 +37,7 @@ struct Ratio {
   float rise = 0.0F;  // objection for surfaces one label apart
 };
 
+// Equations 63 and 64 of docs/math.md.
 Ratio ratio_of(std::span<const float> before, std::span<const float> after, std::vector<float>& both) {
   for (std::size_t label = 0; label < before.size(); ++label) both[label] = before[label] + after[label];
   const Minimum of_before = minimum_of(before);
@@ -97,6 +98,7 @@ Ratios ratios_of(const SweptCosts& before, const SweptCosts& after) {
 // Converts ratios to deviations. The square root of the objection over the noise of its surroundings is a
 // deviation. It is larger since neighbouring pixels share windows; the unchanged majority of the image shows
 // by how much.
+// Equations 65 and 66 of docs/math.md.
 SurfaceChange weighed(Ratios ratios) {
   constexpr int noise_px = 15;
   constexpr float least_noise = 1e-9F;

@@ -52,6 +52,7 @@ cv::Mat noise_of(const SideCosts& costs) {
          window_mean(as_mat(costs.freedom), weights, noise_px);
 }
 
+// Equation 68 of docs/math.md.
 Image<float> objection_of(const SideCosts& costs) {
   const cv::Mat noise = noise_of(costs);
   Image<float> variances(noise.cols, noise.rows);

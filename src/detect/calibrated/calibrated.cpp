@@ -27,6 +27,7 @@ constexpr double lost_deviations = 30.0;  // evidence of a window that lost all 
 // and unreliable pixels, at each scale and for lost depth.
 constexpr double looks = 4.0 * (windows_px.size() + 1);
 
+// Equation 14 of docs/math.md.
 Image<float> evidence_of(const DisparityChange& change, const Image<float>& drift_px,
                          const Image<float>& deviation_px) {
   Image<float> evidence(change.judged.width(), change.judged.height());
@@ -39,6 +40,7 @@ Image<float> evidence_of(const DisparityChange& change, const Image<float>& drif
   return evidence;
 }
 
+// Equation 17 of docs/math.md.
 PooledEvidence pool_lost(const Image<float>& lost) {
   const Mask everywhere(lost.width(), lost.height(), mask_set);
   return pool(lost, everywhere, lost_window_px, lost_window_px / lost_deviations);

@@ -31,6 +31,7 @@ class Converter {
   }
 
   // The standard deviation is scaled by the derivative of disparity by depth, -d / z.
+  // Equations 1 and 2 of docs/math.md.
   void convert(std::size_t i, float& disparity_px, float& variance_px2) const {
     if (!depth_.seen(i)) return;
     const float share = share_of_[depth_.count(i)];
@@ -94,6 +95,7 @@ void leave_out(DisparityChange& change, Mask left_out) {
 
 void forget_losses(DisparityChange& change) { std::ranges::fill(change.lost.pixels(), nothing); }
 
+// Equation 7 of docs/math.md.
 DisparityChange disparity_change(const DepthStatistics& initial, const DepthStatistics& final,
                                  double disparity_by_depth) {
   assert(initial.width() == final.width() && initial.height() == final.height());

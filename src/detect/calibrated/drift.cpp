@@ -62,6 +62,7 @@ double deviation_of(const Eigen::VectorXd& residuals) {
 }
 
 // Tukey's weights, tuned to 95 % of the efficiency of least squares for normal residuals.
+// Equation 12 of docs/math.md.
 Eigen::VectorXd biweights(const Eigen::VectorXd& residuals, double deviation) {
   constexpr double tuning = 4.685;
   return residuals.unaryExpr([&](double residual) {
@@ -96,6 +97,7 @@ Drift::Terms Drift::terms_at(double u, double v) const {
 }
 
 // Along a row the terms are a + b x + c x^2, so both images are polynomials in x.
+// Equation 11 of docs/math.md.
 Image<float> Drift::px() const {
   Image<float> image(width_, height_);
   for (int v = 0; v < height_; ++v) {
@@ -111,6 +113,7 @@ Image<float> Drift::px() const {
   return image;
 }
 
+// Equation 13 of docs/math.md.
 Image<float> Drift::variance_px2() const {
   Image<float> image(width_, height_);
   for (int v = 0; v < height_; ++v) {
@@ -127,6 +130,7 @@ Image<float> Drift::variance_px2() const {
   return image;
 }
 
+// Equations 11 to 13 of docs/math.md.
 Drift fit_drift(const DisparityChange& change) {
   const int width = change.judged.width();
   const int height = change.judged.height();

@@ -11,6 +11,7 @@ namespace {
 // the posterior,
 // n ln s - s sum(x) - n ln(1 - exp(-s L)) + k ln s - s k / s0,
 // is maximal where its derivative by s is 0, which is found by bisection.
+// Equation 21 of docs/math.md.
 double most_probable_slope(double count, double sum, const UsualSlope& usual, double length) {
   const double usual_sum = usual.peaks / usual.slope;
   const auto rises_at = [&](double slope) {
@@ -29,6 +30,7 @@ double most_probable_slope(double count, double sum, const UsualSlope& usual, do
 
 }  // namespace
 
+// Equation 23 of docs/math.md.
 double FalseAlarmTail::log10_expected_above(double height) const {
   const double excess = std::max(height, onset) - onset;
   return std::log10(places_) - peaks_ * std::log1p(slope_ * excess / peaks_) / M_LN10;
@@ -38,11 +40,13 @@ double FalseAlarmTail::expected_above(double height) const {
   return std::pow(10.0, log10_expected_above(height));
 }
 
+// Equation 26 of docs/math.md.
 double FalseAlarmTail::height_of(double expected) const {
   const double fallen = std::max(0.0, std::log(places_ / expected));
   return onset + std::expm1(fallen / peaks_) * peaks_ / slope_;
 }
 
+// Equation 22 of docs/math.md.
 FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual, double end) {
   const double length = end - FalseAlarmTail::onset;
   double count = 0.0;

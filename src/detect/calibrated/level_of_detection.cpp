@@ -20,6 +20,7 @@ constexpr std::size_t sampling = 3;  // neighbouring pixels are similar
 
 // The deviations that each pixel of the window must change by. The pooled evidence of w^2 pixels that all
 // change by k deviations is k w, divided by `agreement` for the correlation of neighbours.
+// Equation 28 of docs/math.md.
 double needed_deviations(const Scale& scale, double threshold) {
   return (threshold + nine_of_ten_deviations) * scale.evidence.agreement / scale.evidence.window_px;
 }
@@ -33,6 +34,7 @@ const Scale& finest_reachable(std::span<const Scale> scales) {
   return reachable == scales.end() ? scales.back() : *reachable;
 }
 
+// Equation 29 of docs/math.md.
 Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
                                    const Image<float>& depth_m, const Scale& scale, double disparity_m_px) {
   Image<float> level_mm(depth_m.width(), depth_m.height(), unknown);

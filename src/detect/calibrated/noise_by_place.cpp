@@ -59,6 +59,7 @@ struct Place {
 
 // Fits variance = fixed^2 + deviation over time^2 / frames by least squares, with each class weighted by its
 // number of pixels.
+// Equation 10 of docs/math.md.
 void explain(const std::vector<Place>& places, NoiseByPlace& noise) {
   double n = 0.0;
   double x = 0.0;
@@ -80,6 +81,7 @@ void explain(const std::vector<Place>& places, NoiseByPlace& noise) {
   noise.fixed_px = std::sqrt(std::max(0.0, (y - std::max(slope, 0.0) * x) / n));
 }
 
+// Equation 8 of docs/math.md.
 double variance_of(std::vector<float>& sizes_px) {
   if (sizes_px.empty()) return 0.0;
   const double deviation_px = static_cast<double>(robust_deviation(sizes_px));
@@ -103,6 +105,7 @@ std::vector<float> gather(const DisparityChange& change, const Image<float>& dri
 
 }  // namespace
 
+// Equations 3, 8 and 9 of docs/math.md.
 NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure, const Image<float>& drift_px,
                             const Image<float>& drift_variance_px2, double disparity_by_depth) {
   NoiseByPlace noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};

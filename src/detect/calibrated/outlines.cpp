@@ -46,6 +46,7 @@ cv::Rect where_it_exceeds(const Scale& scale, const Mask& unsure, float sign) {
   return where;
 }
 
+// Equation 27 of docs/math.md.
 Sighting sighting(const Scale& scale, const Mask& unsure, double log10_looks, float sign) {
   if (!exceeds_anywhere(scale, sign)) return {};
   const cv::Rect exceeding = where_it_exceeds(scale, unsure, sign);

@@ -51,6 +51,7 @@ class Sums {
   std::vector<float> by_count_;  // 1 / square root of the number of pixels
 };
 
+// Equation 16 of docs/math.md.
 double agreement_of(const Sums& sums, const Mask& pooled) {
   std::vector<float> sizes;
   for (std::size_t i = 0; i < pooled.size(); i += sampling) {
@@ -62,6 +63,7 @@ double agreement_of(const Sums& sums, const Mask& pooled) {
 
 }  // namespace
 
+// Equation 15 of docs/math.md.
 PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px,
                     std::optional<double> agreement) {
   PooledEvidence result{window_px, Image<float>(evidence.width(), evidence.height()),
