@@ -69,16 +69,16 @@ struct Tail {
 
 const std::vector<Tail>& tails() {
   static const std::vector<Tail> all{
-      {"still, change, sure", slopes_of_means.change.sure},
-      {"still, change, unsure", slopes_of_means.change.unsure},
-      {"still, loss, sure", slopes_of_means.loss.sure},
-      {"still, loss, unsure", slopes_of_means.loss.unsure},
-      {"single frames, change", slopes_of_single_frames.change.sure},
-      {"single frames, loss", slopes_of_single_frames.loss.sure},
-      {"moved, change, sure", slopes_of_moved_cameras.change.sure},
-      {"moved, change, unsure", slopes_of_moved_cameras.change.unsure},
-      {"bumped, change, sure", slopes_of_bumped_cameras.change.sure},
-      {"bumped, change, unsure", slopes_of_bumped_cameras.change.unsure},
+      {"still, change, sure", slopes_of_means.change.reliable},
+      {"still, change, unsure", slopes_of_means.change.unreliable},
+      {"still, loss, sure", slopes_of_means.loss.reliable},
+      {"still, loss, unsure", slopes_of_means.loss.unreliable},
+      {"single frames, change", slopes_of_single_frames.change.reliable},
+      {"single frames, loss", slopes_of_single_frames.loss.reliable},
+      {"moved, change, sure", slopes_of_moved_cameras.change.reliable},
+      {"moved, change, unsure", slopes_of_moved_cameras.change.unreliable},
+      {"bumped, change, sure", slopes_of_bumped_cameras.change.reliable},
+      {"bumped, change, unsure", slopes_of_bumped_cameras.change.unreliable},
       {"infrared, between dots", tail_between_dots.slope},
       {"infrared, with pairs", tail_with_pairs.slope},
       {"infrared, still", tail_of_still_pair.slope},
@@ -156,15 +156,15 @@ void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
         disparity_by_depth);
   };
   const CalibratedPeaks means = of_frames(frames);
-  append(peaks[still_change_sure], means.change.sure);
-  append(peaks[still_change_unsure], means.change.unsure);
-  append(peaks[still_loss_sure], means.loss.sure);
-  append(peaks[still_loss_unsure], means.loss.unsure);
+  append(peaks[still_change_sure], means.change.reliable);
+  append(peaks[still_change_unsure], means.change.unreliable);
+  append(peaks[still_loss_sure], means.loss.reliable);
+  append(peaks[still_loss_unsure], means.loss.unreliable);
   const CalibratedPeaks singles = of_frames(1);
-  append(peaks[single_change], singles.change.sure);
-  append(peaks[single_change], singles.change.unsure);
-  append(peaks[single_loss], singles.loss.sure);
-  append(peaks[single_loss], singles.loss.unsure);
+  append(peaks[single_change], singles.change.reliable);
+  append(peaks[single_change], singles.change.unreliable);
+  append(peaks[single_loss], singles.loss.reliable);
+  append(peaks[single_loss], singles.loss.unreliable);
 }
 
 void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known, PeaksOfTails& peaks) {
@@ -176,8 +176,8 @@ void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known,
   const SpatialChange change = change_from_elsewhere(before, after, registration, known);
   const CalibratedPeaks found = peaks_of(change.change, bay.after.disparity_by_depth());
   const bool bumped = known == KnownMotion::bumped;
-  append(peaks[bumped ? bumped_change_sure : moved_change_sure], found.change.sure);
-  append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unsure);
+  append(peaks[bumped ? bumped_change_sure : moved_change_sure], found.change.reliable);
+  append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unreliable);
 }
 
 // Empty if the registration of the views is refused.

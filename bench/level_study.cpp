@@ -112,7 +112,7 @@ class Bay {
     if (!nothing.level_of_detection) return {};
     const LevelOfDetection& level = *nothing.level_of_detection;
     const SimulatedCamera camera = camera_at(unchanged_, sensor_, unchanged.rested.front());
-    const TrueView seen = camera.look();
+    const TrueView seen = camera.true_view();
     std::vector<Trial> trials = chosen(level.least_mm, seen.depth_m, mix(seed_, 4));
     Scene changed = unchanged_;
     for (const Trial& trial : trials)

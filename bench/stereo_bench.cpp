@@ -63,7 +63,7 @@ double disparity_m_px(const SimulatedCamera& camera) {
 
 Truth truth_of(const SimulatedCamera& camera) {
   constexpr float step_px = 0.7F;
-  const Image<float> depth_m = camera.look().depth_m;
+  const Image<float> depth_m = camera.true_view().depth_m;
   Truth truth{{depth_m.width(), depth_m.height()}, {depth_m.width(), depth_m.height()}, {}};
   for (std::size_t i = 0; i < depth_m.size(); ++i)
     truth.disparity_px[i] =

@@ -42,7 +42,7 @@ Eigen::Vector3f nearest_on_triangle(const Eigen::Vector3f& p, const std::array<E
   return corner[0] + by * (vb * ab + vc * ac);
 }
 
-bool look_at(RTCPointQueryFunctionArguments* arguments) {
+bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   const auto& search = *static_cast<const Search*>(arguments->userPtr);
   const auto& triangle = search.mesh->triangles[arguments->primID];
   const std::array<Eigen::Vector3f, 3> corners{search.mesh->vertices[triangle[0]],
@@ -91,7 +91,7 @@ double SurfaceDistance::distance_m(const Eigen::Vector3d& point, double most_m) 
   RTCPointQuery query{search.point.x(), search.point.y(), search.point.z(), 0.0F, static_cast<float>(most_m)};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  rtcPointQuery(impl_->scene, &query, &context, look_at, &search);
+  rtcPointQuery(impl_->scene, &query, &context, visit_triangle, &search);
   return static_cast<double>(query.radius);
 }
 

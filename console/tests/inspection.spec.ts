@@ -20,7 +20,7 @@ test('from the empty list to the last decision, with a reload and a power cut be
 
   await page.getByTestId('capture-initial').click();
   await expect(page.getByTestId('progress')).toContainText('View 1 of 2, capture 2 of 2');
-  await expect(page.getByTestId('noise')).toContainText('its readings tremble by');
+  await expect(page.getByTestId('noise')).toContainText('depth noise');
   // In the middle of a capture, the page is loaded again and finds itself there.
   await page.reload();
   await expect(page.getByTestId('work')).toContainText('The baseline is saved', { timeout: 60_000 });

@@ -19,7 +19,7 @@ struct ReplayOptions {
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.rate_hz, OptionField{"rate", "hz", 0.01, 1000,
-                                    "frames a second of the recording, which captures do not say"});
+                                    "frames a second of the recording, which captures do not state"});
     visit(self.paced,
           OptionField{"paced", "", 0, 1, "1: frames come at the rate; 0: as fast as they are asked for"});
     visit(self.loop, OptionField{"loop", "", 0, 1, "1: the recording starts again at its end, without end"});

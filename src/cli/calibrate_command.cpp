@@ -67,19 +67,19 @@ std::vector<MapView> load_views(const std::vector<std::string>& captures) {
 }
 
 /// Sums over all views.
-struct Agreements {
-  ViewAgreement before;
-  ViewAgreement after;
+struct ResidualsBeforeAndAfter {
+  ViewResiduals before;
+  ViewResiduals after;
 };
 
-Agreements sum_of(const Calibration& calibration) {
-  const auto add = [](const ViewAgreement& view, ViewAgreement& sum) {
+ResidualsBeforeAndAfter sum_of(const Calibration& calibration) {
+  const auto add = [](const ViewResiduals& view, ViewResiduals& sum) {
     sum.neighbours += view.neighbours;
     sum.compared += view.compared;
     sum.agreeing += view.agreeing;
     sum.squares += view.squares;
   };
-  Agreements sum;
+  ResidualsBeforeAndAfter sum;
   for (const CalibratedView& view : calibration.views) {
     add(view.before, sum.before);
     add(view.after, sum.after);
@@ -89,12 +89,12 @@ Agreements sum_of(const Calibration& calibration) {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const ViewAgreement& agreement) {
-  return {{"agreeing", agreement.share()}, {"residual_px", agreement.residual_px()}};
+Json json_of(const ViewResiduals& residuals) {
+  return {{"agreeing", residuals.share()}, {"residual_px", residuals.residual_px()}};
 }
 
 void print_json(const Calibration& calibration, const std::vector<MapView>& views) {
-  const Agreements sum = sum_of(calibration);
+  const ResidualsBeforeAndAfter sum = sum_of(calibration);
   Json json = {{"before", json_of(sum.before)},
                {"after", json_of(sum.after)},
                {"numbers", Json::array()},
@@ -126,7 +126,7 @@ void print_table(const Calibration& calibration, const std::vector<MapView>& vie
     print("{:36} {:+6.2f} {:+6.2f} {:6.2f} px {:7.0f} %\n", views[i].name, error.pan_deg, error.tilt_deg,
           after.residual_px(), 100.0 * after.share());
   }
-  const Agreements sum = sum_of(calibration);
+  const ResidualsBeforeAndAfter sum = sum_of(calibration);
   print("\nOn the same surfaces: {:.0f} % before, {:.0f} % after.\n", 100.0 * sum.before.share(),
         100.0 * sum.after.share());
 }

@@ -22,7 +22,7 @@ struct Cameras {
   std::string problem;
 };
 
-Cameras look() {
+Cameras find_cameras() {
   try {
     return {realsense_cameras(), ""};
   } catch (const Error& error) {
@@ -59,7 +59,7 @@ void print_for_a_person(const Cameras& cameras) {
 }
 
 void list(bool json) {
-  const Cameras cameras = look();
+  const Cameras cameras = find_cameras();
   if (json) {
     print("{}\n", to_json(cameras).dump(1, ' ', false, Json::error_handler_t::replace));
   } else {

@@ -27,7 +27,7 @@ struct InfoArguments {
   bool json = false;
 };
 
-// What only a look at every frame tells.
+// What is known only after reading every frame.
 struct FrameSummary {
   double fill_rate = 0.0;
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -168,7 +168,7 @@ void show(const InfoArguments& arguments) {
 
 void add_info_command(CLI::App& program, Outcome& /*outcome*/) {
   CLI::App& command = *program.add_subcommand(
-      "info", "says what a capture holds, and reads all of it to see that it is sound");
+      "info", "reports what a capture contains, and reads all of it to check that it is sound");
   const auto arguments = std::make_shared<InfoArguments>();
   command.add_option("PATH", arguments->capture, "a capture")->required();
   arguments->captures.add_to(command);

@@ -89,7 +89,7 @@ MapView load_view(const fs::path& folder) {
   try {
     return load_map_view(*open_capture(folder), printable(folder));
   } catch (const Error& error) {
-    throw Error(error.place(), error.problem(),
+    throw Error(error.source(), error.problem(),
                 "remove " + printable(folder) + " and resume: it is taken again");
   }
 }

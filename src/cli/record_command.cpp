@@ -53,7 +53,7 @@ Recorded record_once(Camera& camera, std::size_t frames, CaptureWriter& writer, 
     throw;
   } catch (const Error& error) {
     if (done == 0) throw;
-    throw Error(error.place(),
+    throw Error(error.source(),
                 fmt::format("{} ({} frame(s) until then are kept in {})", error.problem(), done,
                             printable(out.keep_partial())),
                 error.remedy());

@@ -135,7 +135,7 @@ Finding finding_of(Region region, const std::vector<JudgedChange>& lights, const
     if (final_m[i] > 0.0F) depths_m.push_back(final_m[i]);
   }
   finding.centroid = sum / static_cast<double>(finding.pixels.size());
-  place(view.camera, depths_m, finding);
+  locate(view.camera, depths_m, finding);
   name_evidence(lights, view.disparity_m_px, finding);
   finding.score = score_of(finding.pixels, lights);
   finding.p_value = -std::expm1(-std::pow(10.0, -*finding.score));

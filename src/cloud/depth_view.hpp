@@ -1,4 +1,4 @@
-// What a camera saw from one place, ready to be compared with what it saw from another.
+// What a camera measured from one pose, for comparison with what it measured from another.
 #pragma once
 
 #include "depth/capture.hpp"
@@ -27,7 +27,7 @@ struct DepthView {
 [[nodiscard]] DepthView depth_view(const DepthStatistics& depth, const Intrinsics& camera, double unit_m,
                                    double disparity_m_px);
 
-/// Of all depth images of a capture. @throws Error when one cannot be read, or as above
+/// The view of all depth images of a capture. @throws Error when one cannot be read, or as above
 [[nodiscard]] DepthView depth_view(const Capture& capture);
 
 }  // namespace rva

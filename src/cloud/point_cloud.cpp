@@ -42,7 +42,7 @@ class Deprojection {
   }
 
   void append(std::span<const std::uint16_t> depth, float down_by_z, std::uint32_t pixel, PointCloud& cloud) {
-    look_at(depth, down_by_z);
+    add_row(depth, down_by_z);
     // Points are appended in runs, which are long on surfaces.
     for (std::size_t first = next(0, 1); first < depth.size();) {
       const std::size_t end = next(first, 0);
@@ -55,7 +55,7 @@ class Deprojection {
   }
 
  private:
-  void look_at(std::span<const std::uint16_t> depth, float down_by_z) {
+  void add_row(std::span<const std::uint16_t> depth, float down_by_z) {
     const Range row = depths_between(within_m_.min().y(), within_m_.max().y(), down_by_z);
     const float low_m = std::max({row.low, within_m_.min().z(), std::numeric_limits<float>::min()});
     const float high_m = std::min(row.high, within_m_.max().z());

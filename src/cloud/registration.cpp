@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cloud/agreement.hpp"
+#include "cloud/normal_equations.hpp"
 #include "cloud/registration_starts.hpp"
 #include "core/parallel.hpp"
 
@@ -24,7 +24,7 @@ constexpr double last_reach_px = 0.6;  // four deviations of the fixed-pattern n
 
 // One Gauss-Newton step, slightly damped so that unconstrained directions do not move.
 // Equation 37 of docs/math.md.
-AlignmentStep step_of(const Agreement& sum, const Alignment& alignment) {
+AlignmentStep step_of(const NormalEquations& sum, const Alignment& alignment) {
   AlignmentInformation information = sum.information;
   AlignmentStep gradient = sum.gradient;
   information(6, 6) += offset_prior;
@@ -50,10 +50,10 @@ void descend(const ViewPair& views, const Descent& descent, Candidate& candidate
       std::pow(descent.last_reach_px / descent.first_reach_px, 1.0 / std::max(1, descent.steps - 1));
   double reach_px = descent.first_reach_px;
   for (int i = 0; i < descent.steps; ++i, reach_px *= shrink) {
-    const Agreement sum = agreement(views, candidate.alignment, reach_px);
+    const NormalEquations sum = normal_equations(views, candidate.alignment, reach_px);
     candidate.alignment = moved(candidate.alignment, step_of(sum, candidate.alignment));
   }
-  candidate.score = agreement(views, candidate.alignment, descent.last_reach_px).score();
+  candidate.score = normal_equations(views, candidate.alignment, descent.last_reach_px).score();
 }
 
 double distance_m(const Transform& a, const Transform& b) {
@@ -146,7 +146,7 @@ Registration search(const Planes& planes, const RegistrationGuess& guess, int ev
   const ViewPair fine(planes.initial_fine, planes.final_fine, 2);
   descend(fine, {6, 1.5, last_reach_px}, 3, candidates);
   const Alignment& best = candidates.front().alignment;
-  const Agreement sum = agreement(fine, best, last_reach_px);
+  const NormalEquations sum = normal_equations(fine, best, last_reach_px);
   const RegistrationUncertainty uncertain = uncertainty(fine, best, last_reach_px);
   Registration result{best.initial_from_final,
                       uncertain.covariance,

@@ -1,7 +1,7 @@
 // Uncertainty of an alignment of two views.
 #pragma once
 
-#include "cloud/agreement.hpp"
+#include "cloud/normal_equations.hpp"
 
 namespace rva {
 

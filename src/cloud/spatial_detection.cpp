@@ -169,7 +169,7 @@ class Run {
     const std::optional<DepthView> first_view =
         first.depth.distortion == Distortion::none ? std::optional(final.front().view()) : std::nullopt;
     const auto placed = [&](const Seen& seen) {
-      return first_view ? place(*first_view, seen.view(), first, seen.info, "final")
+      return first_view ? transform_to_first(*first_view, seen.view(), first, seen.info, "final")
                         : known_transform(first, seen.info).value_or(Transform::Identity());
     };
     std::vector<PlacedChange> changes;
@@ -238,7 +238,7 @@ class Run {
       DepthView view = side[k].view();
       const Transform first_from_view =
           k == 0 ? Transform::Identity()
-                 : place(views.front().view, view, side.front().info, side[k].info, name);
+                 : transform_to_first(views.front().view, view, side.front().info, side[k].info, name);
       first_from_view_of.push_back(first_from_view);
       views.push_back({std::move(view), first_from_view});
     }
@@ -246,9 +246,9 @@ class Run {
   }
 
   // The pose of a capture in the frame of the side's first capture.
-  [[nodiscard]] static Transform place(const DepthView& first, const DepthView& view,
-                                       const CaptureInfo& first_info, const CaptureInfo& info,
-                                       std::string_view name) {
+  [[nodiscard]] static Transform transform_to_first(const DepthView& first, const DepthView& view,
+                                                    const CaptureInfo& first_info, const CaptureInfo& info,
+                                                    std::string_view name) {
     // About the effect of a twentieth of a degree, and twice the error of the registration itself.
     constexpr double contradicted_px = 0.4;
     if (const auto known = known_transform(first_info, info)) {

@@ -49,7 +49,8 @@ struct SpatialDetection {
   PlacedCaptures placed;
 };
 
-/// True within 3 degrees and 20 mm: farther away, surfaces hide others, and light comes from elsewhere.
+/// True within 3 degrees and 20 mm. Beyond that, different surfaces are occluded, and the light comes
+/// from elsewhere.
 [[nodiscard]] bool came_back_nearly(const Transform& initial_from_final);
 
 /// Registers the views, and compares the space that each saw through with the surfaces that the other saw

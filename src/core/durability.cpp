@@ -30,23 +30,23 @@ void sync(const fs::path& path, int kind) {
               "check the disk and the permissions there");
 }
 
-Error cannot_be_placed(const fs::path& place, const std::error_code& failure) {
-  return {printable(place), fmt::format("cannot be moved into place ({})", failure.message()),
+Error cannot_be_placed(const fs::path& target, const std::error_code& failure) {
+  return {printable(target), fmt::format("cannot be moved into place ({})", failure.message()),
           "check the permissions there or choose another location"};
 }
 
 // For file systems that cannot exchange two names: the earlier folder is moved aside, and moved back if the
 // new one cannot be renamed. A program that is killed in between leaves the earlier folder under a name that
 // recover_remains() recognises.
-void exchange_in_steps(const fs::path& complete, const fs::path& place) {
+void exchange_in_steps(const fs::path& complete, const fs::path& target) {
   const fs::path aside = complete.native() + "-replaced";
   std::error_code failure;
   std::error_code ignored;
-  fs::rename(place, aside, failure);
-  if (failure) throw cannot_be_placed(place, failure);
-  fs::rename(complete, place, failure);
-  fs::rename(aside, failure ? place : complete, ignored);
-  if (failure) throw cannot_be_placed(place, failure);
+  fs::rename(target, aside, failure);
+  if (failure) throw cannot_be_placed(target, failure);
+  fs::rename(complete, target, failure);
+  fs::rename(aside, failure ? target : complete, ignored);
+  if (failure) throw cannot_be_placed(target, failure);
 }
 
 }  // namespace
@@ -85,21 +85,21 @@ void make_folders(const fs::path& folder) {
   for (const fs::path& one : made) sync_folder(one.parent_path());
 }
 
-void move_into_place(const fs::path& complete, const fs::path& place) {
+void move_into_place(const fs::path& complete, const fs::path& target) {
   std::error_code failure;
-  fs::rename(complete, place, failure);  // fails, rather than replaces, if the folder is not empty
-  if (failure) throw cannot_be_placed(place, failure);
-  sync_folder(place.parent_path());
+  fs::rename(complete, target, failure);  // fails, rather than replaces, if the folder is not empty
+  if (failure) throw cannot_be_placed(target, failure);
+  sync_folder(target.parent_path());
 }
 
-void exchange(const fs::path& complete, const fs::path& place) {
-  if (::renameat2(AT_FDCWD, complete.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) != 0) {
+void exchange(const fs::path& complete, const fs::path& target) {
+  if (::renameat2(AT_FDCWD, complete.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) != 0) {
     const int failure = errno;
     if (failure != EINVAL && failure != ENOSYS)
-      throw cannot_be_placed(place, std::error_code(failure, std::generic_category()));
-    exchange_in_steps(complete, place);
+      throw cannot_be_placed(target, std::error_code(failure, std::generic_category()));
+    exchange_in_steps(complete, target);
   }
-  sync_folder(place.parent_path());
+  sync_folder(target.parent_path());
 }
 
 }  // namespace rva

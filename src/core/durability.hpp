@@ -18,16 +18,16 @@ void sync_tree(const std::filesystem::path& folder);
 /// @throws Error when one cannot be created
 void make_folders(const std::filesystem::path& folder);
 
-/// Renames a complete folder to `place` in one step, and returns when that is on the disk.
-/// @param place a path that does not exist, or an empty folder
+/// Renames a complete folder to `target` in one step, and returns when that is on the disk.
+/// @param source a path that does not exist, or an empty folder
 /// @throws Error when something else is there, or the system refuses; both are then unchanged
-void move_into_place(const std::filesystem::path& complete, const std::filesystem::path& place);
+void move_into_place(const std::filesystem::path& complete, const std::filesystem::path& source);
 
-/// Exchanges a complete folder with an earlier one at `place`, which has the name `complete` afterwards. This
-/// is one step, so that `place` is always one of the two, whatever stops the program. File systems that
+/// Exchanges a complete folder with an earlier one at `target`, which has the name `complete` afterwards.
+/// This is one step, so that `target` is always one of the two, whatever stops the program. File systems that
 /// cannot exchange names need three steps; if these are interrupted, recover_remains() puts the earlier
 /// folder back.
 /// @throws Error when the system refuses; both are then unchanged
-void exchange(const std::filesystem::path& complete, const std::filesystem::path& place);
+void exchange(const std::filesystem::path& complete, const std::filesystem::path& source);
 
 }  // namespace rva

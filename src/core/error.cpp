@@ -6,9 +6,9 @@
 
 namespace rva {
 
-Error::Error(std::string place, std::string problem, std::string remedy)
-    : std::runtime_error(fmt::format("{}: {}; {}", place, problem, remedy)),
-      place_(std::move(place)),
+Error::Error(std::string source, std::string problem, std::string remedy)
+    : std::runtime_error(fmt::format("{}: {}; {}", source, problem, remedy)),
+      source_(std::move(source)),
       problem_(std::move(problem)),
       remedy_(std::move(remedy)) {}
 

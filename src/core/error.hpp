@@ -9,20 +9,20 @@ namespace rva {
 /// Something outside the program is wrong: a file, a device or the value of an option.
 ///
 /// Policy: a call that throws leaves its arguments and the disk as they were. Programming mistakes are
-/// assertions, not Errors. `what()` is one line, `place: problem; remedy`, fit for stderr as it is.
+/// assertions, not Errors. `what()` is one line, `source: problem; remedy`, fit for stderr as it is.
 class Error : public std::runtime_error {
  public:
-  /// @param place   where: a path (see printable()), an option, a device
+  /// @param source   where: a path (see printable()), an option, a device
   /// @param problem what is wrong there, without a full stop
   /// @param remedy  what the user can do about it, as an instruction
-  Error(std::string place, std::string problem, std::string remedy);
+  Error(std::string source, std::string problem, std::string remedy);
 
-  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::string& problem() const { return problem_; }
   [[nodiscard]] const std::string& remedy() const { return remedy_; }
 
  private:
-  std::string place_;
+  std::string source_;
   std::string problem_;
   std::string remedy_;
 };

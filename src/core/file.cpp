@@ -163,13 +163,13 @@ void replace_file(const std::filesystem::path& path, std::string_view text) {
 }
 
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  const std::filesystem::path place = std::filesystem::absolute(path);
-  recover_remains(place, [](const std::filesystem::path& remains) {
+  const std::filesystem::path source = std::filesystem::absolute(path);
+  recover_remains(source, [](const std::filesystem::path& remains) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(std::filesystem::symlink_status(remains, ignored));
   });
   put_file(path, bytes);
-  sync_folder(place.parent_path());
+  sync_folder(source.parent_path());
 }
 
 void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {

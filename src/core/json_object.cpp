@@ -18,26 +18,27 @@ Error not_a(const std::string& name, std::string_view kind) {
 
 }  // namespace
 
-nlohmann::json parse_json(const std::string& text, const std::string& place) {
+nlohmann::json parse_json(const std::string& text, const std::string& source) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), end, '\n');
-    throw Error(place, fmt::format("not JSON at line {}", line), mend);
+    throw Error(source, fmt::format("not JSON at line {}", line), mend);
   } catch (const nlohmann::json::out_of_range&) {
-    throw Error(place, "contains a number that does not fit a double", mend);
+    throw Error(source, "contains a number that does not fit a double", mend);
   }
 }
 
-JsonObject::JsonObject(const nlohmann::json& value, std::string place, std::string field)
-    : value_(&value), place_(std::move(place)), field_(std::move(field)) {
+JsonObject::JsonObject(const nlohmann::json& value, std::string source, std::string field)
+    : value_(&value), source_(std::move(source)), field_(std::move(field)) {
   if (!value.is_object())
-    throw not_a(field_.empty() ? place_ : fmt::format("{}: {}", place_, field_), "an object");
+    throw not_a(field_.empty() ? source_ : fmt::format("{}: {}", source_, field_), "an object");
 }
 
 std::string JsonObject::name_of(std::string_view key) const {
-  return field_.empty() ? fmt::format("{}: {}", place_, key) : fmt::format("{}: {}.{}", place_, field_, key);
+  return field_.empty() ? fmt::format("{}: {}", source_, key)
+                        : fmt::format("{}: {}.{}", source_, field_, key);
 }
 
 bool JsonObject::has(const char* key) const { return value_->contains(key) && !(*value_)[key].is_null(); }
@@ -79,7 +80,7 @@ std::string JsonObject::string(const char* key) const {
 }
 
 JsonObject JsonObject::object(const char* key) const {
-  return {at(key), place_, field_.empty() ? std::string(key) : fmt::format("{}.{}", field_, key)};
+  return {at(key), source_, field_.empty() ? std::string(key) : fmt::format("{}.{}", field_, key)};
 }
 
 std::vector<double> JsonObject::numbers(const char* key, std::size_t count) const {

@@ -9,18 +9,18 @@
 
 namespace rva {
 
-/// @param place the file's name, for errors
+/// @param source the file's name, for errors
 /// @throws Error when the text is not JSON or not UTF-8, naming the line; when a number does not fit a double
-[[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& place);
+[[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& source);
 
 /// An object inside a JSON document, with its location there for errors. Keys that are not read are ignored.
 /// The document must outlive it.
 class JsonObject {
  public:
-  /// @param place the file's name, for errors
+  /// @param source the file's name, for errors
   /// @param field dotted name of this object in it, empty for the whole document
   /// @throws Error when the value is not an object
-  JsonObject(const nlohmann::json& value, std::string place, std::string field = {});
+  JsonObject(const nlohmann::json& value, std::string source, std::string field = {});
 
   [[nodiscard]] bool has(const char* key) const;  ///< false also for null
   [[nodiscard]] std::vector<std::string> keys() const;
@@ -46,7 +46,7 @@ class JsonObject {
   [[nodiscard]] const nlohmann::json& at(const char* key) const;
 
   const nlohmann::json* value_;
-  std::string place_;
+  std::string source_;
   std::string field_;
 };
 

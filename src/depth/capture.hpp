@@ -24,8 +24,8 @@ struct Pose {
   std::optional<double> pan_deg;
   std::optional<double> tilt_deg;
   std::optional<Transform> world_from_camera;
-  /// Of a capture after the work whose pose was approached more than once: how far the images show it from
-  /// the baseline's, and how many approaches were made.
+  /// How far the images show the camera from the pose of the baseline's capture, and how many approaches were
+  /// made. Empty unless the pose of a baseline was approached again.
   std::optional<double> off_baseline_deg{};
   std::optional<int> approaches{};
 };
@@ -144,10 +144,10 @@ class Capture {
   CaptureInfo info_;
 };
 
-/// Of one view, or of one side of an inspection.
+/// The captures of one view, or of one side of an inspection.
 using Captures = std::vector<std::unique_ptr<Capture>>;
 
-/// What a capture's own files may leave out.
+/// What the user states about a capture, in addition to its files or in place of them.
 struct CaptureOptions {
   /// Intrinsics of the depth images where the files state none; the size is that of the first image.
   std::optional<Intrinsics> intrinsics;

@@ -44,7 +44,7 @@ Intrinsics parse_intrinsics(const JsonObject& object) {
   try {
     camera.check();
   } catch (const Error& error) {
-    throw Error(object.name_of(error.place()), error.problem(), "correct the file");
+    throw Error(object.name_of(error.source()), error.problem(), "correct the file");
   }
   return camera;
 }
@@ -112,21 +112,21 @@ std::vector<fs::path> numbered(std::vector<fs::path> files) {
 }
 
 // Refuses impossible sizes before memory is allocated for an image.
-void require_possible_size(const std::string& place, const Intrinsics& camera, long most_pixels) {
+void require_possible_size(const std::string& source, const Intrinsics& camera, long most_pixels) {
   if (camera.width <= most_pixels / camera.height) return;
   throw Error(
-      place,
+      source,
       fmt::format("states images of {}x{} pixels, larger than any camera gives", camera.width, camera.height),
       "correct the description");
 }
 
 // Detects a transposed matrix, or one of another image size. Imagers have nearly square pixels and sit nearly
 // centred behind their lenses; the principal point of a cropped image may be off by half of its size.
-void require_plausible(const std::string& place, const Intrinsics& camera) {
+void require_plausible(const std::string& source, const Intrinsics& camera) {
   constexpr double most_ratio = 2.0;
   const double ratio = camera.fx / camera.fy;
   const auto refuse = [&](const std::string& problem) {
-    throw Error(place, problem, "correct the intrinsics: fx, fy, cx and cy in pixels of the depth images");
+    throw Error(source, problem, "correct the intrinsics: fx, fy, cx and cy in pixels of the depth images");
   };
   if (ratio > most_ratio || ratio < 1.0 / most_ratio)
     refuse(fmt::format("no camera has focal lengths fx {:.6g} and fy {:.6g}", camera.fx, camera.fy));
@@ -137,12 +137,12 @@ void require_plausible(const std::string& place, const Intrinsics& camera) {
                     camera.cx, camera.cy, camera.width, camera.height));
 }
 
-void require_format(const JsonObject& document, const std::string& place) {
+void require_format(const JsonObject& document, const std::string& source) {
   if (document.string("format") != "rva-capture") {
-    throw Error(place, "the format is not 'rva-capture'", "give the description of a capture");
+    throw Error(source, "the format is not 'rva-capture'", "give the description of a capture");
   }
   if (const int version = document.integer("version"); version != 1) {
-    throw Error(place, fmt::format("version {} of the format is not supported", version), "use a newer rva");
+    throw Error(source, fmt::format("version {} of the format is not supported", version), "use a newer rva");
   }
 }
 
@@ -160,10 +160,10 @@ std::vector<std::uint16_t> parse_no_depth(const nlohmann::json& list, const Json
 
 }  // namespace
 
-CaptureInfo parse_capture_json(const std::string& text, const std::string& place) {
-  const nlohmann::json json = parse_json(text, place);
-  const JsonObject document(json, place);
-  require_format(document, place);
+CaptureInfo parse_capture_json(const std::string& text, const std::string& source) {
+  const nlohmann::json json = parse_json(text, source);
+  const JsonObject document(json, source);
+  require_format(document, source);
   CaptureInfo info;
   info.format = "rva-capture";
   info.source_json = text;
@@ -185,12 +185,12 @@ CaptureInfo parse_capture_json(const std::string& text, const std::string& place
   return info;
 }
 
-std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text, const std::string& place) {
+std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text, const std::string& source) {
   std::map<std::size_t, FrameMetadata> frames;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line) && !lines.eof(); ++number) {
-    const std::string where = fmt::format("{}:{}", place, number);
+    const std::string where = fmt::format("{}:{}", source, number);
     const nlohmann::json json = parse_json(line, where);
     const JsonObject object(json, where);
     const int frame = object.integer("frame");
@@ -241,17 +241,17 @@ void settle_unit(const CaptureOptions& options, CaptureInfo& info) {
   info.unit_is_assumed = false;
 }
 
-void require_possible(const CaptureInfo& info, const std::string& place) {
-  require_possible_size(place, info.depth, max_depth_pixels);
-  if (info.color) require_possible_size(place, *info.color, max_color_pixels);
-  require_plausible(place, info.depth);
+void require_possible(const CaptureInfo& info, const std::string& source) {
+  require_possible_size(source, info.depth, max_depth_pixels);
+  if (info.color) require_possible_size(source, *info.color, max_color_pixels);
+  require_plausible(source, info.depth);
   if (!(info.depth_unit_m >= 1e-7 && info.depth_unit_m <= 1.0)) {
-    throw Error(place, fmt::format("a depth unit of {} m is impossible", info.depth_unit_m),
+    throw Error(source, fmt::format("a depth unit of {} m is impossible", info.depth_unit_m),
                 "correct the description");
   }
   const auto baseline_m = info.camera ? info.camera->baseline_m : std::nullopt;
   if (baseline_m && !(*baseline_m >= 1e-4 && *baseline_m <= 100.0)) {
-    throw Error(place, fmt::format("a camera baseline of {} m is impossible", *baseline_m),
+    throw Error(source, fmt::format("a camera baseline of {} m is impossible", *baseline_m),
                 "correct camera.baseline_m or leave it out");
   }
 }

@@ -85,9 +85,9 @@ void write_image(const fs::path& file, const Image<Pixel>& image) {
 }  // namespace
 
 std::string capture_json(const CaptureInfo& info, const std::string& extra_json_object) {
-  const std::string place = "the capture's extra keys";
-  const nlohmann::json extra = parse_json(extra_json_object, place);
-  static_cast<void>(JsonObject(extra, place));
+  const std::string source = "the capture's extra keys";
+  const nlohmann::json extra = parse_json(extra_json_object, source);
+  static_cast<void>(JsonObject(extra, source));
   Json known{{"format", "rva-capture"}, {"version", 1}};
   Json document = known;
   document.update(Json(extra));

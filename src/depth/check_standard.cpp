@@ -104,12 +104,12 @@ std::string check_line(const CameraCheck& check) {
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::vector<CameraCheck> parse_checks(const std::string& text, const std::string& place) {
+std::vector<CameraCheck> parse_checks(const std::string& text, const std::string& source) {
   std::vector<CameraCheck> checks;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line) && !lines.eof(); ++number) {
-    const std::string where = fmt::format("{}:{}", place, number);
+    const std::string where = fmt::format("{}:{}", source, number);
     const nlohmann::json json = parse_json(line, where);
     const JsonObject object(json, where);
     CameraCheck check;

@@ -19,8 +19,9 @@ struct CheckStandardOptions {
   double least_spread = 0.02;
 
   static void describe(auto&& self, auto&& visit) {
-    visit(self.least_checks, OptionField{"least-checks", "", 3, 1000,
-                                         "earlier checks that a camera is judged by; fewer say nothing"});
+    visit(self.least_checks,
+          OptionField{"least-checks", "", 3, 1000,
+                      "earlier checks that a camera is judged by; with fewer it is not judged"});
     visit(self.false_alarm,
           OptionField{"false-alarm", "", 1e-6, 0.2, "share of sound cameras that a check calls unfit"});
     visit(self.least_spread,
@@ -70,6 +71,6 @@ struct CameraJudgement {
 /// One line of a history, without a line end; parse_checks() reads it back.
 [[nodiscard]] std::string check_line(const CameraCheck& check);
 /// Parses a history. A last line without a line end is left out. @throws Error naming a malformed line
-[[nodiscard]] std::vector<CameraCheck> parse_checks(const std::string& text, const std::string& place);
+[[nodiscard]] std::vector<CameraCheck> parse_checks(const std::string& text, const std::string& source);
 
 }  // namespace rva

@@ -21,8 +21,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-Error other_content(const std::string& place, const std::string& content) {
-  return {place, content, "give depth of 16 bits in one channel, or floating point in metres"};
+Error other_content(const std::string& source, const std::string& content) {
+  return {source, content, "give depth of 16 bits in one channel, or floating point in metres"};
 }
 
 std::string_view as_text(std::span<const std::byte> bytes) {
@@ -31,9 +31,9 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 
 // Copies pixels from the file's bytes and converts their type.
 template <typename Stored, typename Pixel>
-Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height, const std::string& place) {
+Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height, const std::string& source) {
   Image<Pixel> image(width, height);
-  if (bytes.size() < image.size() * sizeof(Stored)) throw damaged_image(place, "it ends early");
+  if (bytes.size() < image.size() * sizeof(Stored)) throw damaged_image(source, "it ends early");
   for (std::size_t i = 0; i < image.size(); ++i) {
     Stored value;
     std::memcpy(&value, &bytes[i * sizeof(Stored)], sizeof value);
@@ -45,14 +45,14 @@ Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height
 /// The header of a PGM file: numbers separated by white space and comments.
 class PgmHeader {
  public:
-  PgmHeader(std::string_view text, const std::string& place) : text_(text), place_(place) {}
+  PgmHeader(std::string_view text, const std::string& source) : text_(text), source_(source) {}
 
   [[nodiscard]] int number() {
     skip_space();
     int value = 0;
     const char* const begin = text_.data() + at_;
     const auto [end, failure] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (failure != std::errc{}) throw damaged_image(place_, "its header lacks a number");
+    if (failure != std::errc{}) throw damaged_image(source_, "its header lacks a number");
     at_ += static_cast<std::size_t>(end - begin);
     return value;
   }
@@ -69,15 +69,15 @@ class PgmHeader {
   }
 
   std::string_view text_;
-  const std::string& place_;
+  const std::string& source_;
   std::size_t at_ = 2;  // after "P5"
 };
 
 // The value of a key in NumPy's header: {'descr': '<u2', 'fortran_order': False, 'shape': (480, 848), }
-std::string_view npy_value(std::string_view header, std::string_view key, const std::string& place) {
+std::string_view npy_value(std::string_view header, std::string_view key, const std::string& source) {
   const std::size_t found = header.find(fmt::format("'{}':", key));
   if (found == std::string_view::npos)
-    throw damaged_image(place, fmt::format("its header states no {}", key));
+    throw damaged_image(source, fmt::format("its header states no {}", key));
   std::string_view value = header.substr(found + key.size() + 3);
   value.remove_prefix(std::min(value.find_first_not_of(' '), value.size()));
   return value;
@@ -88,12 +88,12 @@ struct NpyShape {
   int height = 0;
 };
 
-NpyShape npy_shape(std::string_view header, const std::string& place) {
-  std::string_view text = npy_value(header, "shape", place);
+NpyShape npy_shape(std::string_view header, const std::string& source) {
+  std::string_view text = npy_value(header, "shape", source);
   std::vector<int> sides;
   const std::size_t end = text.find(')');
   if (!text.starts_with('(') || end == std::string_view::npos)
-    throw damaged_image(place, "its shape is not a tuple");
+    throw damaged_image(source, "its shape is not a tuple");
   text = text.substr(1, end - 1);
   while (!text.empty()) {
     text.remove_prefix(std::min(text.find_first_of("0123456789"), text.size()));
@@ -105,20 +105,20 @@ NpyShape npy_shape(std::string_view header, const std::string& place) {
   }
   if (sides.size() == 3 && sides.back() == 1) sides.pop_back();
   if (sides.size() != 2)
-    throw other_content(place, fmt::format("has {} dimensions, but a depth image has two", sides.size()));
-  require_reasonable_size(sides[1], sides[0], max_depth_pixels, place);
+    throw other_content(source, fmt::format("has {} dimensions, but a depth image has two", sides.size()));
+  require_reasonable_size(sides[1], sides[0], max_depth_pixels, source);
   return {sides[1], sides[0]};
 }
 
-std::span<const std::byte> npy_header(std::span<const std::byte> file, const std::string& place) {
+std::span<const std::byte> npy_header(std::span<const std::byte> file, const std::string& source) {
   constexpr std::size_t version_at = 6;
   constexpr std::size_t length_at = 8;
-  if (file.size() < length_at + sizeof(std::uint32_t)) throw damaged_image(place, "it ends early");
+  if (file.size() < length_at + sizeof(std::uint32_t)) throw damaged_image(source, "it ends early");
   const bool is_long = file[version_at] != std::byte{1};
   std::uint32_t length = 0;
   std::memcpy(&length, &file[length_at], is_long ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
   const std::size_t begin = length_at + (is_long ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
-  if (length > file.size() - begin) throw damaged_image(place, "it ends early");
+  if (length > file.size() - begin) throw damaged_image(source, "it ends early");
   return file.subspan(begin, length);
 }
 
@@ -130,38 +130,38 @@ std::string ending_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place) {
+StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& source) {
   constexpr int most = 65535;
   constexpr int one_byte = 255;
   const std::string_view text = as_text(file);
-  if (!text.starts_with("P5")) throw other_content(place, "not a binary PGM (P5)");
-  PgmHeader header(text, place);
+  if (!text.starts_with("P5")) throw other_content(source, "not a binary PGM (P5)");
+  PgmHeader header(text, source);
   const int width = header.number();
   const int height = header.number();
   const int greatest = header.number();
-  require_reasonable_size(width, height, max_depth_pixels, place);
+  require_reasonable_size(width, height, max_depth_pixels, source);
   if (greatest <= one_byte || greatest > most)
-    throw other_content(place, fmt::format("has grey levels up to {}, but depth needs 16 bits", greatest));
+    throw other_content(source, fmt::format("has grey levels up to {}, but depth needs 16 bits", greatest));
   const auto pixels = file.subspan(std::min(header.pixels_at(), file.size()));
-  auto image = pixels_from<std::uint16_t, std::uint16_t>(pixels, width, height, place);
+  auto image = pixels_from<std::uint16_t, std::uint16_t>(pixels, width, height, source);
   for (std::uint16_t& value : image.pixels()) value = static_cast<std::uint16_t>(value << 8 | value >> 8);
   return image;
 }
 
-StoredDepth decode_npy(std::span<const std::byte> file, const std::string& place) {
-  if (!as_text(file).starts_with("\x93NUMPY")) throw other_content(place, "not a NumPy array");
-  const std::span<const std::byte> header = npy_header(file, place);
+StoredDepth decode_npy(std::span<const std::byte> file, const std::string& source) {
+  if (!as_text(file).starts_with("\x93NUMPY")) throw other_content(source, "not a NumPy array");
+  const std::span<const std::byte> header = npy_header(file, source);
   const std::string_view text = as_text(header);
-  if (npy_value(text, "fortran_order", place).starts_with("True"))
-    throw other_content(place, "is stored in columns (fortran_order), but rows are needed");
-  const NpyShape shape = npy_shape(text, place);
+  if (npy_value(text, "fortran_order", source).starts_with("True"))
+    throw other_content(source, "is stored in columns (fortran_order), but rows are needed");
+  const NpyShape shape = npy_shape(text, source);
   const auto pixels = file.subspan(static_cast<std::size_t>(header.data() + header.size() - file.data()));
-  const std::string_view type = npy_value(text, "descr", place);
+  const std::string_view type = npy_value(text, "descr", source);
   if (type.starts_with("'<u2'"))
-    return pixels_from<std::uint16_t, std::uint16_t>(pixels, shape.width, shape.height, place);
-  if (type.starts_with("'<f4'")) return pixels_from<float, float>(pixels, shape.width, shape.height, place);
-  if (type.starts_with("'<f8'")) return pixels_from<double, float>(pixels, shape.width, shape.height, place);
-  throw other_content(place, "has values of type " + printable(type.substr(0, type.find(','))));
+    return pixels_from<std::uint16_t, std::uint16_t>(pixels, shape.width, shape.height, source);
+  if (type.starts_with("'<f4'")) return pixels_from<float, float>(pixels, shape.width, shape.height, source);
+  if (type.starts_with("'<f8'")) return pixels_from<double, float>(pixels, shape.width, shape.height, source);
+  throw other_content(source, "has values of type " + printable(type.substr(0, type.find(','))));
 }
 
 std::vector<std::filesystem::path> depth_files(const std::filesystem::path& folder) {
@@ -176,10 +176,10 @@ DepthImage read_depth_file(const std::filesystem::path& file, double unit_m) {
   const std::string ending = ending_of(file);
   if (ending == ".png") return read_depth(file);
   const std::vector<std::byte> bytes = read_file(file);
-  const std::string place = printable(file);
-  const StoredDepth stored = ending == ".npy"   ? decode_npy(bytes, place)
-                             : ending == ".pgm" ? decode_pgm(bytes, place)
-                                                : decode_tiff(bytes, place);
+  const std::string source = printable(file);
+  const StoredDepth stored = ending == ".npy"   ? decode_npy(bytes, source)
+                             : ending == ".pgm" ? decode_pgm(bytes, source)
+                                                : decode_tiff(bytes, source);
   if (const auto* units = std::get_if<DepthImage>(&stored)) return *units;
   return depth_from_metres(std::get<Image<float>>(stored), unit_m);
 }

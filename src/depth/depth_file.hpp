@@ -22,16 +22,16 @@ using StoredDepth = std::variant<DepthImage, Image<float>>;
 
 /// Decodes a TIFF file of one sample per pixel, unsigned 16-bit or 32-bit floating point, in strips.
 /// @param file  a whole file, here and below
-/// @param place the file's name, for errors, here and below
+/// @param source the file's name, for errors, here and below
 /// @throws Error when it is damaged, has other contents, or is too large; so do all functions below
-[[nodiscard]] StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& place);
+[[nodiscard]] StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& source);
 
 /// Decodes a binary PGM file (P5) of more than 8 and up to 16 bits.
-[[nodiscard]] StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& place);
+[[nodiscard]] StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& source);
 
 /// Decodes a NumPy array of two dimensions in row-major order, little endian: unsigned 16-bit, or 32- or
 /// 64-bit floating point. A third dimension of length 1 is allowed.
-[[nodiscard]] StoredDepth decode_npy(std::span<const std::byte> file, const std::string& place);
+[[nodiscard]] StoredDepth decode_npy(std::span<const std::byte> file, const std::string& source);
 
 /// Reads a depth image; the ending of the file's name selects the format.
 /// @param unit_m depth unit of the result, metres, for files in metres; other files are read unchanged

@@ -108,19 +108,19 @@ Image<Pixel> of_size(Image<Pixel> image, const fs::path& file, const Intrinsics&
               "record the capture again");
 }
 
-Error without_depth(const fs::path& place) {
+Error without_depth(const fs::path& source) {
   std::error_code failure;
-  for (fs::directory_iterator entry(place / "depth", failure), end; !failure && entry != end;
+  for (fs::directory_iterator entry(source / "depth", failure), end; !failure && entry != end;
        entry.increment(failure)) {
     if (entry->is_regular_file())
-      return {printable(place),
+      return {printable(source),
               fmt::format(
                   "contains no depth frame in a supported format: depth/ has {}, but PNG, TIFF, PGM or NumPy "
                   "files are needed",
                   printable(entry->path().filename())),
               "convert its images"};
   }
-  return {printable(place), "contains no depth frame", "record the capture again"};
+  return {printable(source), "contains no depth frame", "record the capture again"};
 }
 
 }  // namespace
@@ -145,15 +145,15 @@ std::vector<fs::path> image_files(const fs::path& folder, const std::vector<std:
   return files;
 }
 
-FolderCapture::FolderCapture(const fs::path& place, CaptureInfo info, FrameFiles files)
+FolderCapture::FolderCapture(const fs::path& source, CaptureInfo info, FrameFiles files)
     : Capture(std::move(info)),
       files_(std::move(files)),
       no_depth_(this->info().no_depth, this->info().depth_unit_m),
       color_of_(files_.color_of.empty() ? companions(files_.depth, files_.color) : files_.color_of) {
   for (const Imager imager : both_imagers)
     infrared_of_[imager] = companions(files_.depth, files_.infrared[{imager, Light::projector}]);
-  require_possible(this->info(), printable(place));
-  if (files_.depth.empty()) throw without_depth(place);
+  require_possible(this->info(), printable(source));
+  if (files_.depth.empty()) throw without_depth(source);
 }
 
 DepthImage FolderCapture::stored_depth(std::size_t i) const {

@@ -30,9 +30,9 @@ struct FrameFiles {
 /// name; where no two do, if their names end in the same number: depth_007 and color_7.
 class FolderCapture : public Capture {
  public:
-  /// @param place the capture's path, for errors
+  /// @param source the capture's path, for errors
   /// @throws Error when there is no depth file, or the description is impossible (require_possible())
-  FolderCapture(const std::filesystem::path& place, CaptureInfo info, FrameFiles files);
+  FolderCapture(const std::filesystem::path& source, CaptureInfo info, FrameFiles files);
 
   [[nodiscard]] std::size_t depth_frames() const override { return files_.depth.size(); }
   [[nodiscard]] std::size_t color_frames() const override { return files_.color.size(); }
@@ -96,14 +96,14 @@ class FolderCapture : public Capture {
 [[nodiscard]] std::filesystem::path infrared_folder(Imager imager, Light light);
 
 /// Parses the text of a capture.json; separate from open_capture_folder() so that tests can pass any text.
-/// @param place the file's name, for errors, here and below
+/// @param source the file's name, for errors, here and below
 /// @throws Error naming the line or the field that is wrong
-[[nodiscard]] CaptureInfo parse_capture_json(const std::string& text, const std::string& place);
+[[nodiscard]] CaptureInfo parse_capture_json(const std::string& text, const std::string& source);
 
 /// Refuses a description whose values are valid one by one but impossible for a capture: image sizes, focal
 /// lengths and principal point of depth, the depth unit, the baseline.
 /// @throws Error
-void require_possible(const CaptureInfo& info, const std::string& place);
+void require_possible(const CaptureInfo& info, const std::string& source);
 
 /// Applies the depth unit of the options, if any. Adds a note where it differs from what the files state, and
 /// where neither states a unit.
@@ -111,7 +111,7 @@ void require_possible(const CaptureInfo& info, const std::string& place);
 void settle_unit(const CaptureOptions& options, CaptureInfo& info);
 
 /// Parses the text of an Open3D intrinsic file. @throws Error as parse_capture_json()
-[[nodiscard]] CaptureInfo parse_open3d_json(const std::string& text, const std::string& place);
+[[nodiscard]] CaptureInfo parse_open3d_json(const std::string& text, const std::string& source);
 
 /// One line of frames.jsonl, with its line end. Unknown values are left out.
 [[nodiscard]] std::string frame_line(std::size_t number, const FrameMetadata& metadata);
@@ -121,7 +121,7 @@ void settle_unit(const CaptureOptions& options, CaptureInfo& info);
 /// @return metadata by frame number
 /// @throws Error naming a malformed line
 [[nodiscard]] std::map<std::size_t, FrameMetadata> parse_frame_lines(const std::string& text,
-                                                                     const std::string& place);
+                                                                     const std::string& source);
 
 /// One line of a TUM list: a time and a file name.
 struct TumEntry {
@@ -130,7 +130,7 @@ struct TumEntry {
 };
 
 /// Parses the text of a TUM list. @throws Error naming a line that is not `seconds file`
-[[nodiscard]] std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& place);
+[[nodiscard]] std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& source);
 
 /// The files of `folder` whose names end in one of `endings` (given in lower case; file names may have
 /// either), without hidden files, in the order of their names, in which numbers are compared by value: 2.png

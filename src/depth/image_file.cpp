@@ -26,33 +26,34 @@ struct TurboJpegDelete {
 using TurboJpeg = std::unique_ptr<void, TurboJpegDelete>;
 
 // Returns a decoder whose header has been read and checked, ready for spng_decode_image().
-Spng open_png(std::span<const std::byte> png, long most_pixels, const std::string& place, spng_ihdr& header) {
-  if (png.empty()) throw damaged_image(place, "the file is empty");
+Spng open_png(std::span<const std::byte> png, long most_pixels, const std::string& source,
+              spng_ihdr& header) {
+  if (png.empty()) throw damaged_image(source, "the file is empty");
   Spng decoder(spng_ctx_new(0), spng_ctx_free);
   spng_set_chunk_limits(decoder.get(), 1U << 20U, 1U << 20U);
   spng_set_png_buffer(decoder.get(), png.data(), png.size());
   if (const int error = spng_get_ihdr(decoder.get(), &header))
-    throw damaged_image(place, spng_strerror(error));
-  require_reasonable_size(header.width, header.height, most_pixels, place);
+    throw damaged_image(source, spng_strerror(error));
+  require_reasonable_size(header.width, header.height, most_pixels, source);
   return decoder;
 }
 
-void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, const std::string& place) {
+void decode_png(spng_ctx* decoder, int format, void* out, std::size_t size, const std::string& source) {
   int error = spng_decode_image(decoder, out, size, format, 0);
   // Read on to the end mark: a file without it was truncated, even if all pixels happen to be there.
   if (error == 0) error = spng_decode_chunks(decoder);
-  if (error != 0) throw damaged_image(place, spng_strerror(error));
+  if (error != 0) throw damaged_image(source, spng_strerror(error));
 }
 
-ColorImage decode_color_png(std::span<const std::byte> png, const std::string& place) {
+ColorImage decode_color_png(std::span<const std::byte> png, const std::string& source) {
   spng_ihdr header{};
-  const Spng decoder = open_png(png, max_color_pixels, place, header);
+  const Spng decoder = open_png(png, max_color_pixels, source, header);
   ColorImage image(static_cast<int>(header.width), static_cast<int>(header.height));
-  decode_png(decoder.get(), SPNG_FMT_RGB8, image.data(), image.size() * sizeof(Rgb), place);
+  decode_png(decoder.get(), SPNG_FMT_RGB8, image.data(), image.size() * sizeof(Rgb), source);
   return image;
 }
 
-ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place) {
+ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& source) {
   const TurboJpeg decoder(tjInitDecompress());
   const auto* bytes = reinterpret_cast<const unsigned char*>(jpeg.data());
   int width = 0;
@@ -61,14 +62,14 @@ ColorImage decode_jpeg(std::span<const std::byte> jpeg, const std::string& place
   int color_space = 0;
   if (tjDecompressHeader3(decoder.get(), bytes, jpeg.size(), &width, &height, &subsampling, &color_space) !=
       0) {
-    throw damaged_image(place, tjGetErrorStr2(decoder.get()));
+    throw damaged_image(source, tjGetErrorStr2(decoder.get()));
   }
-  require_reasonable_size(width, height, max_color_pixels, place);
+  require_reasonable_size(width, height, max_color_pixels, source);
   ColorImage image(width, height);
   // Without TJFLAG_STOPONWARNING, a truncated JPEG is filled with grey and decoded without an error.
   if (tjDecompress2(decoder.get(), bytes, jpeg.size(), reinterpret_cast<unsigned char*>(image.data()), width,
                     0, height, TJPF_RGB, TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0) {
-    throw damaged_image(place, tjGetErrorStr2(decoder.get()));
+    throw damaged_image(source, tjGetErrorStr2(decoder.get()));
   }
   return image;
 }
@@ -114,35 +115,35 @@ std::vector<std::byte> encode_jpeg(const unsigned char* pixels, int width, int h
 
 }  // namespace
 
-void require_reasonable_size(long width, long height, long most_pixels, const std::string& place) {
+void require_reasonable_size(long width, long height, long most_pixels, const std::string& source) {
   if (width > 0 && height > 0 && width <= most_pixels / height) return;
-  throw Error(place, fmt::format("an image of {}x{} pixels is larger than any camera gives", width, height),
+  throw Error(source, fmt::format("an image of {}x{} pixels is larger than any camera gives", width, height),
               "check that it is the right file");
 }
 
-Error damaged_image(const std::string& place, std::string_view reason) {
-  return {place, fmt::format("damaged image ({})", reason), copy_again};
+Error damaged_image(const std::string& source, std::string_view reason) {
+  return {source, fmt::format("damaged image ({})", reason), copy_again};
 }
 
-DepthImage decode_depth(std::span<const std::byte> png, const std::string& place) {
+DepthImage decode_depth(std::span<const std::byte> png, const std::string& source) {
   spng_ihdr header{};
-  const Spng decoder = open_png(png, max_depth_pixels, place, header);
+  const Spng decoder = open_png(png, max_depth_pixels, source, header);
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 16) {
     throw Error(
-        place,
+        source,
         fmt::format("has {} channel(s) of {} bits, but depth needs one of 16 bits",
                     header.color_type == SPNG_COLOR_TYPE_GRAYSCALE ? "one" : "several", header.bit_depth),
         "record depth as 16-bit grey PNG");
   }
   DepthImage image(static_cast<int>(header.width), static_cast<int>(header.height));
   // SPNG_FMT_PNG gives one channel of 16 bits in the byte order of this machine.
-  decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size() * sizeof(std::uint16_t), place);
+  decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size() * sizeof(std::uint16_t), source);
   return image;
 }
 
-ColorImage decode_color(std::span<const std::byte> file, const std::string& place) {
+ColorImage decode_color(std::span<const std::byte> file, const std::string& source) {
   const bool jpeg = file.size() >= 2 && file[0] == std::byte{0xFF} && file[1] == std::byte{0xD8};
-  return jpeg ? decode_jpeg(file, place) : decode_color_png(file, place);
+  return jpeg ? decode_jpeg(file, source) : decode_color_png(file, source);
 }
 
 DepthImage read_depth(const std::filesystem::path& path) {
@@ -154,30 +155,30 @@ ColorImage read_color(const std::filesystem::path& path) {
 }
 
 GrayImage read_gray(const std::filesystem::path& path) {
-  const std::string place = printable(path);
+  const std::string source = printable(path);
   const std::vector<std::byte> png = read_file(path);
   spng_ihdr header{};
-  const Spng decoder = open_png(png, max_depth_pixels, place, header);
+  const Spng decoder = open_png(png, max_depth_pixels, source, header);
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || header.bit_depth != 8)
-    throw Error(place, "not one channel of 8 bits", "give an 8-bit grey PNG");
+    throw Error(source, "not one channel of 8 bits", "give an 8-bit grey PNG");
   GrayImage image(static_cast<int>(header.width), static_cast<int>(header.height));
-  decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size(), place);
+  decode_png(decoder.get(), SPNG_FMT_PNG, image.data(), image.size(), source);
   return image;
 }
 
 Image<float> read_infrared(const std::filesystem::path& path, double counts_per_grey_level) {
-  const std::string place = printable(path);
+  const std::string source = printable(path);
   const std::vector<std::byte> png = read_file(path);
   spng_ihdr header{};
-  const Spng decoder = open_png(png, max_depth_pixels, place, header);
+  const Spng decoder = open_png(png, max_depth_pixels, source, header);
   const bool wide = header.bit_depth == 16;
   if (header.color_type != SPNG_COLOR_TYPE_GRAYSCALE || (header.bit_depth != 8 && !wide))
-    throw Error(place, "not one channel of 8 or 16 bits", "record infrared as grey PNG");
+    throw Error(source, "not one channel of 8 or 16 bits", "record infrared as grey PNG");
   const auto width = static_cast<int>(header.width);
   const auto height = static_cast<int>(header.height);
   Image<float> image(width, height);
   const auto fill = [&]<typename Pixel>(Image<Pixel> counts, float per_level) {
-    decode_png(decoder.get(), SPNG_FMT_PNG, counts.data(), counts.size() * sizeof(Pixel), place);
+    decode_png(decoder.get(), SPNG_FMT_PNG, counts.data(), counts.size() * sizeof(Pixel), source);
     for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<float>(counts[i]) / per_level;
   };
   if (wide)

@@ -19,19 +19,19 @@ inline constexpr long max_depth_pixels = 8L << 20;
 inline constexpr long max_color_pixels = 32L << 20;
 
 /// Refuses an image without pixels or with more than `most_pixels`. @throws Error
-void require_reasonable_size(long width, long height, long most_pixels, const std::string& place);
+void require_reasonable_size(long width, long height, long most_pixels, const std::string& source);
 
 /// The error for a damaged image file. @param reason is put in brackets after "damaged image"
-[[nodiscard]] Error damaged_image(const std::string& place, std::string_view reason);
+[[nodiscard]] Error damaged_image(const std::string& source, std::string_view reason);
 
 /// @param png    a whole PNG file of one 16-bit channel
-/// @param place  the file's name, for errors
+/// @param source  the file's name, for errors
 /// @throws Error when it is damaged, ends early, has other channels or another bit depth, or is too large
-[[nodiscard]] DepthImage decode_depth(std::span<const std::byte> png, const std::string& place);
+[[nodiscard]] DepthImage decode_depth(std::span<const std::byte> png, const std::string& source);
 
 /// @param file   a whole PNG or JPEG file, grey or colour; of 16-bit values, the upper 8 bits are used
 /// @throws Error as decode_depth()
-[[nodiscard]] ColorImage decode_color(std::span<const std::byte> file, const std::string& place);
+[[nodiscard]] ColorImage decode_color(std::span<const std::byte> file, const std::string& source);
 
 /// The same for a file on the disk, whose path errors name.
 [[nodiscard]] DepthImage read_depth(const std::filesystem::path& path);

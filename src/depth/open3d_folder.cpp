@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 namespace rva {
 
-CaptureInfo parse_open3d_json(const std::string& text, const std::string& place) {
-  const nlohmann::json json = parse_json(text, place);
-  const JsonObject document(json, place);
+CaptureInfo parse_open3d_json(const std::string& text, const std::string& source) {
+  const nlohmann::json json = parse_json(text, source);
+  const JsonObject document(json, source);
   CaptureInfo info;
   info.format = "open3d";
   info.source_json = text;
@@ -38,7 +38,7 @@ CaptureInfo parse_open3d_json(const std::string& text, const std::string& place)
   try {
     info.depth.check();
   } catch (const Error& error) {
-    throw Error(document.name_of(error.place()), error.problem(), "correct the file");
+    throw Error(document.name_of(error.source()), error.problem(), "correct the file");
   }
   const double units_per_m = document.optional_number("depth_scale").value_or(1000.0);
   if (!(units_per_m >= 1.0))

@@ -43,34 +43,34 @@ toff_t size_of(thandle_t handle) { return static_cast<Bytes*>(handle)->all.size(
 
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
-Tiff open_tiff(Bytes& bytes, const std::string& place) {
+Tiff open_tiff(Bytes& bytes, const std::string& source) {
   // libtiff would write messages to stderr; errors are detected by the results of its calls.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   Tiff tiff(TIFFClientOpen("depth", "rm", &bytes, read_bytes, write_nothing, seek, close_nothing, size_of,
                            nullptr, nullptr),
             TIFFClose);
-  if (!tiff) throw damaged_image(place, "not a TIFF");
+  if (!tiff) throw damaged_image(source, "not a TIFF");
   return tiff;
 }
 
 template <typename Pixel>
-Image<Pixel> rows_of(TIFF* tiff, int width, int height, const std::string& place) {
+Image<Pixel> rows_of(TIFF* tiff, int width, int height, const std::string& source) {
   Image<Pixel> image(width, height);
   if (TIFFScanlineSize64(tiff) != static_cast<std::uint64_t>(width) * sizeof(Pixel))
-    throw damaged_image(place, "the length of its rows does not match its width");
+    throw damaged_image(source, "the length of its rows does not match its width");
   for (int v = 0; v < height; ++v) {
     if (TIFFReadScanline(tiff, &image(0, v), static_cast<std::uint32_t>(v)) != 1)
-      throw damaged_image(place, fmt::format("row {} cannot be read", v));
+      throw damaged_image(source, fmt::format("row {} cannot be read", v));
   }
   return image;
 }
 
 }  // namespace
 
-StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& place) {
+StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& source) {
   Bytes bytes{file};
-  const Tiff tiff = open_tiff(bytes, place);
+  const Tiff tiff = open_tiff(bytes, source);
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint16_t bits = 1;
@@ -81,19 +81,19 @@ StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& plac
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_BITSPERSAMPLE, &bits);
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_SAMPLEFORMAT, &format);
-  require_reasonable_size(width, height, max_depth_pixels, place);
+  require_reasonable_size(width, height, max_depth_pixels, source);
   const bool whole = bits == 16 && format == SAMPLEFORMAT_UINT;
   const bool real = bits == 32 && format == SAMPLEFORMAT_IEEEFP;
   if (samples != 1 || !(whole || real) || TIFFIsTiled(tiff.get()) != 0)
     throw Error(
-        place,
+        source,
         fmt::format("has {} channel(s) of {} bits, but depth needs one of 16 bits, or of 32 in metres",
                     samples, bits),
         "give depth of 16 bits in one channel, or floating point in metres");
   const int columns = static_cast<int>(width);
   const int rows = static_cast<int>(height);
-  if (whole) return rows_of<std::uint16_t>(tiff.get(), columns, rows, place);
-  return rows_of<float>(tiff.get(), columns, rows, place);
+  if (whole) return rows_of<std::uint16_t>(tiff.get(), columns, rows, source);
+  return rows_of<float>(tiff.get(), columns, rows, source);
 }
 
 }  // namespace rva

@@ -50,7 +50,7 @@ std::vector<fs::path> nearest_color(const fs::path& folder, double time_s) {
 
 }  // namespace
 
-std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& place) {
+std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& source) {
   std::vector<TumEntry> entries;
   std::istringstream lines(text);
   std::string line;
@@ -63,7 +63,7 @@ std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string&
     // The rest of the line is the file's name, which may have spaces.
     if (!(words >> entry.time_s >> std::ws) || !std::getline(words, entry.file) ||
         !std::isfinite(entry.time_s)) {
-      throw Error(fmt::format("{}:{}", place, number), "is not 'seconds file'", "correct the list");
+      throw Error(fmt::format("{}:{}", source, number), "is not 'seconds file'", "correct the list");
     }
     entries.push_back(std::move(entry));
   }

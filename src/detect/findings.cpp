@@ -57,7 +57,7 @@ Finding measure(Region region, ChangeKind kind, const Comparison& comparison, co
   const auto area = static_cast<double>(finding.pixels.size());
   finding.centroid = sum / area;
   RegionDepth depth = depth_of(finding.pixels, comparison);
-  place(camera, depth.depths_m, finding);
+  locate(camera, depth.depths_m, finding);
   finding.height_mm = height_mm(depth, finding.pixels.size(), kind);
   if (comparison.evidence_is_rarity) {
     finding.score = rarest;
@@ -100,7 +100,7 @@ std::optional<ChangeKind> change_kind_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding) {
+void locate(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding) {
   if (depths_m.empty()) return;
   const double depth_m = quantile(depths_m, 0.5);
   finding.position_m = camera.deproject(finding.centroid, depth_m);

@@ -82,7 +82,7 @@ struct Findings {
 /// Sets position and size of a finding from its centroid, its box and the median of `depths_m`; does nothing
 /// if there are no depths.
 /// @param depths_m depths of its pixels, metres; reordered
-void place(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding);
+void locate(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding);
 
 /// Groups the changed pixels of a comparison into regions and measures them; the most suspicious come first.
 /// Pixels that came nearer and pixels that went farther are never grouped, however close they are.

@@ -64,31 +64,31 @@ Mask filled(const std::vector<Polygon>& polygons, int width, int height) {
   return mask;
 }
 
-Polygon parse_polygon(const nlohmann::json& value, const std::string& place) {
+Polygon parse_polygon(const nlohmann::json& value, const std::string& source) {
   if (!value.is_array() || value.size() < 3 || value.size() > most_corners)
-    throw Error(place, fmt::format("is not a list of 3 to {} corners", most_corners), correct_it);
+    throw Error(source, fmt::format("is not a list of 3 to {} corners", most_corners), correct_it);
   Polygon polygon;
   for (const nlohmann::json& corner : value) {
     if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() || !corner[1].is_number())
-      throw Error(place, "has a corner that is not a pair of numbers", correct_it);
+      throw Error(source, "has a corner that is not a pair of numbers", correct_it);
     polygon.emplace_back(corner[0].get<double>(), corner[1].get<double>());
     constexpr double far_px = 1e6;
     if (!(polygon.back().cwiseAbs().maxCoeff() <= far_px))
-      throw Error(place, "has a corner that lies outside any image", correct_it);
+      throw Error(source, "has a corner that lies outside any image", correct_it);
   }
   return polygon;
 }
 
 std::vector<Polygon> parse_polygons(const nlohmann::json& document, const char* key,
-                                    const std::string& place) {
+                                    const std::string& source) {
   const auto found = document.find(key);
   if (found == document.end() || found->is_null()) return {};
   if (!found->is_array() || found->size() > most_polygons)
-    throw Error(fmt::format("{}: {}", place, key),
+    throw Error(fmt::format("{}: {}", source, key),
                 fmt::format("is not a list of up to {} polygons", most_polygons), correct_it);
   std::vector<Polygon> polygons;
   for (std::size_t i = 0; i < found->size(); ++i)
-    polygons.push_back(parse_polygon((*found)[i], fmt::format("{}: {}[{}]", place, key, i)));
+    polygons.push_back(parse_polygon((*found)[i], fmt::format("{}: {}[{}]", source, key, i)));
   return polygons;
 }
 
@@ -142,12 +142,12 @@ Polygon polygon_of(const Box& box) {
   return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
-IgnoredRegions parse_regions(const std::string& text, const std::string& place) {
-  const nlohmann::json document = parse_json(text, place);
-  const JsonObject object(document, place);
+IgnoredRegions parse_regions(const std::string& text, const std::string& source) {
+  const nlohmann::json document = parse_json(text, source);
+  const JsonObject object(document, source);
   if (object.optional_string("format") != format_name || object.optional_number("version") != 1.0)
-    throw Error(place, fmt::format("is not a {} file of version 1", format_name), correct_it);
-  return {parse_polygons(document, "ignore", place), parse_polygons(document, "within", place)};
+    throw Error(source, fmt::format("is not a {} file of version 1", format_name), correct_it);
+  return {parse_polygons(document, "ignore", source), parse_polygons(document, "within", source)};
 }
 
 std::string to_json(const IgnoredRegions& regions) {

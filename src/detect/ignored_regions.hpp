@@ -37,9 +37,9 @@ inline constexpr std::size_t most_corners = 1000;
 
 /// Parses `{"format": "rva-regions", "version": 1, "ignore": [[[u, v], ...], ...], "within":
 /// [...]}` (docs/detection.md).
-/// @param place name of the text in error messages
+/// @param source name of the text in error messages
 /// @throws Error naming the polygon that is malformed
-[[nodiscard]] IgnoredRegions parse_regions(const std::string& text, const std::string& place);
+[[nodiscard]] IgnoredRegions parse_regions(const std::string& text, const std::string& source);
 [[nodiscard]] std::string to_json(const IgnoredRegions& regions);
 
 /// Reads a region file, or a picture in which every pixel that is not black is left out. The content decides

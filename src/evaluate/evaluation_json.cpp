@@ -116,12 +116,12 @@ std::string to_json(const Evaluation& evaluation) {
   return json.dump(1) + "\n";
 }
 
-Evaluation evaluation_from_json(const std::string& text, const std::string& place) {
-  const nlohmann::json json = parse_json(text, place);
+Evaluation evaluation_from_json(const std::string& text, const std::string& source) {
+  const nlohmann::json json = parse_json(text, source);
   try {
     return evaluation_from(json);
   } catch (const nlohmann::json::exception& exception) {
-    throw Error(place, std::string("is not an evaluation that can be resumed: ") + exception.what(),
+    throw Error(source, std::string("is not an evaluation that can be resumed: ") + exception.what(),
                 "choose another output folder");
   }
 }

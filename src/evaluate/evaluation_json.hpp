@@ -19,8 +19,8 @@ struct Evaluation {
 [[nodiscard]] std::string to_json(const Evaluation& evaluation);
 
 /// Reads the inspections of an evaluation, without the pixels of their targets.
-/// @param place name of the file, for errors
+/// @param source name of the file, for errors
 /// @throws Error if the text is not an evaluation
-[[nodiscard]] Evaluation evaluation_from_json(const std::string& text, const std::string& place);
+[[nodiscard]] Evaluation evaluation_from_json(const std::string& text, const std::string& source);
 
 }  // namespace rva

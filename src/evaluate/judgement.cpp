@@ -63,7 +63,7 @@ std::vector<std::uint32_t> work_pixels(const SimulatedCamera& before, const Simu
   const auto add = [&pixels](const SimulatedCamera& camera, const auto& is_work) {
     const std::vector<SceneObject>& objects = camera.scene().objects;
     if (std::ranges::none_of(objects, is_work)) return;
-    const TrueView view = camera.look();
+    const TrueView view = camera.true_view();
     for (std::size_t i = 0; i < view.labels.size(); ++i) {
       if (view.labels[i] > 0 && is_work(objects[view.labels[i] - 1U]))
         pixels.push_back(static_cast<std::uint32_t>(i));
@@ -81,7 +81,7 @@ std::vector<std::uint32_t> trace_pixels(const SimulatedCamera& after) {
   constexpr float least_change = 0.01F;
   std::vector<std::uint32_t> pixels;
   if (after.scene().traces.empty()) return pixels;
-  const TrueView view = after.look();
+  const TrueView view = after.true_view();
   const Intrinsics camera = after.info().depth;
   const Transform world_from_camera = after.world_from_camera();
   for (int v = 0; v < view.depth_m.height(); ++v) {
@@ -99,7 +99,7 @@ std::vector<std::uint32_t> trace_pixels(const SimulatedCamera& after) {
 }  // namespace
 
 std::vector<Target> visible_targets(const SimulatedCamera& camera) {
-  const TrueView view = camera.look();
+  const TrueView view = camera.true_view();
   const std::vector<SceneObject>& objects = camera.scene().objects;
   std::vector<Target> targets;
   for (std::size_t object = 0; object < objects.size(); ++object) {

@@ -367,9 +367,9 @@ std::string to_json(const std::vector<MovedInspection>& inspections, const std::
   return json.dump(1) + "\n";
 }
 
-std::vector<MovedInspection> moved_inspections_from_json(const std::string& text, const std::string& place,
+std::vector<MovedInspection> moved_inspections_from_json(const std::string& text, const std::string& source,
                                                          const std::string& arguments) {
-  const nlohmann::json json = parse_json(text, place);
+  const nlohmann::json json = parse_json(text, source);
   try {
     if (json.at("arguments").get<std::string>() != arguments)
       throw UsageError("--resume", "the evaluation that is there was begun with other options",
@@ -378,7 +378,7 @@ std::vector<MovedInspection> moved_inspections_from_json(const std::string& text
     for (const nlohmann::json& one : json.at("inspections")) inspections.push_back(inspection_from(one));
     return inspections;
   } catch (const nlohmann::json::exception& exception) {
-    throw Error(place, std::string("is no evaluation to go on with: ") + exception.what(),
+    throw Error(source, std::string("is no evaluation to go on with: ") + exception.what(),
                 "give another --out");
   }
 }

@@ -58,7 +58,7 @@ struct CollarDetection {
 /// Reads the inspections of a study that is to be resumed, without the pixels of their targets.
 /// @throws Error if the text is not such an evaluation; UsageError if the study had other arguments
 [[nodiscard]] std::vector<MovedInspection> moved_inspections_from_json(const std::string& text,
-                                                                       const std::string& place,
+                                                                       const std::string& source,
                                                                        const std::string& arguments);
 
 }  // namespace rva

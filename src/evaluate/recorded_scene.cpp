@@ -53,9 +53,9 @@ std::optional<Transform> transform_in(const fs::path& file) {
 
 std::vector<RecordedTarget> targets_in(const fs::path& folder, const GrayImage& labels,
                                        const GrayImage& seen) {
-  const std::string place = printable(folder / truth_file);
-  const nlohmann::json document = parse_json(read_text_file(folder / truth_file), place);
-  const JsonObject objects = JsonObject(document, place).object("objects");
+  const std::string source = printable(folder / truth_file);
+  const nlohmann::json document = parse_json(read_text_file(folder / truth_file), source);
+  const JsonObject objects = JsonObject(document, source).object("objects");
   std::vector<RecordedTarget> targets;
   for (const std::string& number : objects.keys()) {
     const JsonObject object = objects.object(number.c_str());

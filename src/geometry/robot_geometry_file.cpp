@@ -23,7 +23,7 @@ Eigen::Vector3d vector(const JsonObject& object, const char* key) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-Eigen::Vector3d place(const JsonObject& object) {
+Eigen::Vector3d position(const JsonObject& object) {
   constexpr double most_m = 2.0;
   Eigen::Vector3d at_m = vector(object, "at_m");
   if (at_m.norm() <= most_m) return at_m;
@@ -41,7 +41,7 @@ Eigen::Vector3d unit_vector(const JsonObject& object, const char* key) {
 
 // Positive angles turn the same way on every robot (pan_tilt.hpp), so that limits and waypoints apply to all.
 JointAxis joint(const JsonObject& object, const Eigen::Vector3d& towards, const char* meaning) {
-  JointAxis joint{place(object), unit_vector(object, "axis")};
+  JointAxis joint{position(object), unit_vector(object, "axis")};
   if (joint.axis.dot(towards) > 0.5) return joint;
   throw Error(object.name_of("axis"), fmt::format("does not point {}", meaning),
               "turn the axis around, and the sign of this servo's angles with it");
@@ -59,7 +59,7 @@ Transform camera(const JsonObject& object) {
     throw Error(object.name_of("right, down, forward"), "the camera's axes are left-handed",
                 "turn one of them around: right x down must be forward");
   bracket_from_camera.linear() = Eigen::Quaterniond(axes).normalized().toRotationMatrix();
-  bracket_from_camera.translation() = place(object);
+  bracket_from_camera.translation() = position(object);
   return bracket_from_camera;
 }
 

@@ -96,8 +96,8 @@ AppearanceChange appearance_change(const DotFreeImage& initial, const DotFreeIma
   }
   // Noise of neighbouring pixels is correlated by interpolation and lenses. The unchanged majority of the
   // image shows by how much that increases the deviation.
-  const float agreement = std::max(deviation_of(as_mat(bulk), change.judged), 1.0F);
-  for (float& deviations : change.deviations.pixels()) deviations /= agreement;
+  const float spread = std::max(deviation_of(as_mat(bulk), change.judged), 1.0F);
+  for (float& deviations : change.deviations.pixels()) deviations /= spread;
   return change;
 }
 

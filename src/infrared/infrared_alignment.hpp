@@ -18,11 +18,12 @@ namespace rva {
 /// @param views at least one; their poses are known to half a degree
 void align_side(const ReferenceSurface& surface, std::vector<InfraredView>& views);
 
-/// The rounds that sides are aligned with (docs/infrared.md).
+/// Rounds of alignment for the sides of a comparison (docs/infrared.md).
 inline constexpr int usual_rounds = 8;
 
-/// Refines where the views of another side were taken. What changed in between counts as outliers.
-/// @param most_rounds above 0; ends before when no view turns by 0.002 degrees any more
+/// Refines the poses of the views of the other side against a fused image. Changes in between are treated
+/// as outliers.
+/// @param most_rounds above 0; ends earlier as soon as no view turns by 0.002 degrees or more
 void align_to(const DotFreeImage& image, const ReferenceSurface& surface, std::vector<InfraredView>& views,
               int most_rounds = usual_rounds);
 

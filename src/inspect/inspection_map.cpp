@@ -20,20 +20,20 @@ Transform map_from_camera(const CaptureInfo& info, const PanTiltChain& chain) {
 void write_inspection_map(const std::filesystem::path& file, const InspectionFolder& folder,
                           const Inspection& inspection, bool moved, const PanTiltChain& chain) {
   std::vector<MapView> loaded;
-  std::vector<Transform> places;
+  std::vector<Transform> poses;
   for (int i = 0; i < static_cast<int>(inspection.views.size()) * inspection.dither; ++i) {
     const std::filesystem::path path =
         folder.capture(Side::final, inspection, i / inspection.dither, i % inspection.dither);
     const std::unique_ptr<Capture> capture = open_capture(path);
     loaded.push_back(moved ? load_map_view(*capture, printable(path))
                            : load_map_view(*capture, printable(path), PanTilt{}));
-    places.push_back(map_from_camera(capture->info(), chain));
+    poses.push_back(map_from_camera(capture->info(), chain));
   }
   if (moved && loaded.size() > 1) {
-    places.clear();
-    for (const RefinedPose& pose : refine_poses(loaded, chain)) places.push_back(pose.foot_from_camera);
+    poses.clear();
+    for (const RefinedPose& pose : refine_poses(loaded, chain)) poses.push_back(pose.foot_from_camera);
   }
-  write_ply(file, join_views(loaded, places, {}), PointFrame::robot_foot);
+  write_ply(file, join_views(loaded, poses, {}), PointFrame::robot_foot);
 }
 
 std::vector<MapPoint> changed_points(const Detection& detection, const ColorImage& picture,

@@ -188,7 +188,7 @@ TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::
   };
 }
 
-// A robot that was put elsewhere has no pose to come back to, and without a robot nothing does.
+// Empty without a robot, and after the robot was put back elsewhere: there is no pose to return to then.
 std::filesystem::path Inspector::baseline_to_return_to(const Inspection& inspection, Side side,
                                                        const std::string& base) const {
   const bool may_return =
@@ -197,9 +197,9 @@ std::filesystem::path Inspector::baseline_to_return_to(const Inspection& inspect
                     : std::filesystem::path();
 }
 
-// A baseline on a robot goes on with the views that it has: no work has been done yet. After the work, views
-// of an earlier moment would show a bay in which somebody may have worked since, so a final side is always
-// taken as a whole, in a folder that nothing has been captured into.
+// An interrupted baseline on a robot continues after the views that it has: no work has been done yet. After
+// the work, earlier views might show the bay before somebody worked in it again, so a final side is always
+// taken as a whole, in an unused folder.
 BegunSide Inspector::round_for(const Inspection& inspection, Side side, const std::string& person,
                                const std::string& base) const {
   const auto begun = inspection.begun.find(side);

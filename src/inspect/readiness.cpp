@@ -82,8 +82,8 @@ ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& optio
   const double at_one_metre_mm = 1000.0 * std::abs(drift_px) / product;
   const std::string seen = fmt::format("depth at one metre moved by {:.2f} mm in {:.0f} seconds",
                                        at_one_metre_mm, watched.duration_s);
-  constexpr double sure = 3.0;
-  if (std::abs(drift_px) <= std::max(options.most_drift_px, sure * deviation_px))
+  constexpr double reliable = 3.0;
+  if (std::abs(drift_px) <= std::max(options.most_drift_px, reliable * deviation_px))
     return {"Warm-up", true, fmt::format("The camera is stable: {}.", seen)};
   return {"Warm-up", false,
           fmt::format("The camera is still warming up, or was touched: {}. Wait a few minutes.", seen)};

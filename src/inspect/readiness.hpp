@@ -21,7 +21,7 @@ struct ReadinessOptions {
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames,
-          OptionField{"readiness-frames", "", 8, 1000, "frames that the check before a capture looks at"});
+          OptionField{"readiness-frames", "", 8, 1000, "frames that the check before a capture examines"});
     visit(self.least_rate_hz,
           OptionField{"least-rate", "hz", 0, 1000, "a camera with fewer frames a second is not ready"});
     visit(self.least_measured,

@@ -66,18 +66,18 @@ class Repair {
   // An earlier version of the program moved a side to SIDE.replaced while it was taken again. The moved side
   // is restored, and the views taken since become a round of their own.
   void restore_replaced(const std::string& side) {
-    const fs::path place = folder_ / side;
+    const fs::path current = folder_ / side;
     const fs::path aside = folder_ / (side + ".replaced");
     if (!holds_captures(aside)) return;
     std::error_code failure;
-    if (is_there(place)) {
+    if (is_there(current)) {
       int round = 2;
       while (is_there(folder_ / fmt::format("{}-{}", side, round))) ++round;
-      fs::rename(place, folder_ / fmt::format("{}-{}", side, round), failure);
+      fs::rename(current, folder_ / fmt::format("{}-{}", side, round), failure);
     }
-    if (!failure) fs::rename(aside, place, failure);
-    tell(place, failure ? "cannot be restored: check the folder's permissions"
-                        : "restored: it was being captured again when the program was stopped");
+    if (!failure) fs::rename(aside, current, failure);
+    tell(current, failure ? "cannot be restored: check the folder's permissions"
+                          : "restored: it was being captured again when the program was stopped");
   }
 
   // Such a comparison may be complete, but it was never recorded, so nobody has seen it.

@@ -31,8 +31,8 @@ CaptureProgress progress_at(const SideCapture& side, std::size_t waypoint) {
           side.baseline.empty() ? 1 : static_cast<std::size_t>(side.pose_return.approaches)};
 }
 
-/// Reports each frame, and measures the noise of those of one capture. Frames by which an approach is judged
-/// are none of the capture's.
+/// Reports each frame, and measures the noise of those of one capture. Frames that are used to
+/// judge an approach are not part of the capture.
 class Witness {
  public:
   Witness(const SideCapture& side, const CaptureEvents& events, CaptureInfo info)

@@ -46,10 +46,10 @@ struct SideCapture {
   std::vector<PanTilt> waypoints;
   std::size_t captures_each = 1;  ///< of each view; divides the number of waypoints
   std::filesystem::path folder;
-  std::string base;         ///< name of the place where the robot's foot stands
+  std::string base;         ///< name of the position of the robot's foot
   std::size_t frames = 40;  ///< of each capture
   bool lamp = false;        ///< as many under the camera's lamp, too, which it must have
-  /// Folder of the baseline to whose poses a robot comes back; empty where there is none to come back to.
+  /// Folder of the baseline's captures, to the poses of which the robot returns; empty if there is none.
   std::filesystem::path baseline{};
   PoseReturnOptions pose_return{};
 };

@@ -82,14 +82,14 @@ ComparedView summary_of(const Detection& detection, int view) {
 }
 
 std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const PanTiltChain& chain) {
-  const Transform place = map_from_camera(result.final.front()->info(), chain);
+  const Transform foot_from_final = map_from_camera(result.final.front()->info(), chain);
   std::vector<ReviewedFinding> findings;
   for (const Finding& finding : result.detection.findings.findings) {
     ReviewedFinding reviewed;
     reviewed.view = view;
     reviewed.finding = finding;
     reviewed.finding.pixels.clear();
-    if (finding.position_m) reviewed.in_foot_m = place * *finding.position_m;
+    if (finding.position_m) reviewed.in_foot_m = foot_from_final * *finding.position_m;
     findings.push_back(std::move(reviewed));
   }
   return findings;

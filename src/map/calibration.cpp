@@ -87,15 +87,15 @@ class Estimation {
 
   Calibration run() {
     const std::vector<Transform> given_poses = poses(unknowns_);
-    const PosesAgreement before =
-        by_surfaces_.agreement(given_poses, by_surfaces_.pairs(given_poses), descent.back());
+    const PoseEquations before =
+        by_surfaces_.equations(given_poses, by_surfaces_.pairs(given_poses), descent.back());
     std::vector<ViewNumbers> pairs;
     for (std::size_t i = 0; i < descent.size(); ++i) {
       throw_if_interrupted();
       if (i % 6 == 0) pairs = by_surfaces_.pairs(poses(unknowns_));
-      step(by_surfaces_.agreement(poses(unknowns_), pairs, descent.at(i)));
+      step(by_surfaces_.equations(poses(unknowns_), pairs, descent.at(i)));
     }
-    return result(before, by_surfaces_.agreement(poses(unknowns_), pairs, descent.back()));
+    return result(before, by_surfaces_.equations(poses(unknowns_), pairs, descent.back()));
   }
 
  private:
@@ -139,7 +139,7 @@ class Estimation {
     return motions;
   }
 
-  void step(const PosesAgreement& sum) {
+  void step(const PoseEquations& sum) {
     const Eigen::MatrixXd motions = motions_by_unknowns();
     const Eigen::VectorXd prior = prior_deviations_.array().square().inverse();
     information_ = motions.transpose() * sum.information * motions;
@@ -149,7 +149,7 @@ class Estimation {
     unknowns_ -= information_.ldlt().solve(gradient);
   }
 
-  [[nodiscard]] Calibration result(const PosesAgreement& before, const PosesAgreement& after) const {
+  [[nodiscard]] Calibration result(const PoseEquations& before, const PoseEquations& after) const {
     Calibration calibration{chain(unknowns_), {}, {}, {}};
     // The matcher's error in a view affects all of its pairs, which the sum treats as independent: on
     // simulated bays, the errors of lengths are three times the computed deviation (docs/mapping.md).
@@ -177,7 +177,7 @@ class Estimation {
       if (!number.held) return fmt::format("the views do not determine '{}'", number.name);
     }
     for (std::size_t i = 0; i < calibration.views.size(); ++i) {
-      const ViewAgreement& view = calibration.views[i].after;
+      const ViewResiduals& view = calibration.views[i].after;
       if (view.neighbours == 0) return fmt::format("{} shares no surface with another one", names_[i]);
       if (view.share() < least_agreeing)
         return fmt::format("only {:.0f} % of the overlap of {} with others lies on the same surfaces",

@@ -39,8 +39,8 @@ struct CalibratedNumber {
 
 struct CalibratedView {
   PanTilt joint_error;   ///< estimated error of the servos at this view
-  ViewAgreement before;  ///< with the geometry that was given
-  ViewAgreement after;
+  ViewResiduals before;  ///< with the geometry that was given
+  ViewResiduals after;
 };
 
 struct Calibration {

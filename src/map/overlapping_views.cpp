@@ -31,8 +31,8 @@ Matrix6 adjoint(const Transform& to_from) {
   return result;
 }
 
-void add(const Agreement& pair, const ViewNumbers& numbers, const Transform& first_from_second,
-         PosesAgreement& sum) {
+void add(const NormalEquations& pair, const ViewNumbers& numbers, const Transform& first_from_second,
+         PoseEquations& sum) {
   const double by_variance = 1.0 / (residual_px * residual_px * erring_together);
   const auto first = static_cast<Eigen::Index>(6 * numbers.first);
   const auto second = static_cast<Eigen::Index>(6 * numbers.second);
@@ -49,11 +49,11 @@ void add(const Agreement& pair, const ViewNumbers& numbers, const Transform& fir
   sum.gradient.segment<6>(first) -= gradient;
   sum.gradient.segment<6>(second) += seen.transpose() * gradient;
   for (const std::size_t view : {numbers.first, numbers.second}) {
-    ViewAgreement& agreement = sum.views[view];
-    ++agreement.neighbours;
-    agreement.compared += pair.compared;
-    agreement.agreeing += pair.agreeing;
-    agreement.squares += pair.squares;
+    ViewResiduals& residuals = sum.views[view];
+    ++residuals.neighbours;
+    residuals.compared += pair.compared;
+    residuals.agreeing += pair.agreeing;
+    residuals.squares += pair.squares;
   }
 }
 
@@ -96,8 +96,8 @@ std::vector<ViewNumbers> OverlappingViews::pairs(std::span<const Transform> worl
     for (int k = begin; k < end; ++k) {
       const auto [i, j] = all[static_cast<std::size_t>(k)];
       const Transform first_from_second = world_from_camera[i].inverse() * world_from_camera[j];
-      const Agreement sum =
-          rva::agreement(ViewPair(coarse_[i], coarse_[j], every), {first_from_second, 0.0}, any_reach_px);
+      const NormalEquations sum = rva::normal_equations(ViewPair(coarse_[i], coarse_[j], every),
+                                                        {first_from_second, 0.0}, any_reach_px);
       overlaps[static_cast<std::size_t>(k)] = sum.compared > least_overlap * sum.samples ? 1 : 0;
     }
   });
@@ -108,24 +108,25 @@ std::vector<ViewNumbers> OverlappingViews::pairs(std::span<const Transform> worl
   return result;
 }
 
-PosesAgreement OverlappingViews::agreement(std::span<const Transform> world_from_camera,
-                                           std::span<const ViewNumbers> pairs,
-                                           const PosesDescent& descent) const {
+PoseEquations OverlappingViews::equations(std::span<const Transform> world_from_camera,
+                                          std::span<const ViewNumbers> pairs,
+                                          const PosesDescent& descent) const {
   assert(world_from_camera.size() == size());
   assert(descent.step_px == coarse_step_px || descent.step_px == fine_step_px);
   const std::deque<PlanarPatches>& patches = descent.step_px == fine_step_px ? fine_ : coarse_;
-  std::vector<Agreement> sums(pairs.size());
+  std::vector<NormalEquations> sums(pairs.size());
   const auto between = [&](const ViewNumbers& pair) -> Transform {
     return world_from_camera[pair.first].inverse() * world_from_camera[pair.second];
   };
   parallel_bands(static_cast<int>(pairs.size()), [&](int begin, int end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      sums[k] = rva::agreement(ViewPair(patches[pairs[k].first], patches[pairs[k].second], descent.every),
-                               {between(pairs[k]), 0.0}, descent.reach_px);
+      sums[k] =
+          rva::normal_equations(ViewPair(patches[pairs[k].first], patches[pairs[k].second], descent.every),
+                                {between(pairs[k]), 0.0}, descent.reach_px);
   });
   const auto unknowns = static_cast<Eigen::Index>(6 * size());
-  PosesAgreement result{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns),
-                        std::vector<ViewAgreement>(size())};
+  PoseEquations result{Eigen::MatrixXd::Zero(unknowns, unknowns), Eigen::VectorXd::Zero(unknowns),
+                       std::vector<ViewResiduals>(size())};
   for (std::size_t k = 0; k < pairs.size(); ++k) add(sums[k], pairs[k], between(pairs[k]), result);
   return result;
 }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "cloud/agreement.hpp"
+#include "cloud/normal_equations.hpp"
 #include "cloud/planar_patches.hpp"
 #include "geometry/transform.hpp"
 #include "map/map_view.hpp"
@@ -31,7 +31,7 @@ struct ViewNumbers {
 };
 
 /// How well the surfaces of a view coincide with those of other views.
-struct ViewAgreement {
+struct ViewResiduals {
   int neighbours = 0;     ///< number of other views that share surfaces with it
   double compared = 0.0;  ///< number of samples of all its pairs that fall onto planes of the other view
   double agreeing = 0.0;  ///< sum of the weights of these samples
@@ -45,10 +45,10 @@ struct ViewAgreement {
 
 /// The normal equations of all pairs for small motions of all cameras: six rows per camera, with residuals
 /// divided by their deviation.
-struct PosesAgreement {
+struct PoseEquations {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;  ///< of half the weighted sum of squares
-  std::vector<ViewAgreement> views;
+  std::vector<ViewResiduals> views;
 };
 
 /// Sampling density and reach of one step of an optimisation.
@@ -68,11 +68,11 @@ class OverlappingViews {
   /// All pairs of views in which more than a tenth of the samples fall onto planes of the other view.
   [[nodiscard]] std::vector<ViewNumbers> pairs(std::span<const Transform> world_from_camera) const;
 
-  /// Sums the residuals of cloud/agreement.hpp over the pairs. The errors of neighbouring residuals are
-  /// correlated, so that the information is reduced accordingly.
-  [[nodiscard]] PosesAgreement agreement(std::span<const Transform> world_from_camera,
-                                         std::span<const ViewNumbers> pairs,
-                                         const PosesDescent& descent) const;
+  /// Sums the residuals of cloud/normal_equations.hpp over the pairs. The errors of neighbouring residuals
+  /// are correlated, so that the information is reduced accordingly.
+  [[nodiscard]] PoseEquations equations(std::span<const Transform> world_from_camera,
+                                        std::span<const ViewNumbers> pairs,
+                                        const PosesDescent& descent) const;
 
  private:
   std::deque<PlanarPatches> coarse_;

@@ -58,13 +58,13 @@ class Refinement {
     pairs_ = by_surfaces_.pairs(poses_);
     for (const PosesDescent& how : descent) {
       throw_if_interrupted();
-      step(by_surfaces_.agreement(poses_, pairs_, how));
+      step(by_surfaces_.equations(poses_, pairs_, how));
     }
-    return results(by_surfaces_.agreement(poses_, pairs_, descent.back()));
+    return results(by_surfaces_.equations(poses_, pairs_, descent.back()));
   }
 
  private:
-  void step(PosesAgreement sum) {
+  void step(PoseEquations sum) {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(6 * i);
       sum.information.block<6, 6>(at, at) += prior_[i];
@@ -75,17 +75,17 @@ class Refinement {
       poses_[i] = poses_[i] * transform_of(motions.segment<6>(static_cast<Eigen::Index>(6 * i)));
   }
 
-  [[nodiscard]] std::vector<RefinedPose> results(const PosesAgreement& sum) const {
+  [[nodiscard]] std::vector<RefinedPose> results(const PoseEquations& sum) const {
     std::vector<RefinedPose> results;
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const CameraMotion moved = motion_between(by_joints_[i], poses_[i]);
-      const ViewAgreement& agreement = sum.views[i];
+      const ViewResiduals& residuals = sum.views[i];
       RefinedPose pose{poses_[i],
                        moved.tail<3>().norm() / m_per_mm,
                        moved.head<3>().norm() / rad_per_deg,
-                       agreement.neighbours,
-                       agreement.share(),
-                       agreement.residual_px(),
+                       residuals.neighbours,
+                       residuals.share(),
+                       residuals.residual_px(),
                        {}};
       pose.doubt = doubt_of(pose);
       if (!pose.doubt.empty()) pose.foot_from_camera = by_joints_[i];

@@ -10,13 +10,13 @@
 namespace rva {
 namespace {
 
-// The noise of so many frames does not move an estimate of the pose by a hundredth of a degree.
-constexpr int frames_of_look = 3;
+// An approach is judged by few frames, since it may have to be repeated.
+constexpr int frames_at_rest = 3;
 
-// What the camera sees at rest.
-MemoryCapture look(Camera& camera) {
+// What the camera sees from its present pose.
+MemoryCapture view_at_rest(Camera& camera) {
   std::vector<MemoryFrame> frames;
-  for (int i = 0; i < frames_of_look; ++i) {
+  for (int i = 0; i < frames_at_rest; ++i) {
     throw_if_interrupted();
     std::optional<CameraFrame> frame = camera.wait_for_frame();
     if (!frame) throw Error("camera", "the recording ended during an approach", "use a camera that goes on");
@@ -39,7 +39,7 @@ ReachedPose return_to_pose(const Rig& rig, const PanTilt& waypoint, BaselinePose
   std::vector<double> off_deg;
   for (int approaches = 1;; ++approaches) {
     const PanTilt joints = approach_and_settle(rig, waypoint, settling_frames);
-    const ReachedPose reached{joints, approaches, baseline.turn_deg(capture, look(rig.camera))};
+    const ReachedPose reached{joints, approaches, baseline.turn_deg(capture, view_at_rest(rig.camera))};
     if (reached.off_deg) off_deg.push_back(*reached.off_deg);
     const bool last = !reached.off_deg || is_close_enough(off_deg, options);
     if (on_approach) on_approach(reached, last);

@@ -20,29 +20,30 @@ struct PoseReturnOptions {
   static void describe(auto&& self, auto&& visit) {
     visit(self.approaches,
           OptionField{"approaches", "", 1, 50,
-                      "how often at most each pose of the baseline is approached after the work, until the "
-                      "images show that the camera has come back; 1 takes what the servos reach"});
-    visit(self.within_deg,
-          OptionField{"return-within", "deg", 0.01, 1, "how close to the baseline's pose is close enough"});
+                      "approaches to each pose of the baseline after the work, at most, until the images "
+                      "show a close return; 1: no check"});
+    visit(self.within_deg, OptionField{"return-within", "deg", 0.01, 1,
+                                       "distance from the baseline's pose that counts as a close return"});
   }
 };
 
-/// What was reached, for the pose of a capture.
+/// The pose that an approach reached.
 struct ReachedPose {
   PanTilt joints;                   ///< as the robot reports them
   int approaches = 1;               ///< made
   std::optional<double> off_deg{};  ///< from the baseline's pose; empty where the images do not show it
 };
 
-/// Which approach is the last: one that came within `options.within_deg`, or the last of all; from half of
-/// them on, one that came as close as any before, since a pose that was left cannot be had again.
+/// Whether the latest approach is the last: it came within `options.within_deg`, or it is the last that is
+/// allowed. From half of the approaches on, it is also enough to have come as close as any before, since a
+/// pose that the robot has left cannot be reached again at will.
 [[nodiscard]] bool is_close_enough(const std::vector<double>& off_deg, const PoseReturnOptions& options);
 
 /// Called after each approach. @param last whether the capture is taken from there
 using OnApproach = std::function<void(const ReachedPose& reached, bool last)>;
 
-/// Approaches a waypoint from below in both joints until it is close enough to where a capture of the
-/// baseline was taken.
+/// Approaches a waypoint until the camera is close enough to the pose of a capture of the baseline. If the
+/// images do not show how close it is, the first approach is the last.
 /// @param baseline captures of the same waypoints
 /// @param capture  of the baseline, by position
 /// @param on_approach may be empty

@@ -11,18 +11,19 @@
 
 namespace rva {
 
-/// The robot that carries the camera.
+/// A robot, the camera that it carries, and its geometry.
 struct Rig {
   Camera& camera;
   Robot& robot;
   const Clock& clock;
   const PanTiltChain& chain;
-  const std::string& base;  ///< name of the place where its foot stands
+  const std::string& base;  ///< name of the position of its foot
 };
 
-/// Approaches a waypoint from below in both joints (robot/dither.hpp) and drops the frames that were exposed
-/// while the robot came to rest. @return joints() at rest
-/// @param settling_frames that are dropped after those that wait
+/// Approaches a waypoint from smaller angles in both joints (robot/dither.hpp), and drops the frames that
+/// were exposed while the robot came to rest.
+/// @param settling_frames number of frames to drop after those that are waiting
+/// @return the reported joint angles at rest
 /// @throws UsageError, Error, Interrupted  as approach() and Camera
 PanTilt approach_and_settle(const Rig& rig, const PanTilt& waypoint, std::size_t settling_frames);
 

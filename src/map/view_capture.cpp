@@ -29,7 +29,7 @@ std::unique_ptr<Capture> open_view(const fs::path& folder) {
   try {
     return open_capture(folder);
   } catch (const Error& error) {
-    throw Error(error.place(), error.problem(),
+    throw Error(error.source(), error.problem(),
                 "remove " + printable(folder) + " and resume, so that it is taken again");
   }
 }

@@ -14,7 +14,7 @@
 
 namespace rva {
 
-/// Captures of the same waypoints, to whose poses the camera is to come back.
+/// Earlier captures of the same waypoints: the camera is to return to their poses.
 struct Baseline {
   std::filesystem::path folder;   ///< of captures as take_views() names them
   std::size_t captures_each = 1;  ///< of each view, one after the other; divides the number of waypoints
@@ -24,25 +24,24 @@ struct Baseline {
 
 struct ViewCaptureOptions {
   std::size_t frames = 10;             ///< depth frames of each view
-  std::size_t settling = 2;            ///< frames thrown away before, while the robot comes to rest
-  bool lamp = false;                   ///< as many frames under the camera's lamp, too, which it must have
-  std::optional<Baseline> baseline{};  ///< its poses are approached more than once where that says so
+  std::size_t settling = 2;            ///< frames dropped before them, while the robot comes to rest
+  bool lamp = false;                   ///< take as many frames under the lamp, too; the camera must have one
+  std::optional<Baseline> baseline{};  ///< its poses are approached up to as often as it states
 };
 
 /// The folder name of a waypoint's capture, by the waypoint's number from 0: "000", "001", ...
 [[nodiscard]] std::string view_name(std::size_t number);
 
-/// Goes to each waypoint whose capture is not there yet, from below in both joints (robot/dither.hpp), and
-/// writes a capture folder with where the joints said they were; poses are in the foot's frame. A capture is
-/// there whole or not at all, so that whoever was interrupted goes on by calling again. Where a baseline's
-/// poses were approached more than once, the capture's pose states what was reached.
-/// @param waypoints within the robot's limits: checked before anything moves
-/// @param folder    exists; what is in it are captures of the same waypoints
-/// @throws UsageError a waypoint is beyond the limits
-/// @throws Error       a capture that is there belongs to another waypoint or another camera; the robot or
-/// the
-///                     camera failed; a file cannot be written
-/// @throws Interrupted the robot has been stopped
+/// Moves to each waypoint without a capture, from smaller angles in both joints (robot/dither.hpp), and
+/// writes a capture folder with the reported joint angles and the pose in the foot's frame. Captures are
+/// complete or absent, so that an interrupted run resumes by calling again. If poses of a baseline may be
+/// approached more than once, each capture's pose states how close it is and after how many approaches.
+/// @param waypoints    within the robot's limits, which is checked before anything moves
+/// @param folder       must exist; may contain captures of the same waypoints
+/// @throws UsageError  when a waypoint is beyond the limits
+/// @throws Error       when an existing capture belongs to another waypoint, camera or base, or was taken
+///                     with other options; when the robot or the camera fails; when a file cannot be written
+/// @throws Interrupted after stopping the robot
 void take_views(const Rig& rig, const std::vector<PanTilt>& waypoints, const std::filesystem::path& folder,
                 const ViewCaptureOptions& options, const Progress& progress);
 

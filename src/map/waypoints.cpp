@@ -65,7 +65,7 @@ void check_waypoints(const std::vector<PanTilt>& waypoints, const RobotLimits& l
       limits.check(waypoints[i]);
     } catch (const UsageError& error) {
       throw UsageError(fmt::format("waypoint {}", i + 1),
-                       fmt::format("{}: {}", error.place(), error.problem()), error.remedy());
+                       fmt::format("{}: {}", error.source(), error.problem()), error.remedy());
     }
   }
 }

@@ -25,14 +25,14 @@ std::optional<std::vector<std::string>> match(std::string_view route, std::strin
   const std::vector<std::string_view> wanted = segments(route);
   const std::vector<std::string_view> given = segments(path);
   if (wanted.size() != given.size()) return std::nullopt;
-  std::vector<std::string> places;
+  std::vector<std::string> path_parts;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (wanted[i] == "/{}")
-      places.emplace_back(given[i].substr(1));
+      path_parts.emplace_back(given[i].substr(1));
     else if (wanted[i] != given[i])
       return std::nullopt;
   }
-  return places;
+  return path_parts;
 }
 
 }  // namespace
@@ -88,13 +88,13 @@ ApiResponse Api::answer(const ApiRequest& request) const {
 ApiResponse Api::dispatch(const ApiRequest& request) const {
   bool known_path = false;
   for (const Route& route : routes()) {
-    const auto places = match(route.path, request.path);
-    if (!places) continue;
+    const auto path_parts = match(route.path, request.path);
+    if (!path_parts) continue;
     known_path = true;
     if (route.method != request.method) continue;
     const std::optional<Person> who = person(request.token);
     require_role(route, who);
-    return (this->*route.handler)({request, who, *places, parse_body(request.body)});
+    return (this->*route.handler)({request, who, *path_parts, parse_body(request.body)});
   }
   if (known_path)
     return refusal(405, "method-not-allowed", request.method + " is not supported here; see docs/api.md");
@@ -124,7 +124,7 @@ void Api::require_robot_free(const Call& call) const {
 }
 
 std::int64_t Api::inspection_id(const Call& call) const {
-  const std::string& text = call.places.at(0);
+  const std::string& text = call.path_parts.at(0);
   std::int64_t id = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), id);
   if (failure != std::errc{} || end != text.data() + text.size() || id < 1)

@@ -33,9 +33,9 @@ struct ApiResponse {
 /// A refused request: the code is for programs, the message for people.
 class ApiError : public Error {
  public:
-  ApiError(int status, std::string code, const std::string& place, const std::string& problem,
+  ApiError(int status, std::string code, const std::string& source, const std::string& problem,
            const std::string& remedy)
-      : Error(place, problem, remedy), status_(status), code_(std::move(code)) {}
+      : Error(source, problem, remedy), status_(status), code_(std::move(code)) {}
   [[nodiscard]] int status() const { return status_; }
   [[nodiscard]] const std::string& code() const { return code_; }
 
@@ -64,8 +64,8 @@ class Api {
   struct Call {
     const ApiRequest& request;
     std::optional<Person> person;
-    std::vector<std::string> places;  ///< the parts of the path for which the route has {}
-    Json body;                        ///< an object
+    std::vector<std::string> path_parts;  ///< the parts of the path for which the route has {}
+    Json body;                            ///< an object
   };
   using Handler = ApiResponse (Api::*)(const Call&) const;
   struct Route {

@@ -26,25 +26,25 @@ double now_s() { return steady_clock().now_s(); }
 /// Keeps a connection in the list of open ones during its own lifetime.
 class Registered {
  public:
-  Registered(Place& place, std::function<void()> close)
-      : place_(place), entry_(place.open.insert(place.open.end(), {true, std::move(close)})) {}
-  ~Registered() { place_.open.erase(entry_); }
+  Registered(SharedState& shared, std::function<void()> close)
+      : shared_(shared), entry_(shared.open.insert(shared.open.end(), {true, std::move(close)})) {}
+  ~Registered() { shared_.open.erase(entry_); }
   Registered(const Registered&) = delete;
   Registered& operator=(const Registered&) = delete;
   void set_idle(bool idle) { entry_->idle = idle; }
 
  private:
-  Place& place_;
+  SharedState& shared_;
   std::list<OpenConnection>::iterator entry_;
 };
 
 // Runs on the pool, since the database may be slow and must not delay the live view.
-asio::awaitable<std::optional<Person>> person_now(const std::string& token, Place& place) {
+asio::awaitable<std::optional<Person>> person_now(const std::string& token, SharedState& shared) {
   co_return co_await asio::co_spawn(
-      place.pool,
+      shared.pool,
       [&]() -> asio::awaitable<std::optional<Person>> {
         try {
-          co_return place.api.person(token);
+          co_return shared.api.person(token);
         } catch (const Error&) {
           co_return std::nullopt;  // without the records, nobody can be identified
         }
@@ -108,7 +108,7 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
 // Applies sign-outs and account changes to an open connection: closes it, or changes the person's role.
 template <typename Socket>
 asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Member> member, std::string token,
-                                   Place& place) {
+                                   SharedState& shared) {
   const Until watched(member->watched, false);
   asio::steady_timer pause(co_await asio::this_coro::executor);
   for (int tenths = 0; !member->ended; tenths = (tenths + 1) % 10) {
@@ -116,7 +116,7 @@ asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Memb
     pause.expires_after(std::chrono::milliseconds(100));
     co_await pause.async_wait(noting(ignored));
     if (tenths != 0 || member->ended) continue;
-    const std::optional<Person> person = co_await person_now(token, place);
+    const std::optional<Person> person = co_await person_now(token, shared);
     if (!person) {
       beast::get_lowest_layer(socket).close();
       break;
@@ -126,7 +126,7 @@ asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Memb
 }
 
 template <typename Stream>
-asio::awaitable<void> talk(Stream& stream, const Request& request, Person person, Place& place) {
+asio::awaitable<void> talk(Stream& stream, const Request& request, Person person, SharedState& shared) {
   using Socket = websocket::stream<Stream&>;
   Socket socket(stream);
   socket.read_message_max(Conversation::most_message_bytes);
@@ -139,16 +139,16 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   ErrorCode failure;
   co_await socket.async_accept(request, noting(failure));
   if (failure) co_return;
-  const std::shared_ptr<LiveHub::Member> member = place.hub.join(std::move(person));
+  const std::shared_ptr<LiveHub::Member> member = shared.hub.join(std::move(person));
   member->watched = true;
   const auto executor = co_await asio::this_coro::executor;
   asio::co_spawn(executor, write_all(socket, member), asio::detached);
-  asio::co_spawn(executor, watch_rights(socket, member, session_token(request), place), asio::detached);
+  asio::co_spawn(executor, watch_rights(socket, member, session_token(request), shared), asio::detached);
   const std::string complaint = co_await read_all(socket, *member);
   member->ended = true;
-  place.hub.leave(member);
+  shared.hub.leave(member);
   if (!complaint.empty()) {
-    place.complaints.add("a console was refused: " + complaint, now_s());
+    shared.complaints.add("a console was refused: " + complaint, now_s());
     // A close frame has room for a reason of 123 bytes.
     co_await socket.async_close({websocket::close_code::policy_error, complaint.substr(0, 120)},
                                 noting(failure));
@@ -174,11 +174,12 @@ std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
 }
 
 // Runs on a pool, so that requests that query the database or read pictures do not delay the live view.
-asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCaller& caller, Place& place) {
+asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCaller& caller,
+                                         SharedState& shared) {
   const bool is_list = request.method() == http::verb::get &&
                        request.target().substr(0, request.target().find('?')) == "/api/inspections";
   co_return co_await asio::co_spawn(
-      is_list ? place.lists : place.pool,
+      is_list ? shared.lists : shared.pool,
       [&]() -> asio::awaitable<Response> { co_return http_answer(request, caller); }, asio::use_awaitable);
 }
 
@@ -194,12 +195,12 @@ std::string address_of(const beast::tcp_stream& stream) {
 
 // @return empty when the connection has become a WebSocket, and ended
 template <typename Stream>
-asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, Place& place) {
-  const HttpCaller caller{place.api, place.files, place.tls, place.loopback,
+asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, SharedState& shared) {
+  const HttpCaller caller{shared.api, shared.files, shared.tls, shared.loopback,
                           address_of(beast::get_lowest_layer(stream))};
-  if (!websocket::is_upgrade(request)) co_return co_await answer_on_pool(request, caller, place);
+  if (!websocket::is_upgrade(request)) co_return co_await answer_on_pool(request, caller, shared);
   const std::variant<Person, ApiResponse> visitor = co_await asio::co_spawn(
-      place.pool,
+      shared.pool,
       [&]() -> asio::awaitable<std::variant<Person, ApiResponse>> {
         try {
           co_return who_talks(request, caller);
@@ -209,22 +210,22 @@ asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& r
       },
       asio::use_awaitable);
   if (const auto* person = std::get_if<Person>(&visitor)) {
-    co_await talk(stream, request, *person, place);
+    co_await talk(stream, request, *person, shared);
     co_return std::nullopt;
   }
-  place.complaints.add("a WebSocket was refused", now_s());
-  co_return http_response(std::get<ApiResponse>(visitor), false, place.tls);
+  shared.complaints.add("a WebSocket was refused", now_s());
+  co_return http_response(std::get<ApiResponse>(visitor), false, shared.tls);
 }
 
-std::optional<Response> answer_to_nonsense(const ErrorCode& failure, Place& place) {
+std::optional<Response> answer_to_nonsense(const ErrorCode& failure, SharedState& shared) {
   const std::optional<ApiResponse> refused = refusal_of(failure);
   if (!refused) return std::nullopt;
-  place.complaints.add("a request was refused: " + failure.message(), now_s());
-  return http_response(*refused, false, place.tls);
+  shared.complaints.add("a request was refused: " + failure.message(), now_s());
+  return http_response(*refused, false, shared.tls);
 }
 
 template <typename Stream>
-asio::awaitable<void> serve_requests(Stream& stream, Place& place, Registered& registered) {
+asio::awaitable<void> serve_requests(Stream& stream, SharedState& shared, Registered& registered) {
   beast::flat_buffer buffer;
   for (bool first = true;; first = false) {
     http::request_parser<http::string_body> parser;
@@ -237,9 +238,9 @@ asio::awaitable<void> serve_requests(Stream& stream, Place& place, Registered& r
     registered.set_idle(false);
     std::optional<Response> response;
     if (failure)
-      response = answer_to_nonsense(failure, place);
+      response = answer_to_nonsense(failure, shared);
     else
-      response = co_await answer(stream, parser.get(), place);
+      response = co_await answer(stream, parser.get(), shared);
     if (!response) co_return;
     beast::get_lowest_layer(stream).expires_after(write_limit);
     co_await http::async_write(stream, *response, noting(failure));
@@ -249,18 +250,18 @@ asio::awaitable<void> serve_requests(Stream& stream, Place& place, Registered& r
 
 }  // namespace
 
-asio::awaitable<void> serve(beast::tcp_stream stream, Place& place) {
-  Registered registered(place, [&stream] { stream.close(); });
-  co_await serve_requests(stream, place, registered);
+asio::awaitable<void> serve(beast::tcp_stream stream, SharedState& shared) {
+  Registered registered(shared, [&stream] { stream.close(); });
+  co_await serve_requests(stream, shared, registered);
 }
 
-asio::awaitable<void> serve(beast::ssl_stream<beast::tcp_stream> stream, Place& place) {
-  Registered registered(place, [&stream] { beast::get_lowest_layer(stream).close(); });
+asio::awaitable<void> serve(beast::ssl_stream<beast::tcp_stream> stream, SharedState& shared) {
+  Registered registered(shared, [&stream] { beast::get_lowest_layer(stream).close(); });
   beast::get_lowest_layer(stream).expires_after(first_request_limit);
   ErrorCode failure;
   co_await stream.async_handshake(asio::ssl::stream_base::server, noting(failure));
   if (failure) co_return;
-  co_await serve_requests(stream, place, registered);
+  co_await serve_requests(stream, shared, registered);
 }
 
 }  // namespace rva

@@ -19,7 +19,7 @@ struct OpenConnection {
 
 /// The state that all connections share. Only `api` and `files` are used on the pools' threads, too; all else
 /// belongs to the context's thread.
-struct Place {
+struct SharedState {
   const Api& api;
   LiveHub& hub;
   const ConsoleFiles& files;
@@ -31,7 +31,7 @@ struct Place {
   std::list<OpenConnection> open;
 };
 
-asio::awaitable<void> serve(beast::tcp_stream stream, Place& place);
-asio::awaitable<void> serve(beast::ssl_stream<beast::tcp_stream> stream, Place& place);
+asio::awaitable<void> serve(beast::tcp_stream stream, SharedState& shared);
+asio::awaitable<void> serve(beast::ssl_stream<beast::tcp_stream> stream, SharedState& shared);
 
 }  // namespace rva

@@ -106,7 +106,7 @@ ApiResponse Api::cancel(const Call& /*call*/) const {
 
 ApiResponse Api::decide(const Call& call) const {
   const std::int64_t id = inspection_id(call);
-  const std::string& text = call.places.at(1);
+  const std::string& text = call.path_parts.at(1);
   int number = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (failure != std::errc{} || end != text.data() + text.size())

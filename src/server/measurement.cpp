@@ -12,14 +12,14 @@ constexpr int reach_px = 2;
 std::optional<double> depth_around(const LiveFrame& live, int u, int v) {
   const DepthImage& depth = live.frame.depth;
   std::vector<std::uint16_t> measured;
-  std::size_t looked_at = 0;
+  std::size_t pixels = 0;
   for (int y = std::max(0, v - reach_px); y <= std::min(depth.height() - 1, v + reach_px); ++y) {
     for (int x = std::max(0, u - reach_px); x <= std::min(depth.width() - 1, u + reach_px); ++x) {
-      ++looked_at;
+      ++pixels;
       if (depth(x, y) != no_depth) measured.push_back(depth(x, y));
     }
   }
-  if (3 * measured.size() < looked_at || measured.empty()) return std::nullopt;
+  if (3 * measured.size() < pixels || measured.empty()) return std::nullopt;
   return quantile(measured, 0.5) * live.info.depth_unit_m;
 }
 

@@ -55,8 +55,8 @@ Json json_of(const std::optional<MeasuredPoint>& point) {
 }  // namespace
 
 ApiResponse Api::get_picture(const Call& call) const {
-  const std::string& name = call.places.at(2);
-  const int view = view_number(call.places.at(1));
+  const std::string& name = call.path_parts.at(2);
+  const int view = view_number(call.path_parts.at(1));
   if (std::ranges::find(pictures, name) == pictures.end()) throw not_there();
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
   if (!inspection.comparison) throw not_there();
@@ -65,8 +65,8 @@ ApiResponse Api::get_picture(const Call& call) const {
 }
 
 ApiResponse Api::get_baseline_picture(const Call& call) const {
-  const std::string& name = call.places.at(2);
-  const int view = view_number(call.places.at(1));
+  const std::string& name = call.path_parts.at(2);
+  const int view = view_number(call.path_parts.at(1));
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
   if (!inspection.initial || view >= static_cast<int>(inspection.views.size())) throw not_there();
   if (name == "level_of_detection.png" || name == "depth_overlay.png") {

@@ -8,8 +8,8 @@
 namespace rva {
 namespace {
 
-ApiError bad(const std::string& place, const std::string& problem) {
-  return {400, "bad-request", place, problem, "see docs/api.md"};
+ApiError bad(const std::string& source, const std::string& problem) {
+  return {400, "bad-request", source, problem, "see docs/api.md"};
 }
 
 bool is_control(char character) {

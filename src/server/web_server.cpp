@@ -94,15 +94,15 @@ class WebServer::Implementation {
         api_(parts_, tls_ != nullptr),
         acceptor_(listen(context_, address_, options.port)),
         hub_(context_, parts_),
-        place_{api_,
-               hub_,
-               files_,
-               complaints_,
-               pool_.get_executor(),
-               lists_.get_executor(),
-               tls_ != nullptr,
-               address_.is_loopback(),
-               {}} {
+        shared_{api_,
+                hub_,
+                files_,
+                complaints_,
+                pool_.get_executor(),
+                lists_.get_executor(),
+                tls_ != nullptr,
+                address_.is_loopback(),
+                {}} {
     require_safe(address_, tls_ != nullptr, parts.sessions.needed());
   }
 
@@ -140,7 +140,7 @@ class WebServer::Implementation {
     hub_.end();
     ErrorCode ignored;
     acceptor_.close(ignored);
-    for (OpenConnection& connection : place_.open) connection.close();
+    for (OpenConnection& connection : shared_.open) connection.close();
   }
 
   asio::awaitable<void> watch_signals() {
@@ -179,9 +179,9 @@ class WebServer::Implementation {
 
   // Closes the oldest idle connection if there are too many. @return whether there is room, or soon will be
   bool make_room() {
-    if (place_.open.size() < static_cast<std::size_t>(options_.connections)) return true;
+    if (shared_.open.size() < static_cast<std::size_t>(options_.connections)) return true;
     complaints_.add("too many connections: idle ones are closed", steady_clock().now_s());
-    for (OpenConnection& connection : place_.open) {
+    for (OpenConnection& connection : shared_.open) {
       if (!connection.idle) continue;
       connection.idle = false;
       connection.close();
@@ -192,10 +192,10 @@ class WebServer::Implementation {
 
   void start(beast::tcp_stream stream) {
     if (tls_)
-      asio::co_spawn(context_, serve(beast::ssl_stream<beast::tcp_stream>(std::move(stream), *tls_), place_),
+      asio::co_spawn(context_, serve(beast::ssl_stream<beast::tcp_stream>(std::move(stream), *tls_), shared_),
                      asio::detached);
     else
-      asio::co_spawn(context_, serve(std::move(stream), place_), asio::detached);
+      asio::co_spawn(context_, serve(std::move(stream), shared_), asio::detached);
   }
 
   ServerOptions options_;
@@ -211,7 +211,7 @@ class WebServer::Implementation {
   asio::thread_pool pool_{2};
   asio::thread_pool lists_{1};
   bool stopping_ = false;
-  Place place_;
+  SharedState shared_;
 };
 
 WebServer::WebServer(const ServerOptions& options, const ServerParts& parts,

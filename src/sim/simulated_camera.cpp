@@ -84,7 +84,7 @@ CameraStand SimulatedCamera::stand() const {
 
 Transform SimulatedCamera::world_from_camera() const { return rva::world_from_camera(stand()); }
 
-TrueView SimulatedCamera::look() const { return infrared_.look(world_from_camera()); }
+TrueView SimulatedCamera::true_view() const { return infrared_.true_view(world_from_camera()); }
 
 CaptureInfo SimulatedCamera::info() const {
   const PanTilt joints = joints_();

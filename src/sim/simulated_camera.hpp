@@ -40,7 +40,7 @@ class SimulatedCamera : public Camera {
   void set_light(Light light) override { light_ = light; }
 
   /// The true depth and labels at the pose of the next frame.
-  [[nodiscard]] TrueView look() const;
+  [[nodiscard]] TrueView true_view() const;
   [[nodiscard]] Transform world_from_camera() const;
   /// The infrared images of the last frame, 10 bits per pixel; empty before the first frame.
   [[nodiscard]] const InfraredImage& left_infrared() const { return left_infrared_; }

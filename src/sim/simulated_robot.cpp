@@ -36,7 +36,7 @@ double SimulatedRobot::nearest_step_deg(double angle_deg, const AxisLimits& limi
   return nearest_deg;
 }
 
-double SimulatedRobot::resting_place_deg(double angle_deg, const AxisLimits& limits) {
+double SimulatedRobot::resting_angle_deg(double angle_deg, const AxisLimits& limits) {
   const double step_deg = nearest_step_deg(angle_deg, limits);
   const double error_deg = options_.rest_error_deg;
   return error_deg == 0.0
@@ -48,8 +48,8 @@ void SimulatedRobot::move_to(const PanTilt& target) {
   limits().check(target);
   const std::lock_guard lock(mutex_);
   advance_to_now();
-  pan_.target_deg = resting_place_deg(target.pan_deg, limits().pan);
-  tilt_.target_deg = resting_place_deg(target.tilt_deg, limits().tilt);
+  pan_.target_deg = resting_angle_deg(target.pan_deg, limits().pan);
+  tilt_.target_deg = resting_angle_deg(target.tilt_deg, limits().tilt);
 }
 
 void SimulatedRobot::stop() {

@@ -69,7 +69,7 @@ class SimulatedRobot : public Robot {
 
   void advance_to_now();
   [[nodiscard]] double nearest_step_deg(double angle_deg, const AxisLimits& limits) const;
-  [[nodiscard]] double resting_place_deg(double angle_deg, const AxisLimits& limits);
+  [[nodiscard]] double resting_angle_deg(double angle_deg, const AxisLimits& limits);
 
   SimulatedRobotOptions options_;
   std::function<double()> now_s_;

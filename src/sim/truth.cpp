@@ -100,7 +100,7 @@ DepthImage to_units(const Image<float>& depth_m) {
 }  // namespace
 
 void write_truth(const SimulatedCamera& camera, const OutputFolder& capture) {
-  const TrueView view = camera.look();
+  const TrueView view = camera.true_view();
   std::error_code ignored;  // if the folder cannot be made, writing the first file reports it
   std::filesystem::create_directory(capture.path("truth"), ignored);
   write_file(capture.path("truth") / "labels.png", encode_png(view.labels));

@@ -31,10 +31,10 @@ void bring_up_to_date(SQLite::Database& database, int version) {
 }  // namespace
 
 SQLite::Database open_database(const std::filesystem::path& file) {
-  const std::string place = printable(file);
+  const std::string source = printable(file);
   std::error_code ignored;
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, ignored)))
-    throw Error(place, "is a link, which would lead records out of the data folder",
+    throw Error(source, "is a link, which would lead records out of the data folder",
                 "replace it with the file, or use another data folder");
   try {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_limit_ms);
@@ -42,37 +42,37 @@ SQLite::Database open_database(const std::filesystem::path& file) {
     const int version = database.execAndGet("pragma user_version");
     const int tables = database.execAndGet("select count(*) from sqlite_master");
     if (application != our_application && (application != 0 || tables > 0))
-      throw Error(place, "is a database of another program", "use another data folder");
+      throw Error(source, "is a database of another program", "use another data folder");
     if (version > schema_version)
-      throw Error(place, "was written by a newer version of this program", "use that version");
+      throw Error(source, "was written by a newer version of this program", "use that version");
     database.exec("pragma journal_mode = wal");
     database.exec("pragma synchronous = full");
     bring_up_to_date(database, version);
     database.exec("pragma foreign_keys = on");  // only now: migrations replace tables
     return database;
   } catch (const SQLite::Exception& failure) {
-    throw database_error(place, failure);
+    throw database_error(source, failure);
   }
 }
 
-Error database_error(const std::string& place, const SQLite::Exception& failure) {
+Error database_error(const std::string& source, const SQLite::Exception& failure) {
   switch (failure.getErrorCode()) {
     case SQLITE_FULL:
-      return {place, "cannot be written: the disk is full", "free some space, and try again"};
+      return {source, "cannot be written: the disk is full", "free some space, and try again"};
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return {place, "is in use by another program", "wait for it, and try again"};
+      return {source, "is in use by another program", "wait for it, and try again"};
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:
-      return {place, "cannot be opened or written", "check the folder and the file's permissions"};
+      return {source, "cannot be opened or written", "check the folder and the file's permissions"};
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return {place, "is damaged or not a database", "restore it from a backup"};
+      return {source, "is damaged or not a database", "restore it from a backup"};
     case SQLITE_IOERR:
-      return {place, "cannot be read or written: the disk failed", "check the disk"};
+      return {source, "cannot be read or written: the disk failed", "check the disk"};
     default:
-      return {place,
+      return {source,
               fmt::format("cannot be read or changed (database error {})", failure.getExtendedErrorCode()),
               "try again, and report this number if it happens again"};
   }

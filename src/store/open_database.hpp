@@ -18,7 +18,7 @@ namespace rva {
 
 /// A failure of SQLite as an error for the user, without SQLite's own message, which names tables and
 /// columns.
-/// @param place the file
-[[nodiscard]] Error database_error(const std::string& place, const SQLite::Exception& failure);
+/// @param source the file
+[[nodiscard]] Error database_error(const std::string& source, const SQLite::Exception& failure);
 
 }  // namespace rva

@@ -17,7 +17,7 @@
 namespace rva {
 
 SqliteRecords::SqliteRecords(const std::filesystem::path& file)
-    : place_(printable(file)), database_(open_database(file)) {}
+    : source_(printable(file)), database_(open_database(file)) {}
 
 template <typename Work>
 auto SqliteRecords::change(const Work& work) {
@@ -28,7 +28,7 @@ auto SqliteRecords::change(const Work& work) {
     transaction.commit();
     return result;
   } catch (const SQLite::Exception& failure) {
-    throw database_error(place_, failure);
+    throw database_error(source_, failure);
   }
 }
 
@@ -40,7 +40,7 @@ auto SqliteRecords::read(const Work& work) const {
     const SQLite::Transaction transaction(database_);
     return work(database_);
   } catch (const SQLite::Exception& failure) {
-    throw database_error(place_, failure);
+    throw database_error(source_, failure);
   }
 }
 
@@ -187,7 +187,7 @@ std::vector<Account> SqliteRecords::accounts() const {
     std::vector<Account> accounts;
     while (query.executeStep()) {
       const std::optional<PersonRole> role = role_from_name(query.getColumn(1).getString());
-      if (!role) throw Error(place_, "contains an account with an unknown role", "add that account again");
+      if (!role) throw Error(source_, "contains an account with an unknown role", "add that account again");
       accounts.push_back({query.getColumn(0), *role, query.getColumn(2), query.getColumn(3)});
     }
     return accounts;

@@ -44,7 +44,7 @@ class SqliteRecords : public Records {
   template <typename Work>
   auto read(const Work& work) const;
 
-  std::string place_;
+  std::string source_;
   mutable std::mutex mutex_;
   mutable SQLite::Database database_;  // a read may write the log
 };

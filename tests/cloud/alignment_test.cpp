@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cloud/agreement.hpp"
+#include "cloud/normal_equations.hpp"
 #include "tests/cloud/box_room.hpp"
 
 namespace rva {
@@ -87,7 +87,7 @@ TEST_F(AlignmentTest, SlopesOfBothViewsAgreeOnOneSurface) {
 }
 
 // One by one, in double precision.
-void add(const AlignmentResidual& residual, double reach_px, Agreement& sum) {
+void add(const AlignmentResidual& residual, double reach_px, NormalEquations& sum) {
   const double weight = weight_of(residual.px, reach_px);
   sum.compared += 1.0;
   sum.agreeing += weight;
@@ -97,13 +97,13 @@ void add(const AlignmentResidual& residual, double reach_px, Agreement& sum) {
   sum.information += weight * residual.by_step * residual.by_step.transpose();
 }
 
-TEST_F(AlignmentTest, AgreementIsTheSumOverSamples) {
+TEST_F(AlignmentTest, NormalEquationsAreTheSumOverSamples) {
   const Alignment off =
       moved(truth_, (AlignmentStep() << 0.02, -0.01, 0.03, 0.04, -0.03, 0.06, 0.05).finished());
   const ViewPair views(initial_, final_, 2);
   const Transform final_from_initial = off.initial_from_final.inverse();
   for (const double reach_px : {1.0, 6.0}) {
-    Agreement wanted;
+    NormalEquations wanted;
     AlignmentResidual residual;
     for (const SurfaceSample& sample : samples_of(final_, 2)) {
       if (final_on_initial(sample, initial_, off, residual)) add(residual, reach_px, wanted);
@@ -112,7 +112,7 @@ TEST_F(AlignmentTest, AgreementIsTheSumOverSamples) {
       if (initial_on_final(sample, final_, off, final_from_initial, residual))
         add(residual, reach_px, wanted);
     }
-    const Agreement sum = agreement(views, off, reach_px);
+    const NormalEquations sum = normal_equations(views, off, reach_px);
     EXPECT_GT(wanted.compared, 300.0);
     if (reach_px < 2.0) {
       EXPECT_GT(wanted.in_front, 10.0);

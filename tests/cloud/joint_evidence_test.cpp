@@ -14,7 +14,7 @@ constexpr int height = 30;
 constexpr double allowed = 0.025;
 constexpr double disparity_m_px = 32.0;
 // What depth alone expects less often than a fiftieth of what is allowed.
-const double sure = std::log10(50.0 / allowed) + 0.1;
+const double reliable = std::log10(50.0 / allowed) + 0.1;
 const double usual = -std::log10(allowed) + 0.1;
 
 std::uint32_t at(int u, int v) { return static_cast<std::uint32_t>(v * width + u); }
@@ -41,7 +41,7 @@ Detection detection_of(std::vector<Finding> findings) {
 
 TEST(JointEvidence, WhatInfraredImagesContradictIsDroppedUnlessDepthIsSure) {
   Detection detection =
-      detection_of({finding(1, {at(5, 5), at(6, 5)}, sure), finding(2, {at(20, 5)}, usual)});
+      detection_of({finding(1, {at(5, 5), at(6, 5)}, reliable), finding(2, {at(20, 5)}, usual)});
   drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.findings.front().pixels.front(), at(5, 5));
@@ -51,7 +51,7 @@ TEST(JointEvidence, WhatInfraredImagesContradictIsDroppedUnlessDepthIsSure) {
 
 TEST(JointEvidence, WhereSurfacesWereComparedDepthAloneMustBeSurer) {
   const double surest = std::log10(1e4 / allowed) + 0.1;
-  Detection detection = detection_of({finding(1, {at(5, 5)}, surest), finding(2, {at(20, 5)}, sure)});
+  Detection detection = detection_of({finding(1, {at(5, 5)}, surest), finding(2, {at(20, 5)}, reliable)});
   drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, disparity_m_px}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.findings.front().pixels.front(), at(5, 5));
@@ -133,11 +133,11 @@ TEST(JointEvidence, TheMostSuspiciousComeFirstAndAppearanceLast) {
 }
 
 TEST(JointEvidence, NumbersStayWithoutGapsAndReferToWhatIsLeft) {
-  Finding stays = finding(3, {at(5, 5)}, sure);
+  Finding stays = finding(3, {at(5, 5)}, reliable);
   stays.moved_from = 2;
-  Finding loses = finding(4, {at(9, 5)}, sure);
+  Finding loses = finding(4, {at(9, 5)}, reliable);
   loses.moved_from = 1;
-  Finding source = finding(2, {at(15, 5)}, sure);
+  Finding source = finding(2, {at(15, 5)}, reliable);
   source.kind = ChangeKind::removed;
   Detection detection = detection_of({finding(1, {at(20, 5)}, usual), source, stays, loses});
   drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);

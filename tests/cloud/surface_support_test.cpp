@@ -44,7 +44,7 @@ Captures side_of(const Scene& scene, int captures, std::uint64_t seed) {
 }
 
 Image<float> true_depth_m(const Scene& scene) {
-  return SimulatedCamera(scene, test::quick(), 0, ColorFrames::none).look().depth_m;
+  return SimulatedCamera(scene, test::quick(), 0, ColorFrames::none).true_view().depth_m;
 }
 
 /// What depth says changed between two scenes, where it is right about both.

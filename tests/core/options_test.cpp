@@ -30,7 +30,7 @@ TEST(Options, NamesTheFieldThatIsOut) {
       check_options(Sample{.gap_mm = bad});
       FAIL() << bad;
     } catch (const UsageError& error) {
-      EXPECT_EQ(error.place(), "--gap-width");
+      EXPECT_EQ(error.source(), "--gap-width");
       EXPECT_THAT(error.remedy(), testing::HasSubstr("0 to 10 mm"));
     }
   }

@@ -37,7 +37,7 @@ TEST(RequireUtf8, NamesThePathItRefuses) {
     require_utf8("/tmp/\xFF");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.place(), "/tmp/\\xFF");
+    EXPECT_EQ(error.source(), "/tmp/\\xFF");
   }
 }
 

@@ -107,7 +107,7 @@ TEST(TumList, SkipsCommentsAndNamesBadLines) {
     static_cast<void>(parse_tum_list("1 a.png\nsoon b.png\n", "depth.txt"));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.place(), "depth.txt:2");
+    EXPECT_EQ(error.source(), "depth.txt:2");
   }
 }
 

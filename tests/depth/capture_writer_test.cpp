@@ -221,7 +221,7 @@ TEST_F(Writer, NamesTheFileThatCannotBeWritten) {
     writer.write_depth(3, DepthImage(8, 6));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.place(), testing::EndsWith("depth/000003.png"));
+    EXPECT_THAT(error.source(), testing::EndsWith("depth/000003.png"));
   }
 }
 

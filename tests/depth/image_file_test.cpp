@@ -79,7 +79,7 @@ TEST(ImageFile, ErrorsNameThePlace) {
     static_cast<void>(decode_depth({}, "depth/000003.png"));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.place(), "depth/000003.png");
+    EXPECT_EQ(error.source(), "depth/000003.png");
   }
 }
 

@@ -51,14 +51,14 @@ TEST(OverlappingViews, GradientIsThatOfTheWeightedSquares) {
   ASSERT_EQ(pairs.size(), 3U);
   // Where all is in place, information says how the gradient grows: with a far reach, weights hardly change.
   const PosesDescent far{4, 2, 50.0};
-  const PosesAgreement here = overlapping.agreement(poses, pairs, far);
+  const PoseEquations here = overlapping.equations(poses, pairs, far);
   for (Eigen::Index k = 0; k < 18; ++k) {
     CameraMotion motion = CameraMotion::Zero();
     motion[k % 6] = 2e-4;
     std::vector<Transform> moved = poses;
     Transform& pose = moved[static_cast<std::size_t>(k / 6)];
     pose = pose * transform_of(motion);
-    const PosesAgreement there = overlapping.agreement(moved, pairs, far);
+    const PoseEquations there = overlapping.equations(moved, pairs, far);
     const Eigen::VectorXd grown = there.gradient - here.gradient;
     const Eigen::VectorXd expected = here.information.col(k) * 2e-4;
     EXPECT_LT((grown - expected).norm(), 0.15 * expected.norm()) << k;
@@ -70,10 +70,10 @@ TEST(OverlappingViews, MovingAllTogetherChangesNothing) {
   std::vector<Transform> poses{foot_from_camera({}, views[0].joints), foot_from_camera({}, views[1].joints)};
   const OverlappingViews overlapping(views);
   const auto pairs = overlapping.pairs(poses);
-  const PosesAgreement here = overlapping.agreement(poses, pairs, {8, 4, 2.0});
+  const PoseEquations here = overlapping.equations(poses, pairs, {8, 4, 2.0});
   const Transform elsewhere = foot_from_camera({}, {70.0, -50.0});
   for (Transform& pose : poses) pose = elsewhere * pose;
-  const PosesAgreement there = overlapping.agreement(poses, pairs, {8, 4, 2.0});
+  const PoseEquations there = overlapping.equations(poses, pairs, {8, 4, 2.0});
   EXPECT_TRUE(there.information.isApprox(here.information, 1e-3));
   EXPECT_EQ(there.views[0].compared, here.views[0].compared);
 }

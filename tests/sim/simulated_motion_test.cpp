@@ -25,11 +25,11 @@ TEST(SimulatedMotion, FollowsTheJoints) {
     joints = target;
     const CameraFrame frame = *camera.wait_for_frame();
     EXPECT_EQ(camera.info().pose->pan_deg, target.pan_deg);
-    const auto truth_m = static_cast<double>(camera.look().depth_m(424, 240));
+    const auto truth_m = static_cast<double>(camera.true_view().depth_m(424, 240));
     EXPECT_NEAR(test::middle_depth_m(frame.depth), truth_m, 0.02 * truth_m);
   }
   const double turned = 35.0 * std::numbers::pi / 180.0;
-  EXPECT_GT(static_cast<double>(camera.look().depth_m(424, 240)), 0.58 / std::cos(turned));
+  EXPECT_GT(static_cast<double>(camera.true_view().depth_m(424, 240)), 0.58 / std::cos(turned));
 }
 
 TEST(SimulatedMotion, RendersInFullAsSoonAsItRests) {

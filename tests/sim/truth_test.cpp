@@ -32,7 +32,7 @@ class Truth : public testing::Test {
     OutputFolder out(folder_ / "capture", {"truth/truth.json", "truth/*.png"}, Existing::replace);
     write_truth(camera, out);
     out.commit();
-    view_ = camera.look();
+    view_ = camera.true_view();
     return Json::parse(read_text_file(file("truth.json")));
   }
 

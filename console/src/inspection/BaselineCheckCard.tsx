@@ -76,7 +76,7 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
   if (checking) {
     return (
       <div class="card" data-testid="checking" role="status">
-        <h2>How small a thing would be found here</h2>
+        <h2>How small an object would be found here</h2>
         <p>The baseline is compared with itself. You need not wait for it.</p>
       </div>
     );
@@ -86,8 +86,8 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
   const notes = check.views.map(noteOf).filter((note) => note !== null);
   return (
     <div class="card" data-testid="baseline-check">
-      <h2>How small a thing would be found here</h2>
-      {levels && <FindableTable levels={levels} caption="Height from which an object stands out" />}
+      <h2>How small an object would be found here</h2>
+      {levels && <FindableTable levels={levels} caption="Height from which an object would be found" />}
       {levels && (
         <p class="hint">
           For an object {levels.window_px + hiddenByDepth_px} pixels wide{check.views.length > 1 ? ', in the least favourable view' : ''},

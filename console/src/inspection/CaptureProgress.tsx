@@ -14,7 +14,7 @@ function doneShare(task: TaskStatus): number {
   return task.total === 0 ? 0 : task.done / task.total;
 }
 
-function says(task: TaskStatus): string {
+function description(task: TaskStatus): string {
   if (task.waiting) return `Waiting: ${task.waiting}`;
   if (task.kind === 'comparison') return 'Comparing before and after…';
   const view = task.views > 1 ? `View ${task.view + 1} of ${task.views}, ` : '';
@@ -25,7 +25,7 @@ function says(task: TaskStatus): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** By distance, near to far: the least height of a thing that would be found. */
+/** The least height of an object that would be found, by distance. */
 export function FindableTable({ levels, caption }: { levels: Levels; caption: string }) {
   const sure_mm = 100;
   const rows = levels.by_distance.filter((level) => level.median_mm < sure_mm);
@@ -60,17 +60,17 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
   if (!noise) return null;
   return (
     <div class="card" data-testid="noise">
-      <h2>How small a thing would be found here</h2>
+      <h2>How small an object would be found here</h2>
       <p>
-        The camera measures <strong>{Math.round(100 * noise.measured)} %</strong> of this view; its readings tremble by{' '}
+        The camera measures <strong>{Math.round(100 * noise.measured)} %</strong> of this view; depth noise:{' '}
         <strong>{noise.median_std_mm.toFixed(2)} mm</strong>.
       </p>
-      <FindableTable levels={noise.findable} caption="Height from which a thing stands out, at best" />
-      <p class="hint">For a thing {noise.findable.window_px + hiddenByDepth_px} pixels wide. After the final capture you see what was really possible.</p>
+      <FindableTable levels={noise.findable} caption="Height from which an object would be found, at best" />
+      <p class="hint">For an object {noise.findable.window_px + hiddenByDepth_px} pixels wide. After the final capture you see what was really possible.</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
         {shown ? 'Hide the picture' : 'Show it as a picture'}
       </button>
-      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${task.capture}-${noise.frames}`} alt="Smallest findable height at each place; blue is small, red large, black cannot be judged" />}
+      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${task.capture}-${noise.frames}`} alt="Smallest height that would be found at each pixel; blue is small, red large, black cannot be judged" />}
     </div>
   );
 }
@@ -84,7 +84,7 @@ export function CaptureProgress({ task, mayCancel }: { task: TaskStatus; mayCanc
         <span style={{ width: `${100 * share}%` }} />
       </div>
       <p role="status" class={task.waiting ? 'bad' : ''}>
-        {says(task)}
+        {description(task)}
       </p>
       <p class="hint">Keep hands and hoses still.</p>
       <button type="button" data-testid="cancel" disabled={!mayCancel} onClick={() => void attempt(() => api.cancel())}>

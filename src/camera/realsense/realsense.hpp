@@ -27,8 +27,9 @@ struct RealSenseOptions {
     visit(self.gain, OptionField{"gain", "", 16, 248, "of a RealSense's infrared imagers"});
     visit(self.laser_power_mw,
           OptionField{"laser-power", "mw", 0, 360, "of a RealSense's projector; 0 turns it off"});
-    visit(self.depth_unit_mm, OptionField{"depth-unit", "mm", 0.01, 10,
-                                          "of a RealSense; 65535 of them are the farthest it can say"});
+    visit(self.depth_unit_mm,
+          OptionField{"depth-unit", "mm", 0.01, 10,
+                      "of a RealSense; 65535 of them are the farthest that a depth image can represent"});
     visit(self.infrared,
           OptionField{"infrared", "", 0, 1, "1: the images of a RealSense's infrared imagers, too"});
   }

@@ -30,15 +30,15 @@ std::string text_of(const rs2::device& device, rs2_camera_info what) {
 }
 
 // librealsense passes on the system's error as text only.
-Error not_opened(const std::string& place, const rs2::error& failure) {
+Error not_opened(const std::string& source, const rs2::error& failure) {
   const std::string says = failure.what();
   const auto mentions = [&](const char* word) { return says.find(word) != std::string::npos; };
   if (mentions("busy") || mentions("Busy"))
-    return {place, "is in use by another program", "close it (realsense-viewer?) and try again"};
+    return {source, "is in use by another program", "close it (realsense-viewer?) and try again"};
   if (mentions("ermission") || mentions("ccess"))
-    return {place, "may not be opened by this user",
+    return {source, "may not be opened by this user",
             "install librealsense's udev rules (see docs/cameras.md) and plug the camera in again"};
-  return {place, fmt::format("does not start ({})", printable(says)), "plug it in again, to a USB 3 port"};
+  return {source, fmt::format("does not start ({})", printable(says)), "plug it in again, to a USB 3 port"};
 }
 
 rs2::config streams(const std::string& serial, int rate_hz, bool color, bool infrared) {
@@ -140,9 +140,9 @@ bool RealSenseCamera::is_there() const {
 }
 
 void RealSenseCamera::open() {
-  const std::string place = "realsense:" + printable(serial_);
+  const std::string source = "realsense:" + printable(serial_);
   // Without this check, starting would wait for 15 seconds for an absent camera.
-  if (!is_there()) throw Error(place, "this camera is not connected", "connect it, or see `rva cameras`");
+  if (!is_there()) throw Error(source, "this camera is not connected", "connect it, or see `rva cameras`");
   try {
     rs2::device device;
     for (const rs2::device& candidate : context_.query_devices()) {
@@ -173,9 +173,9 @@ void RealSenseCamera::open() {
       }
     }
   } catch (const rs2::error& failure) {
-    throw not_opened(place, failure);
+    throw not_opened(source, failure);
   }
-  throw Error(place, fmt::format("gives no depth of {}x{} pixels", width, height),
+  throw Error(source, fmt::format("gives no depth of {}x{} pixels", width, height),
               "use a D415, D435 or D455 at a USB 3 port");
 }
 

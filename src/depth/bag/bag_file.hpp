@@ -23,14 +23,14 @@ class BagFile {
   [[nodiscard]] const BagIndex& index() const { return index_; }
 
   /// The file's name, for errors.
-  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] const std::string& source() const { return source_; }
 
   /// Reads a message's bytes. @throws Error when the file is damaged there
   [[nodiscard]] std::vector<std::byte> read(const RecordedMessage& message) const;
 
  private:
   OpenFile file_;
-  std::string place_;
+  std::string source_;
   BagIndex index_;
   mutable RecentChunks chunks_;
 };

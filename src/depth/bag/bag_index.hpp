@@ -15,7 +15,7 @@
 namespace rva {
 
 /// A record in the file: its header, and the position of its data.
-struct BagRecordPlace {
+struct BagRecordLocation {
   std::vector<std::byte> fields;  ///< storage of the texts of `header`
   BagRecordHeader header;
   std::uint64_t data_at = 0;
@@ -25,14 +25,15 @@ struct BagRecordPlace {
 };
 
 /// Reads the header of the record at byte `at` of the file; its data is not read.
-/// @param place the file's name, for errors, here and below
+/// @param source the file's name, for errors, here and below
 /// @throws Error when there is no complete header there
-[[nodiscard]] BagRecordPlace find_record(const OpenFile& file, std::uint64_t at, const std::string& place);
+[[nodiscard]] BagRecordLocation find_record(const OpenFile& file, std::uint64_t at,
+                                            const std::string& source);
 
 /// Reads and decompresses the records of the chunk at byte `at`. @throws Error when there is none, or it
 /// is damaged
 [[nodiscard]] std::vector<std::byte> read_chunk(const OpenFile& file, std::uint64_t at,
-                                                const std::string& place);
+                                                const std::string& source);
 
 struct BagIndex {
   RecordedTopics topics;
@@ -43,6 +44,6 @@ struct BagIndex {
 /// Reads the index that the recorder wrote at the end. Where there is none, or it is damaged, every chunk is
 /// decompressed once to find the messages in complete chunks.
 /// @throws Error when the file is no bag of version 2.0; Interrupted
-[[nodiscard]] BagIndex read_bag_index(const OpenFile& file, const std::string& place);
+[[nodiscard]] BagIndex read_bag_index(const OpenFile& file, const std::string& source);
 
 }  // namespace rva

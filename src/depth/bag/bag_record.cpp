@@ -13,8 +13,8 @@
 namespace rva {
 namespace {
 
-Error damaged(std::string_view place, const std::string& problem) {
-  return {std::string(place), problem, "copy the recording again, or record it again"};
+Error damaged(std::string_view source, const std::string& problem) {
+  return {std::string(source), problem, "copy the recording again, or record it again"};
 }
 
 struct Lz4Deleter {
@@ -22,10 +22,10 @@ struct Lz4Deleter {
 };
 
 std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t size,
-                                  std::string_view place) {
+                                  std::string_view source) {
   // LZ4 compresses by a factor of 255 at most: a larger stated size is wrong, and no memory is allocated
   // for it.
-  if (size / 255 > packed.size()) throw damaged(place, "a chunk is damaged");
+  if (size / 255 > packed.size()) throw damaged(source, "a chunk is damaged");
   LZ4F_dctx* raw = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&raw, LZ4F_VERSION)) != 0) throw std::bad_alloc();
   const std::unique_ptr<LZ4F_dctx, Lz4Deleter> context(raw);
@@ -36,11 +36,11 @@ std::vector<std::byte> unpack_lz4(std::span<const std::byte> packed, std::size_t
     std::size_t made = unpacked.size() - done;
     std::size_t used = packed.size();
     hint = LZ4F_decompress(context.get(), unpacked.data() + done, &made, packed.data(), &used, nullptr);
-    if (LZ4F_isError(hint) != 0 || (made == 0 && used == 0)) throw damaged(place, "a chunk is damaged");
+    if (LZ4F_isError(hint) != 0 || (made == 0 && used == 0)) throw damaged(source, "a chunk is damaged");
     done += made;
     packed = packed.subspan(used);
   }
-  if (hint != 0 || done != size) throw damaged(place, "a chunk is damaged");
+  if (hint != 0 || done != size) throw damaged(source, "a chunk is damaged");
   return unpacked;
 }
 
@@ -65,37 +65,37 @@ constexpr auto known_fields = std::to_array<Field>({
 
 }  // namespace
 
-BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view place) {
+BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view source) {
   BagRecordHeader header;
-  RosBytes bytes(fields, place);
+  RosBytes bytes(fields, source);
   while (bytes.left() > 0) {
     const std::string_view field = bytes.text();
     const std::size_t equals = field.find('=');
-    if (equals == std::string_view::npos) throw damaged(place, "a record's header is damaged");
+    if (equals == std::string_view::npos) throw damaged(source, "a record's header is damaged");
     const std::string_view name = field.substr(0, equals);
     const std::string_view text = field.substr(equals + 1);
-    RosBytes value(std::as_bytes(std::span(text)), place);
+    RosBytes value(std::as_bytes(std::span(text)), source);
     const auto* known = std::ranges::find(known_fields, name, &Field::name);
     if (known != known_fields.end()) known->take(value, header);
   }
   return header;
 }
 
-BagRecord take_record(RosBytes& bytes, std::string_view place) {
+BagRecord take_record(RosBytes& bytes, std::string_view source) {
   const auto fields = bytes.list_of_bytes();
-  return {parse_record_header(fields, place), bytes.list_of_bytes()};
+  return {parse_record_header(fields, source), bytes.list_of_bytes()};
 }
 
-std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view place) {
+std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view source) {
   const std::uint32_t size = chunk.header.size_bytes;
-  if (size > max_chunk_bytes) throw damaged(place, fmt::format("a chunk states {} MB", size >> 20U));
-  if (chunk.header.compression == "lz4") return unpack_lz4(chunk.data, size, place);
+  if (size > max_chunk_bytes) throw damaged(source, fmt::format("a chunk states {} MB", size >> 20U));
+  if (chunk.header.compression == "lz4") return unpack_lz4(chunk.data, size, source);
   if (chunk.header.compression != "none") {
-    throw Error(std::string(place),
+    throw Error(std::string(source),
                 fmt::format("its chunks are compressed with '{}'", printable(chunk.header.compression)),
                 "decompress it with `rosbag decompress`");
   }
-  if (chunk.data.size() != size) throw damaged(place, "a chunk is damaged");
+  if (chunk.data.size() != size) throw damaged(source, "a chunk is damaged");
   return {chunk.data.begin(), chunk.data.end()};
 }
 

@@ -43,11 +43,11 @@ struct BagRecord {
 
 /// Takes a record from the front of the bytes.
 /// @throws Error when it is incomplete or malformed
-[[nodiscard]] BagRecord take_record(RosBytes& bytes, std::string_view place);
+[[nodiscard]] BagRecord take_record(RosBytes& bytes, std::string_view source);
 
 /// Parses the fields of a record's header: `name=value`, each preceded by its length.
 /// @throws Error when they are malformed
-[[nodiscard]] BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view place);
+[[nodiscard]] BagRecordHeader parse_record_header(std::span<const std::byte> fields, std::string_view source);
 
 /// Larger chunks are refused before memory is allocated for them: recorders end a chunk at about 1 MB, or
 /// after the message that exceeds this.
@@ -55,6 +55,6 @@ inline constexpr std::uint32_t max_chunk_bytes = 256U << 20U;
 
 /// Decompresses the records of a chunk.
 /// @throws Error when they are damaged, or compressed by anything but LZ4
-[[nodiscard]] std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view place);
+[[nodiscard]] std::vector<std::byte> unpack_chunk(const BagRecord& chunk, std::string_view source);
 
 }  // namespace rva

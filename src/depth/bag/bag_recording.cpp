@@ -15,7 +15,7 @@ class BagRecording : public Recording {
   explicit BagRecording(const std::filesystem::path& file) : bag_(file) {}
 
   [[nodiscard]] std::string_view format() const override { return "bag"; }
-  [[nodiscard]] const std::string& place() const override { return bag_.place(); }
+  [[nodiscard]] const std::string& source() const override { return bag_.source(); }
   [[nodiscard]] const RecordedTopics& topics() const override { return bag_.index().topics; }
 
   [[nodiscard]] std::vector<std::string> notes() const override {
@@ -30,8 +30,8 @@ class BagRecording : public Recording {
   }
 
   [[nodiscard]] ImageMessage image(const RecordedStream& /*stream*/, const RecordedMessage& message,
-                                   std::string_view place) const override {
-    return parse_image_message(bag_.read(message), place);
+                                   std::string_view source) const override {
+    return parse_image_message(bag_.read(message), source);
   }
 
   [[nodiscard]] KeyValues metadata(const RecordedStream& stream,
@@ -47,7 +47,7 @@ class BagRecording : public Recording {
     std::map<std::string, double> settings;
     for_each_below(sensor + "option/", [&](std::string_view name, const RecordedMessage& message) {
       if (const auto setting = setting_of(name))
-        settings[*setting] = parse_float(bag_.read(message), place());
+        settings[*setting] = parse_float(bag_.read(message), source());
     });
     return settings;
   }
@@ -55,15 +55,15 @@ class BagRecording : public Recording {
   [[nodiscard]] Intrinsics intrinsics(const RecordedStream& stream) const override {
     const std::string topic = stream.is_of_ros() ? stream.ros_camera_info : stream.name + "/info/camera_info";
     const auto& stated = messages(topic);
-    if (stated.empty()) throw lacks_intrinsics(place(), topic);
-    return parse_camera_info(bag_.read(stated.front()), place());
+    if (stated.empty()) throw lacks_intrinsics(source(), topic);
+    return parse_camera_info(bag_.read(stated.front()), source());
   }
 
   [[nodiscard]] std::map<std::string, Transform> stream_from_groups(
       const RecordedStream& stream) const override {
     std::map<std::string, Transform> stream_from_group;
     for_each_below(stream.name + "/tf/", [&](std::string_view group, const RecordedMessage& message) {
-      stream_from_group.emplace(group, parse_transform_message(bag_.read(message), place()));
+      stream_from_group.emplace(group, parse_transform_message(bag_.read(message), source()));
     });
     return stream_from_group;
   }
@@ -72,7 +72,7 @@ class BagRecording : public Recording {
   [[nodiscard]] KeyValues key_values(const std::vector<RecordedMessage>& messages) const {
     KeyValues values;
     for (const RecordedMessage& message : messages)
-      values.insert(parse_key_value(bag_.read(message), place()));
+      values.insert(parse_key_value(bag_.read(message), source()));
     return values;
   }
 

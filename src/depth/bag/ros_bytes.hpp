@@ -16,12 +16,12 @@ namespace rva {
 /// 32 bits. The bytes must outlive this object and the texts and spans that it returns.
 class RosBytes {
  public:
-  /// @param place the file's name, for errors
-  RosBytes(std::span<const std::byte> bytes, std::string_view place) : rest_(bytes), place_(place) {}
+  /// @param source the file's name, for errors
+  RosBytes(std::span<const std::byte> bytes, std::string_view source) : rest_(bytes), source_(source) {}
 
   /// @throws Error when fewer bytes are left; so do all functions below
   [[nodiscard]] std::span<const std::byte> take(std::size_t count) {
-    if (count > rest_.size()) throw Error(std::string(place_), "a message ends early", "record it again");
+    if (count > rest_.size()) throw Error(std::string(source_), "a message ends early", "record it again");
     const auto taken = rest_.first(count);
     rest_ = rest_.subspan(count);
     return taken;
@@ -55,7 +55,7 @@ class RosBytes {
   }
 
   std::span<const std::byte> rest_;
-  std::string_view place_;
+  std::string_view source_;
 };
 
 }  // namespace rva

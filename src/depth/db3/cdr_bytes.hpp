@@ -17,14 +17,14 @@ namespace rva {
 /// must outlive this object and the texts and spans that it returns.
 class CdrBytes {
  public:
-  /// @param place the file's name, for errors
+  /// @param source the file's name, for errors
   /// @throws Error when the message has another encoding
-  CdrBytes(std::span<const std::byte> message, std::string_view place) : place_(place) {
+  CdrBytes(std::span<const std::byte> message, std::string_view source) : source_(source) {
     constexpr std::size_t encapsulation_bytes = 4;
     constexpr std::byte plain_little_endian{1};
     if (message.size() < encapsulation_bytes || message[0] != std::byte{0} ||
         message[1] != plain_little_endian)
-      throw Error(std::string(place), "a message is not encoded as little-endian CDR", "record it again");
+      throw Error(std::string(source), "a message is not encoded as little-endian CDR", "record it again");
     bytes_ = message.subspan(encapsulation_bytes);
   }
 
@@ -49,7 +49,7 @@ class CdrBytes {
  private:
   std::span<const std::byte> take(std::size_t count) {
     if (at_ > bytes_.size() || count > bytes_.size() - at_)
-      throw Error(std::string(place_), "a message ends early", "record it again");
+      throw Error(std::string(source_), "a message ends early", "record it again");
     const auto taken = bytes_.subspan(at_, count);
     at_ += count;
     return taken;
@@ -57,7 +57,7 @@ class CdrBytes {
 
   std::span<const std::byte> bytes_;
   std::size_t at_ = 0;
-  std::string_view place_;
+  std::string_view source_;
 };
 
 }  // namespace rva

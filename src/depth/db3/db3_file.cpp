@@ -24,8 +24,8 @@ namespace {
 // The messages of cameras are smaller than this, compressed or not.
 constexpr int max_message_bytes = 128 << 20;
 
-Error damaged(const std::string& place, const std::string& how) {
-  return {place, "the recording is damaged: " + how, "copy it again, or record it again"};
+Error damaged(const std::string& source, const std::string& how) {
+  return {source, "the recording is damaged: " + how, "copy it again, or record it again"};
 }
 
 bool is_beside(const std::filesystem::path& path, std::string_view ending) {
@@ -75,13 +75,13 @@ bool ends_within_a_page(SQLite::Database& database, const std::filesystem::path&
 }
 
 // Requires tables, since a view in a malicious file could compute for ever.
-void require_tables(SQLite::Database& database, const std::string& place) {
+void require_tables(SQLite::Database& database, const std::string& source) {
   SQLite::Statement tables(database,
                            "select count(*) from sqlite_master where type = 'table' and rootpage > 0 and "
                            "name in ('topics', 'messages')");
   tables.executeStep();
   if (tables.getColumn(0).getInt() != 2)
-    throw Error(place, "a database, but not a rosbag2 recording: it has no tables topics and messages",
+    throw Error(source, "a database, but not a rosbag2 recording: it has no tables topics and messages",
                 "give a .db3 that realsense-viewer recorded");
 }
 
@@ -90,14 +90,14 @@ bool is_packed(std::span<const std::byte> bytes) {
   return bytes.size() >= magic.size() && std::ranges::equal(bytes.first(magic.size()), magic);
 }
 
-std::vector<std::byte> unpack(std::span<const std::byte> packed, const std::string& place) {
+std::vector<std::byte> unpack(std::span<const std::byte> packed, const std::string& source) {
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
   // The largest values are error codes: unknown size and malformed data.
-  if (size > max_message_bytes) throw damaged(place, "a message cannot be decompressed");
+  if (size > max_message_bytes) throw damaged(source, "a message cannot be decompressed");
   std::vector<std::byte> unpacked(size);
   const std::size_t done = ZSTD_decompress(unpacked.data(), unpacked.size(), packed.data(), packed.size());
   if (ZSTD_isError(done) != 0 || done != unpacked.size())
-    throw damaged(place, "a message cannot be decompressed");
+    throw damaged(source, "a message cannot be decompressed");
   return unpacked;
 }
 
@@ -108,13 +108,13 @@ bool is_db3_file(const std::filesystem::path& path) {
   return begins_with(path, magic);
 }
 
-Db3File::Db3File(const std::filesystem::path& path) : place_(printable(path)), database_(open(path)) {
+Db3File::Db3File(const std::filesystem::path& path) : source_(printable(path)), database_(open(path)) {
   try {
-    require_tables(database_, place_);
+    require_tables(database_, source_);
     whole_ = !has_a_journal(path) && !ends_within_a_page(database_, path);
     find_messages();
   } catch (const SQLite::Exception& failure) {
-    throw damaged(place_, printable(failure.what()));
+    throw damaged(source_, printable(failure.what()));
   }
 }
 
@@ -149,14 +149,14 @@ std::vector<std::byte> Db3File::read(const RecordedMessage& message) const {
     const std::lock_guard lock(mutex_);
     SQLite::Statement query(database_, "select data from messages where id = ?");
     query.bind(1, static_cast<std::int64_t>(message.at));
-    if (!query.executeStep()) throw damaged(place_, "a message is missing");
+    if (!query.executeStep()) throw damaged(source_, "a message is missing");
     const SQLite::Column data = query.getColumn(0);
     const auto* first = static_cast<const std::byte*>(data.getBlob());
     bytes.assign(first, first + data.getBytes());
   } catch (const SQLite::Exception& failure) {
-    throw damaged(place_, printable(failure.what()));
+    throw damaged(source_, printable(failure.what()));
   }
-  return is_packed(bytes) ? unpack(bytes, place_) : bytes;
+  return is_packed(bytes) ? unpack(bytes, source_) : bytes;
 }
 
 }  // namespace rva

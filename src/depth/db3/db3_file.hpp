@@ -27,7 +27,7 @@ class Db3File {
   [[nodiscard]] const RecordedTopics& topics() const { return topics_; }
 
   /// The file's name, for errors.
-  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] const std::string& source() const { return source_; }
 
   /// False when the recorder did not finish the file, or it was truncated: messages may be missing.
   [[nodiscard]] bool whole() const { return whole_; }
@@ -38,7 +38,7 @@ class Db3File {
  private:
   void find_messages();
 
-  std::string place_;
+  std::string source_;
   SQLite::Database database_;
   RecordedTopics topics_;
   bool whole_ = true;

@@ -12,7 +12,7 @@ class Db3Recording : public Recording {
   explicit Db3Recording(const std::filesystem::path& file) : file_(file) {}
 
   [[nodiscard]] std::string_view format() const override { return "db3"; }
-  [[nodiscard]] const std::string& place() const override { return file_.place(); }
+  [[nodiscard]] const std::string& source() const override { return file_.source(); }
   [[nodiscard]] const RecordedTopics& topics() const override { return file_.topics(); }
 
   [[nodiscard]] std::vector<std::string> notes() const override {
@@ -23,8 +23,8 @@ class Db3Recording : public Recording {
   }
 
   [[nodiscard]] ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
-                                   std::string_view place) const override {
-    ImageMessage image = parse_db3_image(file_.read(message), place);
+                                   std::string_view source) const override {
+    ImageMessage image = parse_db3_image(file_.read(message), source);
     const KeyValues values = metadata(stream, message);
     const auto number_of = [&](const char* key) {
       const auto found = values.find(key);
@@ -53,7 +53,7 @@ class Db3Recording : public Recording {
     for_each_below(sensor + "option/", [&](std::string_view name, const RecordedMessage& message) {
       const auto setting = setting_of(name);
       if (!setting) return;
-      if (const auto value = decimal_number(parse_db3_text(file_.read(message), place())))
+      if (const auto value = decimal_number(parse_db3_text(file_.read(message), source())))
         settings[*setting] = *value;
     });
     return settings;
@@ -62,10 +62,10 @@ class Db3Recording : public Recording {
   [[nodiscard]] Intrinsics intrinsics(const RecordedStream& stream) const override {
     const std::string topic = stream.is_of_ros() ? stream.ros_camera_info : stream.name + "/camera_info";
     const auto& stated = messages(topic);
-    if (stated.empty()) throw lacks_intrinsics(place(), topic);
+    if (stated.empty()) throw lacks_intrinsics(source(), topic);
     if (stream.is_of_ros())
-      return parse_db3_camera_info(file_.read(stated.front()), place() + ", " + printable(topic));
-    return intrinsics_from(values_of(stated.front()), place() + ", " + printable(topic));
+      return parse_db3_camera_info(file_.read(stated.front()), source() + ", " + printable(topic));
+    return intrinsics_from(values_of(stated.front()), source() + ", " + printable(topic));
   }
 
   [[nodiscard]] std::map<std::string, Transform> stream_from_groups(
@@ -73,14 +73,14 @@ class Db3Recording : public Recording {
     std::map<std::string, Transform> stream_from_group;
     const std::string beginning = stream.name + "/tf/";
     for_each_below(beginning, [&](std::string_view group, const RecordedMessage& message) {
-      stream_from_group.emplace(group, transform_from(values_of(message), place()));
+      stream_from_group.emplace(group, transform_from(values_of(message), source()));
     });
     return stream_from_group;
   }
 
  private:
   [[nodiscard]] KeyValues values_of(const RecordedMessage& message) const {
-    return parse_db3_values(file_.read(message), place());
+    return parse_db3_values(file_.read(message), source());
   }
 
   Db3File file_;

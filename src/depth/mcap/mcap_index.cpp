@@ -18,17 +18,17 @@ bool is_magic(std::span<const std::byte> bytes) {
 }
 
 /// A chunk, as the index at the end of the file states it.
-struct ChunkPlace {
+struct ChunkLocation {
   std::uint64_t at = 0;
   std::uint64_t bytes = 0;
   std::uint64_t index_bytes = 0;  ///< of the message indices that follow it
 };
 
-ChunkPlace parse_chunk_index(std::span<const std::byte> content, const std::string& place) {
-  RosBytes bytes(content, place);
+ChunkLocation parse_chunk_index(std::span<const std::byte> content, const std::string& source) {
+  RosBytes bytes(content, source);
   static_cast<void>(bytes.number<std::uint64_t>());  // times of the first and the last message
   static_cast<void>(bytes.number<std::uint64_t>());
-  ChunkPlace chunk;
+  ChunkLocation chunk;
   chunk.at = bytes.number<std::uint64_t>();
   chunk.bytes = bytes.number<std::uint64_t>();
   static_cast<void>(bytes.list_of_bytes());  // where each channel's index lies
@@ -39,7 +39,7 @@ ChunkPlace parse_chunk_index(std::span<const std::byte> content, const std::stri
 /// Collects schemas, channels and messages in the order of the file.
 class Builder {
  public:
-  Builder(const OpenFile& file, const std::string& place) : file_(file), place_(place) {}
+  Builder(const OpenFile& file, const std::string& source) : file_(file), source_(source) {}
 
   // @param at byte of the file where the chunk, or a record outside chunks, begins
   // @param offset of the record in the decompressed chunk
@@ -47,7 +47,7 @@ class Builder {
     if (record.op == McapOp::schema) add_schema(record.content);
     if (record.op == McapOp::channel) add_channel(record.content);
     if (record.op == McapOp::message) {
-      const McapMessage message = parse_mcap_message(record.content, place_);
+      const McapMessage message = parse_mcap_message(record.content, source_);
       add_message(message.channel, {message.time_ns, at, static_cast<std::uint32_t>(offset)});
     }
   }
@@ -55,11 +55,11 @@ class Builder {
   // If the chunk is damaged, the records that could not be read are left out, and the chunk is counted.
   void add_chunk(std::span<const std::byte> content, std::uint64_t at) {
     try {
-      const std::vector<std::byte> records = unpack_mcap_chunk(content, place_);
-      RosBytes bytes(records, place_);
+      const std::vector<std::byte> records = unpack_mcap_chunk(content, source_);
+      RosBytes bytes(records, source_);
       while (bytes.left() > 0) {
         const std::size_t offset = records.size() - bytes.left();
-        add(take_mcap_record(bytes, place_), at, offset);
+        add(take_mcap_record(bytes, source_), at, offset);
       }
     } catch (const Error&) {
       ++index_.damaged_chunks;
@@ -67,10 +67,10 @@ class Builder {
   }
 
   // A chunk without message indices is decompressed instead.
-  void add_indexed(const ChunkPlace& chunk) {
+  void add_indexed(const ChunkLocation& chunk) {
     throw_if_interrupted();
     if (chunk.index_bytes == 0) {
-      const std::vector<std::byte> record = read_mcap_record(file_, chunk.at, place_);
+      const std::vector<std::byte> record = read_mcap_record(file_, chunk.at, source_);
       add_chunk(std::span(record).subspan(mcap_head_bytes), chunk.at);
       return;
     }
@@ -78,9 +78,9 @@ class Builder {
     if (chunk.index_bytes > most_index_bytes) throw damaged_index();
     const std::vector<std::byte> indices =
         file_.read(chunk.at + chunk.bytes, static_cast<std::size_t>(chunk.index_bytes));
-    RosBytes bytes(indices, place_);
+    RosBytes bytes(indices, source_);
     while (bytes.left() > 0) {
-      const McapRecord record = take_mcap_record(bytes, place_);
+      const McapRecord record = take_mcap_record(bytes, source_);
       if (record.op == McapOp::message_index) add_message_index(record.content, chunk.at);
     }
   }
@@ -95,17 +95,17 @@ class Builder {
 
  private:
   [[nodiscard]] Error damaged_index() const {
-    return {place_, "its index is damaged", "copy it again, or record it again"};
+    return {source_, "its index is damaged", "copy it again, or record it again"};
   }
 
   void add_schema(std::span<const std::byte> content) {
-    RosBytes bytes(content, place_);
+    RosBytes bytes(content, source_);
     const auto id = bytes.number<std::uint16_t>();
     schemas_[id] = bytes.text();
   }
 
   void add_channel(std::span<const std::byte> content) {
-    McapChannel channel = parse_mcap_channel(content, place_);
+    McapChannel channel = parse_mcap_channel(content, source_);
     RecordedTopic& topic = index_.topics[channel.topic];
     topic.type = schemas_[channel.schema];
     index_.encodings[channel.topic] = channel.encoding;
@@ -118,11 +118,11 @@ class Builder {
   }
 
   void add_message_index(std::span<const std::byte> content, std::uint64_t at) {
-    RosBytes bytes(content, place_);
+    RosBytes bytes(content, source_);
     const auto channel = bytes.number<std::uint16_t>();
     if (!topics_.contains(channel))
       throw damaged_index();  // not every recorder repeats channels in the summary
-    RosBytes entries(bytes.list_of_bytes(), place_);
+    RosBytes entries(bytes.list_of_bytes(), source_);
     while (entries.left() > 0) {
       const auto time_ns = entries.number<std::uint64_t>();
       const auto offset = entries.number<std::uint64_t>();
@@ -131,21 +131,21 @@ class Builder {
   }
 
   const OpenFile& file_;
-  const std::string& place_;
+  const std::string& source_;
   McapIndex index_;
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, RecordedTopic*> topics_;
 };
 
 // The summary section, between the data and the footer; empty where the recorder wrote none.
-std::vector<std::byte> read_summary(const OpenFile& file, const std::string& place) {
+std::vector<std::byte> read_summary(const OpenFile& file, const std::string& source) {
   constexpr std::uint64_t most_summary_bytes = 512ULL << 20U;
   const std::uint64_t tail_bytes = footer_bytes + mcap_magic.size();
   if (file.size_bytes() < mcap_magic.size() + tail_bytes) return {};
   const std::uint64_t footer_at = file.size_bytes() - tail_bytes;
   const std::vector<std::byte> tail = file.read(footer_at, tail_bytes);
   if (!is_magic(std::span(tail).subspan(footer_bytes))) return {};
-  RosBytes bytes(tail, place);
+  RosBytes bytes(tail, source);
   if (static_cast<McapOp>(bytes.number<std::uint8_t>()) != McapOp::footer) return {};
   static_cast<void>(bytes.number<std::uint64_t>());
   const auto summary_at = bytes.number<std::uint64_t>();
@@ -154,31 +154,31 @@ std::vector<std::byte> read_summary(const OpenFile& file, const std::string& pla
 }
 
 // Empty when the summary lists no chunks: messages may then be outside chunks.
-std::optional<McapIndex> from_summary(const OpenFile& file, const std::string& place) {
-  const std::vector<std::byte> summary = read_summary(file, place);
-  Builder builder(file, place);
-  std::vector<ChunkPlace> chunks;
-  RosBytes bytes(summary, place);
+std::optional<McapIndex> from_summary(const OpenFile& file, const std::string& source) {
+  const std::vector<std::byte> summary = read_summary(file, source);
+  Builder builder(file, source);
+  std::vector<ChunkLocation> chunks;
+  RosBytes bytes(summary, source);
   while (bytes.left() > 0) {
-    const McapRecord record = take_mcap_record(bytes, place);
+    const McapRecord record = take_mcap_record(bytes, source);
     if (record.op == McapOp::chunk_index)
-      chunks.push_back(parse_chunk_index(record.content, place));
+      chunks.push_back(parse_chunk_index(record.content, source));
     else
       builder.add(record, 0, 0);
   }
   if (chunks.empty()) return std::nullopt;
-  for (const ChunkPlace& chunk : chunks) builder.add_indexed(chunk);
+  for (const ChunkLocation& chunk : chunks) builder.add_indexed(chunk);
   return builder.take();
 }
 
-McapIndex from_records(const OpenFile& file, const std::string& place) {
-  Builder builder(file, place);
+McapIndex from_records(const OpenFile& file, const std::string& source) {
+  Builder builder(file, source);
   bool ended = false;
   for (std::uint64_t at = mcap_magic.size(); at < file.size_bytes() && !ended;) {
     throw_if_interrupted();
     std::vector<std::byte> record;
     try {
-      record = read_mcap_record(file, at, place);
+      record = read_mcap_record(file, at, source);
     } catch (const Error&) {
       break;
     }
@@ -197,24 +197,24 @@ McapIndex from_records(const OpenFile& file, const std::string& place) {
 
 }  // namespace
 
-std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at, const std::string& place) {
+std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at, const std::string& source) {
   constexpr std::uint64_t most_record_bytes = 1ULL << 30U;
   const std::vector<std::byte> head = file.read(at, mcap_head_bytes);
-  RosBytes bytes(head, place);
+  RosBytes bytes(head, source);
   static_cast<void>(bytes.number<std::uint8_t>());
   const auto length = bytes.number<std::uint64_t>();
   if (length > most_record_bytes || at + mcap_head_bytes + length > file.size_bytes())
-    throw Error(place, "the recording is damaged: a record ends early", "copy it again, or record it again");
+    throw Error(source, "the recording is damaged: a record ends early", "copy it again, or record it again");
   return file.read(at, mcap_head_bytes + static_cast<std::size_t>(length));
 }
 
-McapIndex read_mcap_index(const OpenFile& file, const std::string& place) {
-  if (!is_magic(file.read(0, mcap_magic.size()))) throw Error(place, "not an MCAP file", "give a recording");
+McapIndex read_mcap_index(const OpenFile& file, const std::string& source) {
+  if (!is_magic(file.read(0, mcap_magic.size()))) throw Error(source, "not an MCAP file", "give a recording");
   try {
-    if (auto index = from_summary(file, place)) return std::move(*index);
+    if (auto index = from_summary(file, source)) return std::move(*index);
   } catch (const Error&) {  // the index is damaged: messages are found without it
   }
-  return from_records(file, place);
+  return from_records(file, source);
 }
 
 }  // namespace rva

@@ -22,11 +22,11 @@ struct McapIndex {
 
 /// Reads the record at byte `at`, including its head. @throws Error when the file ends before the record does
 [[nodiscard]] std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at,
-                                                      const std::string& place);
+                                                      const std::string& source);
 
 /// Reads the index that the recorder wrote at the end. Where there is none, or it is damaged, all records are
 /// read, and every chunk is decompressed once.
 /// @throws Error when the file is not an MCAP file; Interrupted
-[[nodiscard]] McapIndex read_mcap_index(const OpenFile& file, const std::string& place);
+[[nodiscard]] McapIndex read_mcap_index(const OpenFile& file, const std::string& source);
 
 }  // namespace rva

@@ -34,7 +34,7 @@ struct McapRecord {
 };
 
 /// Takes a record from the front of the bytes. @throws Error when fewer bytes are left than it states
-[[nodiscard]] McapRecord take_mcap_record(RosBytes& bytes, std::string_view place);
+[[nodiscard]] McapRecord take_mcap_record(RosBytes& bytes, std::string_view source);
 
 struct McapChannel {
   std::uint16_t id = 0;
@@ -44,7 +44,7 @@ struct McapChannel {
 };
 
 /// @throws Error when the record ends early; so do all functions below
-[[nodiscard]] McapChannel parse_mcap_channel(std::span<const std::byte> content, std::string_view place);
+[[nodiscard]] McapChannel parse_mcap_channel(std::span<const std::byte> content, std::string_view source);
 
 struct McapMessage {
   std::uint16_t channel = 0;
@@ -52,11 +52,11 @@ struct McapMessage {
   std::span<const std::byte> data;
 };
 
-[[nodiscard]] McapMessage parse_mcap_message(std::span<const std::byte> content, std::string_view place);
+[[nodiscard]] McapMessage parse_mcap_message(std::span<const std::byte> content, std::string_view source);
 
 /// Decompresses the records of a chunk (LZ4, Zstandard or uncompressed).
 /// @throws Error also when the compression is unknown, or the checksum does not match
 [[nodiscard]] std::vector<std::byte> unpack_mcap_chunk(std::span<const std::byte> content,
-                                                       std::string_view place);
+                                                       std::string_view source);
 
 }  // namespace rva

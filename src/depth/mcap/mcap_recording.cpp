@@ -18,10 +18,10 @@ namespace {
 class McapRecording : public Recording {
  public:
   explicit McapRecording(const std::filesystem::path& path)
-      : file_(path), place_(printable(path)), index_(read_mcap_index(file_, place_)) {}
+      : file_(path), source_(printable(path)), index_(read_mcap_index(file_, source_)) {}
 
   [[nodiscard]] std::string_view format() const override { return "mcap"; }
-  [[nodiscard]] const std::string& place() const override { return place_; }
+  [[nodiscard]] const std::string& source() const override { return source_; }
   [[nodiscard]] const RecordedTopics& topics() const override { return index_.topics; }
 
   [[nodiscard]] std::vector<std::string> notes() const override {
@@ -36,16 +36,16 @@ class McapRecording : public Recording {
   }
 
   [[nodiscard]] ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
-                                   std::string_view place) const override {
-    if (is_of_ros1(stream.images())) return parse_image_message(read(message), place);
-    return parse_db3_image(read(message), place);
+                                   std::string_view source) const override {
+    if (is_of_ros1(stream.images())) return parse_image_message(read(message), source);
+    return parse_db3_image(read(message), source);
   }
 
   [[nodiscard]] Intrinsics intrinsics(const RecordedStream& stream) const override {
     const std::string& topic = stream.ros_camera_info;
     const auto& stated = messages(topic);
-    if (stated.empty()) throw lacks_intrinsics(place(), topic);
-    const std::string where = place() + ", " + printable(topic);
+    if (stated.empty()) throw lacks_intrinsics(source(), topic);
+    const std::string where = source() + ", " + printable(topic);
     return is_of_ros1(topic) ? parse_camera_info(read(stated.front()), where)
                              : parse_db3_camera_info(read(stated.front()), where);
   }
@@ -74,26 +74,26 @@ class McapRecording : public Recording {
     const RecentChunks::Chunk records = chunks_.get(message.at, [&] { return records_at(message.at); });
     if (message.offset > records->size()) throw damaged_index();
     const std::span<const std::byte> all(*records);
-    RosBytes bytes(all.subspan(message.offset), place_);
-    const McapRecord record = take_mcap_record(bytes, place_);
+    RosBytes bytes(all.subspan(message.offset), source_);
+    const McapRecord record = take_mcap_record(bytes, source_);
     if (record.op != McapOp::message) throw damaged_index();
-    const McapMessage content = parse_mcap_message(record.content, place_);
+    const McapMessage content = parse_mcap_message(record.content, source_);
     return {content.data.begin(), content.data.end()};
   }
 
   // The records of the chunk at this byte, or the single message there that is outside chunks.
   [[nodiscard]] std::vector<std::byte> records_at(std::uint64_t at) const {
-    std::vector<std::byte> record = read_mcap_record(file_, at, place_);
+    std::vector<std::byte> record = read_mcap_record(file_, at, source_);
     if (static_cast<McapOp>(record.front()) != McapOp::chunk) return record;
-    return unpack_mcap_chunk(std::span<const std::byte>(record).subspan(mcap_head_bytes), place_);
+    return unpack_mcap_chunk(std::span<const std::byte>(record).subspan(mcap_head_bytes), source_);
   }
 
   [[nodiscard]] Error damaged_index() const {
-    return {place_, "its index is damaged", "copy it again, or record it again"};
+    return {source_, "its index is damaged", "copy it again, or record it again"};
   }
 
   OpenFile file_;
-  std::string place_;
+  std::string source_;
   McapIndex index_;
   mutable RecentChunks chunks_;
 };

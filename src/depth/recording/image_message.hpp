@@ -33,19 +33,19 @@ struct ImageMessage {
 };
 
 /// Sets the stated size. @throws Error when it is larger than any camera's, or a side is 0
-void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, std::string_view place);
+void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, std::string_view source);
 
 /// Checks one side of an image, or of intrinsics. @throws Error as set_size()
-[[nodiscard]] int possible_side(std::uint32_t pixels, std::string_view place);
+[[nodiscard]] int possible_side(std::uint32_t pixels, std::string_view source);
 
 /// Converts from mono16, 16UC1 and 32FC1 (metres) to depth units of `unit_m` metres; 16-bit values are kept.
 /// @throws Error for another encoding, or too few bytes; so do the functions below
-[[nodiscard]] DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view place);
+[[nodiscard]] DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view source);
 
 /// Converts from rgb8, bgr8, rgba8, bgra8, mono8, 8UC1, YUYV and yuv422 (UYVY).
-[[nodiscard]] ColorImage color_of(const ImageMessage& image, std::string_view place);
+[[nodiscard]] ColorImage color_of(const ImageMessage& image, std::string_view source);
 
 /// Converts from mono8 and 8UC1.
-[[nodiscard]] GrayImage gray_of(const ImageMessage& image, std::string_view place);
+[[nodiscard]] GrayImage gray_of(const ImageMessage& image, std::string_view source);
 
 }  // namespace rva

@@ -49,12 +49,12 @@ std::optional<std::string> setting_of(std::string_view below_options) {
   return name;
 }
 
-Error lacks_intrinsics(const std::string& place, const std::string& topic) {
-  return {place, "lacks " + printable(topic), "record it, too, or give the intrinsics (fx, fy, cx, cy)"};
+Error lacks_intrinsics(const std::string& source, const std::string& topic) {
+  return {source, "lacks " + printable(topic), "record it, too, or give the intrinsics (fx, fy, cx, cy)"};
 }
 
 Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vector<double>& coefficients,
-                     std::string_view place) {
+                     std::string_view source) {
   std::string name(model);
   std::ranges::transform(name, name.begin(), [](char letter) {
     return letter == ' '                    ? '_'
@@ -65,7 +65,7 @@ Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vecto
   const bool straight = std::ranges::all_of(coefficients, [](double number) { return number == 0.0; });
   const auto known = distortion_from_name(name);
   if (!known && !straight) {
-    throw Error(std::string(place), fmt::format("the distortion model '{}' is unknown", printable(name)),
+    throw Error(std::string(source), fmt::format("the distortion model '{}' is unknown", printable(name)),
                 "record it again");
   }
   camera.distortion = straight ? Distortion::none : *known;
@@ -75,7 +75,7 @@ Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vecto
   try {
     camera.check();
   } catch (const Error& error) {
-    throw Error(std::string(place), fmt::format("camera info: {} {}", error.place(), error.problem()),
+    throw Error(std::string(source), fmt::format("camera info: {} {}", error.source(), error.problem()),
                 "record it again");
   }
   return camera;

@@ -62,7 +62,7 @@ class Recording {
   [[nodiscard]] virtual std::string_view format() const = 0;
 
   /// The file's name, for errors.
-  [[nodiscard]] virtual const std::string& place() const = 0;
+  [[nodiscard]] virtual const std::string& source() const = 0;
 
   [[nodiscard]] virtual const RecordedTopics& topics() const = 0;
 
@@ -71,9 +71,9 @@ class Recording {
 
   /// Reads and parses an image.
   /// @param message of stream.images()
-  /// @param place   name of the image, for errors
+  /// @param source   name of the image, for errors
   [[nodiscard]] virtual ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
-                                           std::string_view place) const = 0;
+                                           std::string_view source) const = 0;
 
   /// Metadata of an image, by librealsense's names: "Actual Exposure".
   [[nodiscard]] virtual KeyValues metadata(const RecordedStream& stream,
@@ -107,7 +107,7 @@ class Recording {
 };
 
 /// The error for a recording without the topic that has an imager's intrinsics.
-[[nodiscard]] Error lacks_intrinsics(const std::string& place, const std::string& topic);
+[[nodiscard]] Error lacks_intrinsics(const std::string& source, const std::string& topic);
 
 /// Parses a finite decimal number; empty for anything else.
 [[nodiscard]] std::optional<double> decimal_number(std::string_view text);
@@ -119,6 +119,6 @@ class Recording {
 /// as no distortion if its coefficients are all 0.
 /// @throws Error when the intrinsics are impossible, or the model is unknown
 [[nodiscard]] Intrinsics with_lens(Intrinsics camera, std::string_view model,
-                                   const std::vector<double>& coefficients, std::string_view place);
+                                   const std::vector<double>& coefficients, std::string_view source);
 
 }  // namespace rva

@@ -51,7 +51,7 @@ std::vector<ImageTopic> image_topics(const Recording& recording) {
   for (const auto& [name, topic] : recording.topics()) {
     if (!is_image(topic.type) || topic.messages.empty()) continue;
     const ImageMessage first =
-        recording.image(stream_of(name), topic.messages.front(), recording.place() + ", " + printable(name));
+        recording.image(stream_of(name), topic.messages.front(), recording.source() + ", " + printable(name));
     topics.push_back({name, std::string(first.encoding), topic.messages.size()});
   }
   return topics;
@@ -75,7 +75,7 @@ std::string stated_depth(const Recording& recording, const std::vector<ImageTopi
                          const std::string& wanted) {
   const auto found = std::ranges::find(topics, wanted, &ImageTopic::name);
   if (found != topics.end() && is_depth(found->encoding)) return wanted;
-  throw Error(recording.place(), fmt::format("the topic {} has no depth image", printable(wanted)),
+  throw Error(recording.source(), fmt::format("the topic {} has no depth image", printable(wanted)),
               "give one of 16UC1 or 32FC1 images");
 }
 

@@ -82,13 +82,13 @@ CameraInfo camera_of(const Recording& recording, const RecordedStream& depth,
 
 // ROS depth is in millimetres, or in metres as floating point (REP 118). The latter is converted to tenths of
 // a millimetre where nearly all of it fits into 16 bits, else to millimetres.
-double unit_of_ros(const ImageMessage& first, const std::string& place) {
+double unit_of_ros(const ImageMessage& first, const std::string& source) {
   constexpr double mm = 0.001;
   constexpr double tenth_of_a_mm = 0.0001;
   constexpr double most_lost = 0.001;
   if (first.encoding != "32FC1") return mm;
   const auto measured = [&](double unit_m) {
-    const DepthImage depth = depth_of(first, unit_m, place);
+    const DepthImage depth = depth_of(first, unit_m, source);
     return static_cast<double>(
         std::ranges::count_if(depth.pixels(), [](auto units) { return units != no_depth; }));
   };
@@ -98,9 +98,9 @@ double unit_of_ros(const ImageMessage& first, const std::string& place) {
 // The unit stated with the first image, or, in older files, the camera's setting.
 double depth_unit_m(const Recording& recording, const RecordedStream& depth, CaptureInfo& info) {
   const RecordedMessage& first = recording.messages(depth.images()).front();
-  const ImageMessage image = recording.image(depth, first, recording.place());
+  const ImageMessage image = recording.image(depth, first, recording.source());
   if (image.unit_m) return *image.unit_m;
-  if (depth.is_of_ros()) return unit_of_ros(image, recording.place());
+  if (depth.is_of_ros()) return unit_of_ros(image, recording.source());
   const std::map<std::string, double> settings = recording.settings(depth.sensor);
   if (const auto unit_m = settings.find("Depth Units"); unit_m != settings.end()) return unit_m->second;
   info.unit_is_assumed = true;
@@ -109,7 +109,7 @@ double depth_unit_m(const Recording& recording, const RecordedStream& depth, Cap
 
 Intrinsics of_first_image(const Recording& recording, const RecordedStream& depth, Intrinsics camera) {
   const ImageMessage first =
-      recording.image(depth, recording.messages(depth.images()).front(), recording.place());
+      recording.image(depth, recording.messages(depth.images()).front(), recording.source());
   camera.width = first.width;
   camera.height = first.height;
   camera.check();
@@ -143,11 +143,11 @@ Error without_depth(const Recording& recording) {
       seen += fmt::format("{}{} ({})", seen.empty() ? "" : ", ", printable(name), printable(topic.type));
   }
   if (seen.empty() && !recording.notes().empty())
-    return {recording.place(), "the file is cut short or was never finished, and no image in it is complete",
+    return {recording.source(), "the file is cut short or was never finished, and no image in it is complete",
             "copy it again, or record it again"};
   const std::string instead =
       seen.empty() ? ", and no other image" : fmt::format(", but {}{}", seen, more > 3 ? ", ..." : "");
-  return {recording.place(), "contains no depth" + instead, "record with the depth stream on"};
+  return {recording.source(), "contains no depth" + instead, "record with the depth stream on"};
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ CaptureInfo describe(const Recording& recording, const RecordedStreams& streams,
 
 FrameMetadata metadata_of(const Recording& recording, const RecordedStream& stream,
                           const RecordedMessage& image) {
-  const ImageMessage header = recording.image(stream, image, recording.place());
+  const ImageMessage header = recording.image(stream, image, recording.source());
   const KeyValues values = recording.metadata(stream, image);
   FrameMetadata metadata;
   metadata.counter = header.counter;

@@ -8,11 +8,11 @@
 
 #include "detect/calibrated/disparity_change.hpp"
 #include "detect/calibrated/drift.hpp"
-#include "detect/calibrated/noise_by_place.hpp"
+#include "detect/calibrated/noise_by_class.hpp"
 #include "detect/calibrated/outlines.hpp"
 #include "detect/calibrated/pooled_evidence.hpp"
 #include "detect/calibrated/scale.hpp"
-#include "detect/calibrated/unsure_places.hpp"
+#include "detect/calibrated/unreliable_pixels.hpp"
 
 namespace rva {
 namespace {
@@ -25,7 +25,7 @@ constexpr int lost_window_px = 9;
 constexpr double lost_deviations = 30.0;  // evidence of a window that lost all of its depth
 // Number of tails among which the allowed false findings are divided (Bonferroni): two signs times reliable
 // and unreliable pixels, at each scale and for lost depth.
-constexpr double looks = 4.0 * (windows_px.size() + 1);
+constexpr double tests = 4.0 * (windows_px.size() + 1);
 
 // Equation 14 of docs/math.md.
 Image<float> evidence_of(const DisparityChange& change, const Image<float>& drift_px,
@@ -51,14 +51,14 @@ struct WeighedChange {
   WeighedChange(const DisparityChange& change, double disparity_by_depth)
       : drift(fit_drift(change)),
         drift_px(drift.px()),
-        unsure(unsure_places(change)),
-        noise(noise_by_place(change, unsure, drift_px, drift.variance_px2(), disparity_by_depth)),
+        unreliable(unreliable_pixels(change)),
+        noise(noise_by_class(change, unreliable, drift_px, drift.variance_px2(), disparity_by_depth)),
         evidence(evidence_of(change, drift_px, noise.deviation_px)) {}
 
   Drift drift;
   Image<float> drift_px;
-  Mask unsure;
-  NoiseByPlace noise;
+  Mask unreliable;
+  NoiseByClass noise;
   Image<float> evidence;
 };
 
@@ -129,11 +129,13 @@ CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_dept
   const WeighedChange weighed(change, disparity_by_depth);
   CalibratedPeaks peaks;
   for (const int window_px : windows_px) {
-    const auto of_window = peaks_of(pool(weighed.evidence, change.judged, window_px), weighed.unsure);
-    peaks.change.sure.insert(peaks.change.sure.end(), of_window.sure.begin(), of_window.sure.end());
-    peaks.change.unsure.insert(peaks.change.unsure.end(), of_window.unsure.begin(), of_window.unsure.end());
+    const auto of_window = peaks_of(pool(weighed.evidence, change.judged, window_px), weighed.unreliable);
+    peaks.change.reliable.insert(peaks.change.reliable.end(), of_window.reliable.begin(),
+                                 of_window.reliable.end());
+    peaks.change.unreliable.insert(peaks.change.unreliable.end(), of_window.unreliable.begin(),
+                                   of_window.unreliable.end());
   }
-  peaks.loss = peaks_of(pool_lost(change.lost), weighed.unsure);
+  peaks.loss = peaks_of(pool_lost(change.lost), weighed.unreliable);
   return peaks;
 }
 
@@ -153,17 +155,18 @@ CalibratedComparison compare_calibrated(const DisparityChange& change, double di
   Comparison& comparison = result.comparison;
   comparison.evidence_is_rarity = true;
   fill_depth(change, weighed.drift_px, disparity_m_px, comparison);
-  const double false_findings = options.false_findings / looks;
-  Outlines outlines(weighed.unsure, looks, comparison);
+  const double false_findings = options.false_findings / tests;
+  Outlines outlines(weighed.unreliable, tests, comparison);
   std::vector<Scale> scales;
   for (const int window_px : windows_px) {
-    scales.push_back(look_at(pool(weighed.evidence, change.judged, window_px), weighed.unsure, slopes.change,
-                             false_findings));
+    scales.push_back(scale_of(pool(weighed.evidence, change.judged, window_px), weighed.unreliable,
+                              slopes.change, false_findings));
     outlines.add(scales.back(), weighed.evidence);
   }
-  outlines.add(look_at(pool_lost(change.lost), weighed.unsure, slopes.loss, false_findings), change.lost);
+  outlines.add(scale_of(pool_lost(change.lost), weighed.unreliable, slopes.loss, false_findings),
+               change.lost);
   const Scale& finest = finest_reachable(scales);
-  result.level_of_detection_mm = level_of_detection_mm(weighed.unsure, weighed.noise.deviation_px,
+  result.level_of_detection_mm = level_of_detection_mm(weighed.unreliable, weighed.noise.deviation_px,
                                                        comparison.final_m, finest, disparity_m_px);
   clear_left_out(change.left_out, result);
   result.levels = {

@@ -8,7 +8,7 @@
 #include "detect/calibrated/disparity_change.hpp"
 #include "detect/calibrated/false_alarm_tail.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
-#include "detect/calibrated/unsure_places.hpp"
+#include "detect/calibrated/unreliable_pixels.hpp"
 #include "detect/comparison.hpp"
 
 namespace rva {
@@ -33,8 +33,8 @@ struct CalibratedComparison {
 /// Usual slopes of the tails of evidence in unchanged images, for pixels where depth changed and where it was
 /// lost. An image with too few peaks to learn a slope from is assumed to have the usual one.
 struct UsualSlopes {
-  ByPlace<UsualSlope> change;
-  ByPlace<UsualSlope> loss;
+  ByReliability<UsualSlope> change;
+  ByReliability<UsualSlope> loss;
 };
 
 /// Usual slopes of means over several frames, as measured by `script/fit`, and of single frames, within the
@@ -50,8 +50,8 @@ inline constexpr UsualSlopes slopes_of_single_frames{{{1.05, 7.00}, {1.05, 7.00}
 
 /// Heights of the peaks of pooled evidence, for all window sizes together.
 struct CalibratedPeaks {
-  ByPlace<std::vector<float>> change;
-  ByPlace<std::vector<float>> loss;
+  ByReliability<std::vector<float>> change;
+  ByReliability<std::vector<float>> loss;
 };
 
 /// Returns the peaks from which the tails of a comparison are learnt.

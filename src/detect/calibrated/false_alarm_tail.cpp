@@ -33,7 +33,7 @@ double most_probable_slope(double count, double sum, const UsualSlope& usual, do
 // Equation 23 of docs/math.md.
 double FalseAlarmTail::log10_expected_above(double height) const {
   const double excess = std::max(height, onset) - onset;
-  return std::log10(places_) - peaks_ * std::log1p(slope_ * excess / peaks_) / M_LN10;
+  return std::log10(count_) - peaks_ * std::log1p(slope_ * excess / peaks_) / M_LN10;
 }
 
 double FalseAlarmTail::expected_above(double height) const {
@@ -42,7 +42,7 @@ double FalseAlarmTail::expected_above(double height) const {
 
 // Equation 26 of docs/math.md.
 double FalseAlarmTail::height_of(double expected) const {
-  const double fallen = std::max(0.0, std::log(places_ / expected));
+  const double fallen = std::max(0.0, std::log(count_ / expected));
   return onset + std::expm1(fallen / peaks_) * peaks_ / slope_;
 }
 

@@ -14,10 +14,10 @@ class FalseAlarmTail {
  public:
   static constexpr double onset = 3.0;  ///< in deviations; a higher one would leave few peaks to learn from
 
-  /// @param places expected number of peaks above the onset
+  /// @param count  expected number of peaks above the onset
   /// @param slope  rate of the exponential decrease, per deviation
   /// @param peaks  number of peaks from which the slope was learnt
-  FalseAlarmTail(double places, double slope, double peaks) : places_(places), slope_(slope), peaks_(peaks) {}
+  FalseAlarmTail(double count, double slope, double peaks) : count_(count), slope_(slope), peaks_(peaks) {}
 
   /// Expected number of peaks above `height`; below `onset`, the number at it.
   [[nodiscard]] double expected_above(double height) const;
@@ -27,7 +27,7 @@ class FalseAlarmTail {
   [[nodiscard]] double height_of(double expected) const;
 
  private:
-  double places_;
+  double count_;
   double slope_;
   double peaks_;
 };

@@ -19,23 +19,23 @@ constexpr double mm_per_m = 1000.0;
 constexpr std::size_t sampling = 3;  // neighbouring pixels are similar
 
 // The deviations that each pixel of the window must change by. The pooled evidence of w^2 pixels that all
-// change by k deviations is k w, divided by `agreement` for the correlation of neighbours.
+// change by k deviations is k w, divided by `spread` for the correlation of neighbours.
 // Equation 28 of docs/math.md.
 double needed_deviations(const Scale& scale, double threshold) {
-  return (threshold + nine_of_ten_deviations) * scale.evidence.agreement / scale.evidence.window_px;
+  return (threshold + nine_of_ten_deviations) * scale.evidence.spread / scale.evidence.window_px;
 }
 
 }  // namespace
 
 const Scale& finest_reachable(std::span<const Scale> scales) {
   const auto reachable = std::ranges::find_if(scales, [](const Scale& scale) {
-    return needed_deviations(scale, scale.thresholds.sure) <= most_deviations;
+    return needed_deviations(scale, scale.thresholds.reliable) <= most_deviations;
   });
   return reachable == scales.end() ? scales.back() : *reachable;
 }
 
 // Equation 29 of docs/math.md.
-Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
+Image<float> level_of_detection_mm(const Mask& unreliable, const Image<float>& deviation_px,
                                    const Image<float>& depth_m, const Scale& scale, double disparity_m_px) {
   Image<float> level_mm(depth_m.width(), depth_m.height(), unknown);
   // No height can compensate for evidence that a pixel cannot provide, so the level is unknown there.
@@ -44,15 +44,15 @@ Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& devia
     return deviations > most_deviations ? unknown
                                         : static_cast<float>(mm_per_m * deviations / disparity_m_px);
   };
-  const float sure_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.sure);
-  const float unsure_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.unsure);
+  const float reliable_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.reliable);
+  const float unreliable_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.unreliable);
   Image<float> around_px(depth_m.width(), depth_m.height());
   cv::Mat around = as_mat(around_px);
   cv::blur(as_mat(deviation_px), around, cv::Size(scale.evidence.window_px, scale.evidence.window_px));
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
     if (scale.evidence.pooled[i] == 0) continue;
     // An object is judged together with the pixels around it, which may be noisier.
-    const float scaled = unsure[i] != 0 ? unsure_mm_per_px_at_1m : sure_mm_per_px_at_1m;
+    const float scaled = unreliable[i] != 0 ? unreliable_mm_per_px_at_1m : reliable_mm_per_px_at_1m;
     level_mm[i] = scaled * std::max(deviation_px[i], around_px[i]) * depth_m[i] * depth_m[i];
   }
   return level_mm;

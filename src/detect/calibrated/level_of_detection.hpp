@@ -27,12 +27,12 @@ inline constexpr double nine_of_ten_deviations = 1.2816;
 /// like this one, millimetres along z; NaN where nothing could be judged. The object is assumed to appear in
 /// the depth image as wide as the window of the scale. A matcher with windows of its own shows hardly
 /// anything smaller than its window, and some smaller objects not at all (docs/calibrated.md).
-/// @param unsure         as returned by unsure_places()
+/// @param unreliable         as returned by unreliable_pixels()
 /// @param deviation_px   standard deviation of the disparity change of an unchanged pixel; 0 where not judged
 /// @param depth_m        depth after, metres; 0 where not measured
 /// @param disparity_m_px focal length times baseline: the product of a disparity in pixels and the depth
 ///                       in metres
-[[nodiscard]] Image<float> level_of_detection_mm(const Mask& unsure, const Image<float>& deviation_px,
+[[nodiscard]] Image<float> level_of_detection_mm(const Mask& unreliable, const Image<float>& deviation_px,
                                                  const Image<float>& depth_m, const Scale& scale,
                                                  double disparity_m_px);
 
@@ -49,7 +49,7 @@ struct DetectionLevelSummary {
   int window_px = 0;      ///< width in the image of the objects to which the levels apply
   double drift_px = 0.0;  ///< drift subtracted from the disparities, in the middle of the image
   double fixed_px = 0.0;  ///< noise of a pixel that does not decrease with the number of frames
-  /// Number of independent frames, see NoiseByPlace; empty if it could not be estimated.
+  /// Number of independent frames, see NoiseByClass; empty if it could not be estimated.
   std::optional<double> effective_frames;
   std::vector<DetectionLevels> by_distance;  ///< classes of 0.2 m that contain pixels, near to far
 };

@@ -13,11 +13,11 @@ namespace rva {
 /// than half of the mean evidence of the window with the most evidence.
 class Outlines {
  public:
-  /// @param unsure     as returned by unsure_places(); must outlive this object
-  /// @param looks      number of tails among which the false findings are divided, over all scales
+  /// @param unreliable     as returned by unreliable_pixels(); must outlive this object
+  /// @param tests      number of tails among which the false findings are divided, over all scales
   /// @param comparison its `changed`, `farther` and `evidence` (-log10 of the expected number of false
   ///                   findings as strong) are filled in; must outlive this object
-  Outlines(const Mask& unsure, double looks, Comparison& comparison);
+  Outlines(const Mask& unreliable, double tests, Comparison& comparison);
 
   /// @param evidence evidence of single pixels, which the scale pooled
   void add(const Scale& scale, const Image<float>& evidence);
@@ -25,8 +25,8 @@ class Outlines {
  private:
   void add(const Scale& scale, const Image<float>& evidence, float sign);
 
-  const Mask& unsure_;
-  double log10_looks_;
+  const Mask& unreliable_;
+  double log10_tests_;
   Comparison& comparison_;
   std::array<Mask, 2> outlined_;  // pixels that a scale has marked already: nearer, farther
 };

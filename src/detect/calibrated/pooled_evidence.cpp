@@ -52,7 +52,7 @@ class Sums {
 };
 
 // Equation 16 of docs/math.md.
-double agreement_of(const Sums& sums, const Mask& pooled) {
+double spread_of(const Sums& sums, const Mask& pooled) {
   std::vector<float> sizes;
   for (std::size_t i = 0; i < pooled.size(); i += sampling) {
     if (pooled[i] != 0) sizes.push_back(std::abs(sums.deviations(i)));
@@ -65,15 +65,15 @@ double agreement_of(const Sums& sums, const Mask& pooled) {
 
 // Equation 15 of docs/math.md.
 PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px,
-                    std::optional<double> agreement) {
+                    std::optional<double> spread) {
   PooledEvidence result{window_px, Image<float>(evidence.width(), evidence.height()),
                         Mask(evidence.width(), evidence.height()), 1.0};
   const Sums sums(evidence, judged, window_px);
   const int least = (window_px * window_px + 1) / 2;
   for (std::size_t i = 0; i < judged.size(); ++i)
     result.pooled[i] = sums.pixels(i) >= least ? judged[i] : std::uint8_t{0};
-  result.agreement = agreement ? *agreement : agreement_of(sums, result.pooled);
-  const auto scale = static_cast<float>(1.0 / result.agreement);
+  result.spread = spread ? *spread : spread_of(sums, result.pooled);
+  const auto scale = static_cast<float>(1.0 / result.spread);
   for (std::size_t i = 0; i < judged.size(); ++i)
     result.deviations[i] = result.pooled[i] != 0 ? scale * sums.deviations(i) : 0.0F;
   return result;

@@ -15,14 +15,14 @@ struct PooledEvidence {
   Mask pooled;              ///< set where the pixel itself and at least half of the window were judged
   /// Ratio of the deviation of the pooled evidence to that of as many independent pixels: it grows with the
   /// correlation of neighbouring pixels.
-  double agreement = 1.0;
+  double spread = 1.0;
 };
 
 /// Pools evidence over square windows.
 /// @param evidence  evidence of single pixels, with variance 1 and expectation 0 where nothing changed, -31
 ///                  to 31; 0 where not judged
-/// @param agreement see PooledEvidence; learnt from the image if it is not given
+/// @param spread see PooledEvidence; learnt from the image if it is not given
 [[nodiscard]] PooledEvidence pool(const Image<float>& evidence, const Mask& judged, int window_px,
-                                  std::optional<double> agreement = {});
+                                  std::optional<double> spread = {});
 
 }  // namespace rva

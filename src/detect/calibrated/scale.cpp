@@ -9,12 +9,12 @@
 namespace rva {
 namespace {
 
-struct Place {
+struct Pixel {
   int u = 0;
   int v = 0;
 };
 
-bool is_highest_around(const PooledEvidence& evidence, Place peak, float sign) {
+bool is_highest_around(const PooledEvidence& evidence, Pixel peak, float sign) {
   const Image<float>& deviations = evidence.deviations;
   const float height = sign * deviations(peak.u, peak.v);
   const int left = std::max(peak.u - evidence.window_px, 0);
@@ -30,8 +30,8 @@ bool is_highest_around(const PooledEvidence& evidence, Place peak, float sign) {
 }
 
 // Returns the pixels of most positive and most negative evidence in a block.
-std::array<Place, 2> extremes_of_block(const Image<float>& deviations, Place corner, int block_px) {
-  std::array<Place, 2> extremes{corner, corner};
+std::array<Pixel, 2> extremes_of_block(const Image<float>& deviations, Pixel corner, int block_px) {
+  std::array<Pixel, 2> extremes{corner, corner};
   float most = deviations(corner.u, corner.v);
   float least = most;
   for (int v = corner.v; v < std::min(corner.v + block_px, deviations.height()); ++v) {
@@ -53,10 +53,11 @@ std::array<Place, 2> extremes_of_block(const Image<float>& deviations, Place cor
 // since a peak exceeds all pixels within that distance.
 class Peaks {
  public:
-  Peaks(const PooledEvidence& evidence, const Mask& unsure) : evidence_(evidence), unsure_(unsure) {
+  Peaks(const PooledEvidence& evidence, const Mask& unreliable)
+      : evidence_(evidence), unreliable_(unreliable) {
     const int block_px = evidence.window_px;
-    for (int v = 0; v < unsure.height(); v += block_px) {
-      for (int u = 0; u < unsure.width(); u += block_px) {
+    for (int v = 0; v < unreliable.height(); v += block_px) {
+      for (int u = 0; u < unreliable.width(); u += block_px) {
         const auto [most, least] = extremes_of_block(evidence.deviations, {u, v}, block_px);
         add(most, 1.0F);
         add(least, -1.0F);
@@ -64,35 +65,35 @@ class Peaks {
     }
   }
 
-  [[nodiscard]] const ByPlace<std::vector<float>>& heights() const { return heights_; }
+  [[nodiscard]] const ByReliability<std::vector<float>>& heights() const { return heights_; }
 
  private:
-  void add(Place peak, float sign) {
+  void add(Pixel peak, float sign) {
     const float height = sign * evidence_.deviations(peak.u, peak.v);
     if (height <= static_cast<float>(FalseAlarmTail::onset)) return;
     if (!is_highest_around(evidence_, peak, sign)) return;
-    (unsure_(peak.u, peak.v) != 0 ? heights_.unsure : heights_.sure).push_back(height);
+    (unreliable_(peak.u, peak.v) != 0 ? heights_.unreliable : heights_.reliable).push_back(height);
   }
 
   const PooledEvidence& evidence_;
-  const Mask& unsure_;
-  ByPlace<std::vector<float>> heights_;
+  const Mask& unreliable_;
+  ByReliability<std::vector<float>> heights_;
 };
 
 }  // namespace
 
-ByPlace<std::vector<float>> peaks_of(const PooledEvidence& evidence, const Mask& unsure) {
-  return Peaks(evidence, unsure).heights();
+ByReliability<std::vector<float>> peaks_of(const PooledEvidence& evidence, const Mask& unreliable) {
+  return Peaks(evidence, unreliable).heights();
 }
 
-Scale look_at(PooledEvidence evidence, const Mask& unsure, const ByPlace<UsualSlope>& usual_slopes,
-              double false_findings) {
-  const ByPlace<std::vector<float>> peaks = peaks_of(evidence, unsure);
-  const ByPlace<FalseAlarmTail> tails{fit_tail(peaks.sure, usual_slopes.sure),
-                                      fit_tail(peaks.unsure, usual_slopes.unsure)};
+Scale scale_of(PooledEvidence evidence, const Mask& unreliable, const ByReliability<UsualSlope>& usual_slopes,
+               double false_findings) {
+  const ByReliability<std::vector<float>> peaks = peaks_of(evidence, unreliable);
+  const ByReliability<FalseAlarmTail> tails{fit_tail(peaks.reliable, usual_slopes.reliable),
+                                            fit_tail(peaks.unreliable, usual_slopes.unreliable)};
   return {std::move(evidence),
           tails,
-          {tails.sure.height_of(false_findings), tails.unsure.height_of(false_findings)}};
+          {tails.reliable.height_of(false_findings), tails.unreliable.height_of(false_findings)}};
 }
 
 }  // namespace rva

@@ -5,26 +5,27 @@
 
 #include "detect/calibrated/false_alarm_tail.hpp"
 #include "detect/calibrated/pooled_evidence.hpp"
-#include "detect/calibrated/unsure_places.hpp"
+#include "detect/calibrated/unreliable_pixels.hpp"
 
 namespace rva {
 
 struct Scale {
   PooledEvidence evidence;
-  ByPlace<FalseAlarmTail> tails;  ///< expected number of peaks, for either sign
-  ByPlace<double> thresholds;     ///< in deviations of the pooled evidence
+  ByReliability<FalseAlarmTail> tails;  ///< expected number of peaks, for either sign
+  ByReliability<double> thresholds;     ///< in deviations of the pooled evidence
 };
 
 /// Heights of the peaks above the onset of a tail, of both signs. A peak is a pixel whose evidence no other
 /// of its sign within a distance of one window exceeds.
-[[nodiscard]] ByPlace<std::vector<float>> peaks_of(const PooledEvidence& evidence, const Mask& unsure);
+[[nodiscard]] ByReliability<std::vector<float>> peaks_of(const PooledEvidence& evidence,
+                                                         const Mask& unreliable);
 
 /// Learns the tails of the peaks of unchanged pixels from the image itself, and sets thresholds by them.
-/// @param unsure         as returned by unsure_places()
+/// @param unreliable         as returned by unreliable_pixels()
 /// @param usual_slopes   prior slopes of the tails, for images with few peaks to learn from
 /// @param false_findings expected number of peaks beyond the threshold in an unchanged image, for each sign
 ///                       at reliable and at unreliable pixels
-[[nodiscard]] Scale look_at(PooledEvidence evidence, const Mask& unsure,
-                            const ByPlace<UsualSlope>& usual_slopes, double false_findings);
+[[nodiscard]] Scale scale_of(PooledEvidence evidence, const Mask& unreliable,
+                             const ByReliability<UsualSlope>& usual_slopes, double false_findings);
 
 }  // namespace rva

@@ -59,9 +59,9 @@ std::vector<Part> bracket(const WingBay& bay, Random& random) {
   mesh.append(moved(box({length_m, sheet_m, height_m}), {0, (sheet_m - foot_m) / 2, height_m / 2}));
   mesh.append(rivet_row({-length_m / 2, 0, sheet_m}, {length_m / 2, 0, sheet_m}));
   const double quarter_turns = static_cast<double>(random.bits() % 4U);
-  Transform place(Eigen::Translation3d(somewhere_x_m(bay, random), gap_y_m(bay, random), 0));
-  place.rotate(Eigen::AngleAxisd(quarter_turns * pi / 2, Eigen::Vector3d::UnitZ()));
-  return {part(bay.rib_material, transformed(mesh, place))};
+  Transform pose(Eigen::Translation3d(somewhere_x_m(bay, random), gap_y_m(bay, random), 0));
+  pose.rotate(Eigen::AngleAxisd(quarter_turns * pi / 2, Eigen::Vector3d::UnitZ()));
+  return {part(bay.rib_material, transformed(mesh, pose))};
 }
 
 std::vector<Part> hose(const WingBay& bay, Random& random) {

@@ -41,9 +41,9 @@ std::vector<Column> columns_of(const SceneObject& body) {
   std::vector<Ray> down;
   for (double x = box.min().x() + pitch_m / 2; x < box.max().x(); x += pitch_m) {
     for (double y = box.min().y() + pitch_m / 2; y < box.max().y(); y += pitch_m) {
-      const Eigen::Vector2f place = Eigen::Vector2d(x, y).cast<float>();
-      up.push_back({{place.x(), place.y(), low}, Eigen::Vector3f::UnitZ()});
-      down.push_back({{place.x(), place.y(), high}, -Eigen::Vector3f::UnitZ()});
+      const Eigen::Vector2f at = Eigen::Vector2d(x, y).cast<float>();
+      up.push_back({{at.x(), at.y(), low}, Eigen::Vector3f::UnitZ()});
+      down.push_back({{at.x(), at.y(), high}, -Eigen::Vector3f::UnitZ()});
     }
   }
   const RayCaster caster(

@@ -27,8 +27,8 @@ TriangleMesh rivet_row(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_
   const TriangleMesh rivet = head();
   TriangleMesh row;
   for (int k = 0; k < count; ++k) {
-    const Eigen::Vector3d place = from_m + (to_m - from_m) * ((k + 0.5) / count);
-    row.append(transformed(rivet, Transform(Eigen::Translation3d(place))));
+    const Eigen::Vector3d position = from_m + (to_m - from_m) * ((k + 0.5) / count);
+    row.append(transformed(rivet, Transform(Eigen::Translation3d(position))));
   }
   return row;
 }

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t most_bytes = 1U << 20U;
 
-YamlNode parse_document(const std::string& text, const std::filesystem::path& place) {
-  const std::string name = printable(place);
+YamlNode parse_document(const std::string& text, const std::filesystem::path& source) {
+  const std::string name = printable(source);
   if (text.size() > most_bytes) throw Error(name, "larger than 1 MB, so not a scene file", "check the path");
   if (!is_utf8(text)) throw Error(name, "not UTF-8 text", "check the path, or save it as UTF-8");
   YamlNode document = YamlNode::parse(text, name);
@@ -104,14 +104,14 @@ void require_free_camera(const YamlNode& document, const SceneOverrides& overrid
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::filesystem::path& place,
+Scene parse_scene(const std::string& text, const std::filesystem::path& source,
                   const SceneOverrides& overrides) {
-  const YamlNode document = parse_document(text, place);
+  const YamlNode document = parse_document(text, source);
   Scene scene;
-  scene.name = place.stem().string();
+  scene.name = source.stem().string();
   add_wing(document, overrides, scene);
   if (const auto solids = document.find("solids")) add_solids(*solids, scene);
-  if (const auto meshes = document.find("meshes")) add_meshes(*meshes, place.parent_path(), scene);
+  if (const auto meshes = document.find("meshes")) add_meshes(*meshes, source.parent_path(), scene);
   if (const auto light = document.find("light")) read_light(*light, scene.lighting);
   if (const auto robot = document.find("robot")) read_robot(*robot, scene.stand);
   override_stand(overrides, scene.stand);

@@ -27,9 +27,9 @@ struct SceneOverrides {
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
 /// Parses the text of a scene file.
-/// @param place path of the file, which need not exist: relative paths of meshes start at its folder
+/// @param source path of the file, which need not exist: relative paths of meshes start at its folder
 /// @throws Error as load_scene() does
-[[nodiscard]] Scene parse_scene(const std::string& text, const std::filesystem::path& place,
+[[nodiscard]] Scene parse_scene(const std::string& text, const std::filesystem::path& source,
                                 const SceneOverrides& overrides = {});
 
 }  // namespace rva

@@ -45,7 +45,8 @@ struct RoundHole {
 /// @param holes must not touch each other or the edge
 [[nodiscard]] TriangleMesh plate(const Eigen::Vector3d& size_m, std::span<const RoundHole> holes);
 
-/// A thin sheet such as cloth over a grid of heights, which is its underside; its top is `thickness_m` higher.
+/// A thin sheet such as cloth over a grid of heights, which is its underside; its top is `thickness_m`
+/// higher.
 /// @param heights_m  row by row, `columns` per row, at least 2 x 2
 /// @param pitch_m    distance between neighbours in x and y; the grid is centred on the origin
 [[nodiscard]] TriangleMesh sheet(std::span<const double> heights_m, int columns, double pitch_m,

@@ -65,7 +65,7 @@ TriangleMesh read_mesh(const YamlNode& entry, const std::filesystem::path& folde
   try {
     return load_mesh(folder / file.text(), unit.length_m);
   } catch (const Error& error) {
-    throw file.error(error.place() + " " + error.problem(), error.remedy());
+    throw file.error(error.source() + " " + error.problem(), error.remedy());
   }
 }
 

@@ -48,28 +48,29 @@ class Deaf final : public YAML::EventHandler {
 
 // YAML::Load() would ignore further documents; YAML::LoadAll() never returns if a document begins
 // with a comma.
-void require_one_document(const std::string& text, const std::string& place) {
+void require_one_document(const std::string& text, const std::string& source) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
   Deaf deaf;
-  if (!parser.HandleNextDocument(deaf)) throw Error(place + ":1", "empty", "check the path");
+  if (!parser.HandleNextDocument(deaf)) throw Error(source + ":1", "empty", "check the path");
   if (parser)
-    throw Error(place + ":1", "continues after the end of its YAML document", "keep only the first document");
+    throw Error(source + ":1", "continues after the end of its YAML document",
+                "keep only the first document");
 }
 
-Error syntax_error(const std::string& place, const YAML::Exception& error) {
+Error syntax_error(const std::string& source, const YAML::Exception& error) {
   const int line = error.mark.is_null() ? 1 : error.mark.line + 1;
-  return {fmt::format("{}:{}", place, line), fmt::format("not YAML ({})", error.msg), "correct the file"};
+  return {fmt::format("{}:{}", source, line), fmt::format("not YAML ({})", error.msg), "correct the file"};
 }
 
 }  // namespace
 
-YamlNode YamlNode::parse(const std::string& text, const std::string& place) {
+YamlNode YamlNode::parse(const std::string& text, const std::string& source) {
   try {
-    require_one_document(text, place);
-    return {YAML::Load(text), std::make_shared<const std::string>(place), {}};
+    require_one_document(text, source);
+    return {YAML::Load(text), std::make_shared<const std::string>(source), {}};
   } catch (const YAML::Exception& error) {
-    throw syntax_error(place, error);
+    throw syntax_error(source, error);
   }
 }
 
@@ -80,12 +81,12 @@ YamlNode YamlNode::child(const YAML::Node& node, std::string_view key) const {
   return {node, file_, field_.empty() ? std::string(key) : fmt::format("{}.{}", field_, key)};
 }
 
-std::string YamlNode::place() const {
+std::string YamlNode::source() const {
   return fmt::format("{}:{}", *file_, std::max(node_.Mark().line, 0) + 1);
 }
 
 Error YamlNode::error(std::string_view problem, std::string remedy) const {
-  return {place(), field_.empty() ? std::string(problem) : fmt::format("field {}: {}", field_, problem),
+  return {source(), field_.empty() ? std::string(problem) : fmt::format("field {}: {}", field_, problem),
           std::move(remedy)};
 }
 

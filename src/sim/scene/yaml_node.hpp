@@ -26,12 +26,12 @@ struct NumberRange {
 /// All reading members throw an Error if the value is of another type or out of range.
 class YamlNode {
  public:
-  /// @param place printable path of the file, for messages
+  /// @param source printable path of the file, for messages
   /// @throws Error naming the line if the text is not YAML, or not exactly one document
-  [[nodiscard]] static YamlNode parse(const std::string& text, const std::string& place);
+  [[nodiscard]] static YamlNode parse(const std::string& text, const std::string& source);
 
   /// Position of the value for a message: "file:line".
-  [[nodiscard]] std::string place() const;
+  [[nodiscard]] std::string source() const;
   [[nodiscard]] Error error(std::string_view problem, std::string remedy = "correct the file") const;
 
   // Maps.

@@ -199,7 +199,7 @@ InfraredPair InfraredRenderer::render(const Transform& world_from_camera, const 
           render_eye(right, world_from_camera, supersampling, light)};
 }
 
-TrueView InfraredRenderer::look(const Transform& world_from_camera) const {
+TrueView InfraredRenderer::true_view(const Transform& world_from_camera) const {
   const int width = rig_.imager.width;
   TrueView view{Image<float>(width, rig_.imager.height), Image<std::uint16_t>(width, rig_.imager.height)};
   const Eigen::Vector3f origin = world_from_camera.translation().cast<float>();

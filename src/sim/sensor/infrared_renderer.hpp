@@ -42,7 +42,7 @@ class InfraredRenderer {
   [[nodiscard]] InfraredPair render(const Transform& world_from_camera, const Misalignment& misalignment,
                                     int supersampling, Light light = Light::projector) const;
 
-  [[nodiscard]] TrueView look(const Transform& world_from_camera) const;
+  [[nodiscard]] TrueView true_view(const Transform& world_from_camera) const;
 
  private:
   struct Eye;

@@ -25,7 +25,7 @@ double variance(const PooledEvidence& pooled) {
 TEST(PooledEvidence, OfIndependentPixelsHasVarianceOne) {
   const PooledEvidence pooled = pool(white(400, 300, 1), Mask(400, 300, mask_set), 9);
   EXPECT_NEAR(variance(pooled), 1.0, 0.1);
-  EXPECT_NEAR(pooled.agreement, 1.0, 0.06);
+  EXPECT_NEAR(pooled.spread, 1.0, 0.06);
 }
 
 TEST(PooledEvidence, OfNeighboursThatAgreeHasItToo) {
@@ -35,7 +35,7 @@ TEST(PooledEvidence, OfNeighboursThatAgreeHasItToo) {
   }
   const PooledEvidence pooled = pool(evidence, Mask(400, 300, mask_set), 9);
   EXPECT_NEAR(variance(pooled), 1.0, 0.15);
-  EXPECT_NEAR(pooled.agreement, 4.0, 0.6) << "16 pixels that agree count once";
+  EXPECT_NEAR(pooled.spread, 4.0, 0.6) << "16 pixels that agree count once";
 }
 
 TEST(PooledEvidence, IsOddInItsEvidence) {
@@ -59,13 +59,13 @@ TEST(PooledEvidence, NeedsHalfOfItsWindow) {
   EXPECT_EQ(pooled.deviations(50, 0), 0.0F);
 }
 
-TEST(PooledEvidence, TakesAgreementThatIsKnown) {
+TEST(PooledEvidence, TakesASpreadThatIsKnown) {
   Image<float> evidence(100, 80);
   for (int v = 20; v < 29; ++v) {
     for (int u = 30; u < 39; ++u) evidence(u, v) = 1.0F;
   }
   const PooledEvidence pooled = pool(evidence, Mask(100, 80, mask_set), 9, 0.3);
-  EXPECT_EQ(pooled.agreement, 0.3);
+  EXPECT_EQ(pooled.spread, 0.3);
   EXPECT_FLOAT_EQ(pooled.deviations(34, 24), 30.0F) << "81 / sqrt(81) / 0.3";
 }
 

@@ -105,7 +105,7 @@ TEST(InfraredRenderer, MoreRaysAreTheSameLight) {
 
 TrueView looked(const Scene& scene) {
   const RayCaster rays(scene);
-  return InfraredRenderer(scene, rays, {}).look(Transform::Identity());
+  return InfraredRenderer(scene, rays, {}).true_view(Transform::Identity());
 }
 
 TEST(TrueView, DepthOfATiltedPlaneIsThePlane) {
@@ -146,9 +146,9 @@ TEST(TrueView, MovesWithTheCamera) {
   const RayCaster rays(scene);
   const InfraredRenderer renderer(scene, rays, {});
   const Transform nearer(Eigen::Translation3d(0.2, -0.1, 0.6));
-  EXPECT_NEAR(renderer.look(nearer).depth_m(100, 50), 0.4F, 1e-5F);
+  EXPECT_NEAR(renderer.true_view(nearer).depth_m(100, 50), 0.4F, 1e-5F);
   const Transform turned(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY()));
-  EXPECT_EQ(renderer.look(turned).labels(424, 240), 0);
+  EXPECT_EQ(renderer.true_view(turned).labels(424, 240), 0);
 }
 
 }  // namespace

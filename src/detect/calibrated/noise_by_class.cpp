@@ -1,4 +1,4 @@
-#include "detect/calibrated/noise_by_place.hpp"
+#include "detect/calibrated/noise_by_class.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,18 +40,18 @@ int level_of(float value, const Edges& edges) {
   return level;
 }
 
-Image<std::uint8_t> classes_of(const DisparityChange& change, const Mask& unsure) {
+Image<std::uint8_t> classes_of(const DisparityChange& change, const Mask& unreliable) {
   const Edges edges = edges_of(change.deviation_px, change.judged);
   Image<std::uint8_t> classes(change.judged.width(), change.judged.height());
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const int place = 2 * level_of(change.deviation_px[i], edges) + (unsure[i] != 0 ? 1 : 0);
-    classes[i] = static_cast<std::uint8_t>(place);
+    const int noise_class = 2 * level_of(change.deviation_px[i], edges) + (unreliable[i] != 0 ? 1 : 0);
+    classes[i] = static_cast<std::uint8_t>(noise_class);
   }
   return classes;
 }
 
 /// One class of pixels.
-struct Place {
+struct NoiseClass {
   std::vector<float> sizes_px;  // absolute changes about the drift
   double time_variance_px2 = 0.0;
   double variance_px2 = 0.0;
@@ -60,19 +60,19 @@ struct Place {
 // Fits variance = fixed^2 + deviation over time^2 / frames by least squares, with each class weighted by its
 // number of pixels.
 // Equation 10 of docs/math.md.
-void explain(const std::vector<Place>& places, NoiseByPlace& noise) {
+void explain(const std::vector<NoiseClass>& noise_classes, NoiseByClass& noise) {
   double n = 0.0;
   double x = 0.0;
   double y = 0.0;
   double xx = 0.0;
   double xy = 0.0;
-  for (const Place& place : places) {
-    const auto weight = static_cast<double>(place.sizes_px.size());
+  for (const NoiseClass& noise_class : noise_classes) {
+    const auto weight = static_cast<double>(noise_class.sizes_px.size());
     n += weight;
-    x += weight * place.time_variance_px2;
-    y += weight * place.variance_px2;
-    xx += weight * place.time_variance_px2 * place.time_variance_px2;
-    xy += weight * place.time_variance_px2 * place.variance_px2;
+    x += weight * noise_class.time_variance_px2;
+    y += weight * noise_class.variance_px2;
+    xx += weight * noise_class.time_variance_px2 * noise_class.time_variance_px2;
+    xy += weight * noise_class.time_variance_px2 * noise_class.variance_px2;
   }
   if (n <= 0.0) return;
   const double spread = xx - x * x / n;
@@ -90,14 +90,14 @@ double variance_of(std::vector<float>& sizes_px) {
 
 /// Fills the classes, and returns the absolute changes of all of them together.
 std::vector<float> gather(const DisparityChange& change, const Image<float>& drift_px,
-                          const Image<std::uint8_t>& classes, std::vector<Place>& places) {
+                          const Image<std::uint8_t>& classes, std::vector<NoiseClass>& noise_classes) {
   std::vector<float> all;
   for (std::size_t i = 0; i < change.judged.size(); i += sampling) {
     if (change.judged[i] == 0) continue;
     const float size_px = std::abs(change.change_px(i) - drift_px[i]);
-    Place& place = places[classes[i]];
-    place.sizes_px.push_back(size_px);
-    place.time_variance_px2 += static_cast<double>(change.deviation_px[i]) * change.deviation_px[i];
+    NoiseClass& noise_class = noise_classes[classes[i]];
+    noise_class.sizes_px.push_back(size_px);
+    noise_class.time_variance_px2 += static_cast<double>(change.deviation_px[i]) * change.deviation_px[i];
     all.push_back(size_px);
   }
   return all;
@@ -106,25 +106,26 @@ std::vector<float> gather(const DisparityChange& change, const Image<float>& dri
 }  // namespace
 
 // Equations 3, 8 and 9 of docs/math.md.
-NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure, const Image<float>& drift_px,
-                            const Image<float>& drift_variance_px2, double disparity_by_depth) {
-  NoiseByPlace noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};
-  const Image<std::uint8_t> classes = classes_of(change, unsure);
-  std::vector<Place> places(class_count);
-  std::vector<float> all = gather(change, drift_px, classes, places);
+NoiseByClass noise_by_class(const DisparityChange& change, const Mask& unreliable,
+                            const Image<float>& drift_px, const Image<float>& drift_variance_px2,
+                            double disparity_by_depth) {
+  NoiseByClass noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};
+  const Image<std::uint8_t> classes = classes_of(change, unreliable);
+  std::vector<NoiseClass> noise_classes(class_count);
+  std::vector<float> all = gather(change, drift_px, classes, noise_classes);
   const double whole_px2 = variance_of(all);
   std::array<float, class_count> variances_px2{};
   std::array<float, class_count> time_variances_px2{};
   for (std::size_t k = 0; k < variances_px2.size(); ++k) {
-    Place& place = places[k];
-    const auto count = static_cast<double>(place.sizes_px.size());
-    place.variance_px2 = variance_of(place.sizes_px);
-    if (count > 0.0) place.time_variance_px2 /= count;
+    NoiseClass& noise_class = noise_classes[k];
+    const auto count = static_cast<double>(noise_class.sizes_px.size());
+    noise_class.variance_px2 = variance_of(noise_class.sizes_px);
+    if (count > 0.0) noise_class.time_variance_px2 /= count;
     variances_px2[k] =
-        static_cast<float>((count * place.variance_px2 + lean_px * whole_px2) / (count + lean_px));
-    time_variances_px2[k] = static_cast<float>(place.time_variance_px2);
+        static_cast<float>((count * noise_class.variance_px2 + lean_px * whole_px2) / (count + lean_px));
+    time_variances_px2[k] = static_cast<float>(noise_class.time_variance_px2);
   }
-  explain(places, noise);
+  explain(noise_classes, noise);
   // Variance of a uniform distribution one depth unit wide; a unit is d^2 / disparity_by_depth in disparity.
   const auto rounding = static_cast<float>(1.0 / (12.0 * disparity_by_depth * disparity_by_depth));
   const auto fourth = [](float number) { return number * number * number * number; };

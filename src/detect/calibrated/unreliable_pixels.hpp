@@ -7,13 +7,16 @@
 
 namespace rva {
 
-/// A quantity that differs between pixels where the matcher is reliable (`sure`) and unreliable (`unsure`).
+/// A quantity that differs between pixels where the matcher is reliable (`reliable`) and unreliable
+/// (`unreliable`).
 template <typename Of>
-struct ByPlace {
-  Of sure;
-  Of unsure;
+struct ByReliability {
+  Of reliable;
+  Of unreliable;
 
-  [[nodiscard]] const Of& at(std::uint8_t is_unsure) const { return is_unsure != 0 ? unsure : sure; }
+  [[nodiscard]] const Of& at(std::uint8_t is_unreliable) const {
+    return is_unreliable != 0 ? unreliable : reliable;
+  }
 };
 
 /// Returns a mask that is set where the matcher is unreliable: where the mean variance of disparity over time
@@ -22,6 +25,6 @@ struct ByPlace {
 /// highlights, a match that stays the same throughout one capture may be another in the next, so a change of
 /// the same size is less likely to be a real one. Holes that debris causes are in one capture only, and do
 /// not make a pixel unreliable.
-[[nodiscard]] Mask unsure_places(const DisparityChange& change);
+[[nodiscard]] Mask unreliable_pixels(const DisparityChange& change);
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-#include "cloud/agreement.hpp"
+#include "cloud/normal_equations.hpp"
 
 #include <algorithm>
 
@@ -107,7 +107,7 @@ Residuals initial_on_final(const SampleBlock& block, const PlanarPatches& final,
 }
 
 // Equation 37 of docs/math.md.
-void add(const Residuals& residuals, float reach_px, Agreement& sum) {
+void add(const Residuals& residuals, float reach_px, NormalEquations& sum) {
   const Numbers weight = residuals.compared * (1.0F - (residuals.px / reach_px).square()).max(0.0F).square();
   sum.compared += static_cast<double>(residuals.compared.sum());
   sum.agreeing += static_cast<double>(weight.sum());
@@ -134,15 +134,15 @@ ViewPair::ViewPair(const PlanarPatches& initial_patches, const PlanarPatches& fi
       final_blocks(blocks_of(final_samples)) {}
 
 // Equation 38 of docs/math.md.
-double Agreement::score() const {
+double NormalEquations::score() const {
   // A pose that is off by the pitch of the stringers fits almost as well as the true one, but places
   // stringers in space that the other view saw through.
   constexpr double against = 3.0;
   return (agreeing - against * in_front) / std::max(1.0, samples);
 }
 
-Agreement agreement(const ViewPair& views, const Alignment& alignment, double reach_px) {
-  Agreement sum;
+NormalEquations normal_equations(const ViewPair& views, const Alignment& alignment, double reach_px) {
+  NormalEquations sum;
   sum.samples = static_cast<double>(views.initial_samples.size() + views.final_samples.size());
   const auto reach = static_cast<float>(reach_px);
   for (const SampleBlock& block : views.final_blocks)

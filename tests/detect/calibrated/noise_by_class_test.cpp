@@ -1,4 +1,4 @@
-#include "detect/calibrated/noise_by_place.hpp"
+#include "detect/calibrated/noise_by_class.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double disparity_by_depth = test::disparity_m_px / test::unit_m;
 
-double median_px(const NoiseByPlace& noise, int first_column, int end_column) {
+double median_px(const NoiseByClass& noise, int first_column, int end_column) {
   std::vector<float> values;
   for (int v = 20; v < 220; ++v) {
     for (int u = first_column; u < end_column; ++u) values.push_back(noise.deviation_px(u, v));
@@ -20,21 +20,21 @@ double median_px(const NoiseByPlace& noise, int first_column, int end_column) {
   return static_cast<double>(quantile(values, 0.5));
 }
 
-NoiseByPlace noise_of(const DepthStatistics& before, const DepthStatistics& after) {
+NoiseByClass noise_of(const DepthStatistics& before, const DepthStatistics& after) {
   const Image<float> none(before.width(), before.height());
-  return noise_by_place(disparity_change(before, after, disparity_by_depth),
+  return noise_by_class(disparity_change(before, after, disparity_by_depth),
                         Mask(before.width(), before.height()), none, none, disparity_by_depth);
 }
 
-TEST(NoiseByPlace, IsThatOfTheDifferenceOfMeans) {
+TEST(NoiseByClass, IsThatOfTheDifferenceOfMeans) {
   test::NoisyCapture capture;
   capture.frames = 16;
   capture.noise_px = 0.08;
-  const NoiseByPlace noise = noise_of(capture.take(1), capture.take(2));
+  const NoiseByClass noise = noise_of(capture.take(1), capture.take(2));
   EXPECT_NEAR(median_px(noise, 20, 400), 0.08 * std::sqrt(2.0 / 16.0), 0.002);
 }
 
-TEST(NoiseByPlace, FramesOfWhiteNoiseAreAllIndependent) {
+TEST(NoiseByClass, FramesOfWhiteNoiseAreAllIndependent) {
   test::NoisyCapture capture;
   capture.frames = 16;
   // Places differ in noise, as real ones do: else there is no line to draw.
@@ -54,41 +54,41 @@ TEST(NoiseByPlace, FramesOfWhiteNoiseAreAllIndependent) {
     }
     return statistics;
   };
-  const NoiseByPlace noise = noise_of(patched(1), patched(2));
+  const NoiseByClass noise = noise_of(patched(1), patched(2));
   ASSERT_TRUE(noise.effective_frames);
   EXPECT_NEAR(*noise.effective_frames, 16.0, 2.0);
   EXPECT_LT(noise.fixed_px, 0.02);
   EXPECT_GT(median_px(noise, 250, 400), 2.0 * median_px(noise, 20, 180));
 }
 
-TEST(NoiseByPlace, ChangesInTheMinorityDoNotRaiseIt) {
+TEST(NoiseByClass, ChangesInTheMinorityDoNotRaiseIt) {
   test::NoisyCapture capture;
   const DepthStatistics before = capture.take(1);
   capture.disparity_px = [](int u, int /*v*/) { return u < 80 ? 28.0 : 25.0; };
-  const NoiseByPlace noise = noise_of(before, capture.take(2));
+  const NoiseByClass noise = noise_of(before, capture.take(2));
   EXPECT_LT(median_px(noise, 120, 400), 1.4 * 0.05 * std::sqrt(2.0 / 10.0));
 }
 
-TEST(NoiseByPlace, UnsurePlacesHaveANoiseOfTheirOwn) {
+TEST(NoiseByClass, UnreliablePixelsHaveANoiseOfTheirOwn) {
   test::NoisyCapture capture;
   const DisparityChange still = disparity_change(capture.take(1), capture.take(2), disparity_by_depth);
   DisparityChange change = still;
-  Mask unsure(capture.width, capture.height);
+  Mask unreliable(capture.width, capture.height);
   for (int v = 0; v < capture.height; ++v) {
     for (int u = 0; u < 100; ++u) {
-      unsure(u, v) = mask_set;
+      unreliable(u, v) = mask_set;
       change.after_px(u, v) = still.before_px(u, v) + 4.0F * (still.after_px(u, v) - still.before_px(u, v));
     }
   }
   const Image<float> none(capture.width, capture.height);
-  const NoiseByPlace noise = noise_by_place(change, unsure, none, none, disparity_by_depth);
+  const NoiseByClass noise = noise_by_class(change, unreliable, none, none, disparity_by_depth);
   EXPECT_NEAR(median_px(noise, 20, 90) / median_px(noise, 120, 400), 4.0, 0.8);
 }
 
-TEST(NoiseByPlace, RoundingOfDepthIsNoise) {
+TEST(NoiseByClass, RoundingOfDepthIsNoise) {
   test::NoisyCapture capture;
   capture.noise_px = 0.0;
-  const NoiseByPlace noise = noise_of(capture.take(1), capture.take(2));
+  const NoiseByClass noise = noise_of(capture.take(1), capture.take(2));
   // 0.1 mm at 0.85 m is 0.0029 px, of which a uniform distribution has 1 / sqrt(12) on either side.
   EXPECT_NEAR(median_px(noise, 20, 400), 0.00294 / std::sqrt(6.0), 0.0001);
 }

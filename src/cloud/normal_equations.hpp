@@ -32,7 +32,7 @@ struct ViewPair {
 };
 
 /// Sums over the samples of either view, compared with the planes of the other.
-struct Agreement {
+struct NormalEquations {
   AlignmentInformation information = AlignmentInformation::Zero();  ///< of weighted residuals
   AlignmentStep gradient = AlignmentStep::Zero();                   ///< of half the weighted squares
   double samples = 0.0;
@@ -48,6 +48,7 @@ struct Agreement {
 
 /// Sums final_on_initial() and initial_on_final() over all samples, in single precision.
 /// @param reach_px residuals of this size and above have a weight of 0
-[[nodiscard]] Agreement agreement(const ViewPair& views, const Alignment& alignment, double reach_px);
+[[nodiscard]] NormalEquations normal_equations(const ViewPair& views, const Alignment& alignment,
+                                               double reach_px);
 
 }  // namespace rva

@@ -1,4 +1,4 @@
-#include "detect/calibrated/unsure_places.hpp"
+#include "detect/calibrated/unreliable_pixels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,45 +17,45 @@ test::NoisyCapture with_hole(test::NoisyCapture capture) {
 }
 
 Mask unsure_of(const DepthStatistics& before, const DepthStatistics& after) {
-  return unsure_places(disparity_change(before, after, disparity_by_depth));
+  return unreliable_pixels(disparity_change(before, after, disparity_by_depth));
 }
 
 double share_set(const Mask& mask) {
   return static_cast<double>(std::ranges::count(mask.pixels(), mask_set)) / static_cast<double>(mask.size());
 }
 
-TEST(UnsurePlaces, LieAroundHoles) {
+TEST(UnreliablePixels, LieAroundHoles) {
   const test::NoisyCapture capture = with_hole({});
-  const Mask unsure = unsure_of(capture.take(1), capture.take(2));
-  EXPECT_EQ(unsure(205, 105), mask_set);
-  EXPECT_EQ(unsure(195, 105), mask_set);
-  EXPECT_EQ(unsure(185, 105), 0);
+  const Mask unreliable = unsure_of(capture.take(1), capture.take(2));
+  EXPECT_EQ(unreliable(205, 105), mask_set);
+  EXPECT_EQ(unreliable(195, 105), mask_set);
+  EXPECT_EQ(unreliable(185, 105), 0);
 }
 
-TEST(UnsurePlaces, DoNotLieAroundHolesThatDebrisMade) {
+TEST(UnreliablePixels, DoNotLieAroundHolesThatDebrisMade) {
   const test::NoisyCapture clean;
-  const Mask unsure = unsure_of(clean.take(1), with_hole(clean).take(2));
-  EXPECT_EQ(unsure(195, 105), 0);
+  const Mask unreliable = unsure_of(clean.take(1), with_hole(clean).take(2));
+  EXPECT_EQ(unreliable(195, 105), 0);
   EXPECT_EQ(unsure_of(with_hole(clean).take(1), clean.take(2))(195, 105), 0) << "nor once it is gone";
 }
 
-TEST(UnsurePlaces, VaryMoreThanOthers) {
+TEST(UnreliablePixels, VaryMoreThanOthers) {
   test::NoisyCapture capture;
   capture.disparity_px = [flicker = 0](int u, int /*v*/) mutable {
     return u < 60 ? 25.0 + 0.3 * (flicker++ / (60 * 240) % 2) : 25.0;  // every other frame
   };
-  const Mask unsure = unsure_of(capture.take(1), capture.take(2));
-  EXPECT_EQ(unsure(30, 120), mask_set);
-  EXPECT_EQ(unsure(100, 120), 0);
-  EXPECT_NEAR(share_set(unsure), 60.0 / 424.0, 0.03);
+  const Mask unreliable = unsure_of(capture.take(1), capture.take(2));
+  EXPECT_EQ(unreliable(30, 120), mask_set);
+  EXPECT_EQ(unreliable(100, 120), 0);
+  EXPECT_NEAR(share_set(unreliable), 60.0 / 424.0, 0.03);
 }
 
-TEST(UnsurePlaces, OfSingleFramesAreThoseAroundHoles) {
+TEST(UnreliablePixels, OfSingleFramesAreThoseAroundHoles) {
   test::NoisyCapture capture = with_hole({});
   capture.frames = 1;
-  const Mask unsure = unsure_of(capture.take(1), capture.take(2));
-  EXPECT_EQ(unsure(195, 105), mask_set);
-  EXPECT_EQ(unsure(100, 105), 0);
+  const Mask unreliable = unsure_of(capture.take(1), capture.take(2));
+  EXPECT_EQ(unreliable(195, 105), mask_set);
+  EXPECT_EQ(unreliable(100, 105), 0);
 }
 
 }  // namespace

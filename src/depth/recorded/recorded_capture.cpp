@@ -76,12 +76,12 @@ class RecordedCapture : public Capture {
   }
 
   [[nodiscard]] ColorImage color(std::size_t i) const override {
-    return read_color(color_.at(i), place("colour", i));
+    return read_color(color_.at(i), source("colour", i));
   }
 
   [[nodiscard]] std::optional<ColorImage> color_of(std::size_t depth_frame) const override {
     const auto& message = color_of_.at(depth_frame);
-    return message ? std::optional(read_color(*message, place("colour of depth", depth_frame)))
+    return message ? std::optional(read_color(*message, source("colour of depth", depth_frame)))
                    : std::nullopt;
   }
 
@@ -91,7 +91,7 @@ class RecordedCapture : public Capture {
     if (stream == streams_.infrared.end()) return std::nullopt;
     const auto& message = infrared_of_.at(imager).at(depth_frame);
     if (!message) return std::nullopt;
-    const std::string where = place("infrared of depth", depth_frame);
+    const std::string where = source("infrared of depth", depth_frame);
     const GrayImage image = gray_of(recording_->image(stream->second, *message, where), where);
     if (image.width() != info().depth.width || image.height() != info().depth.height)
       throw Error(where, "its size differs from that of the depth images", "record it again");
@@ -108,7 +108,7 @@ class RecordedCapture : public Capture {
 
  private:
   [[nodiscard]] DepthImage stored_depth(std::size_t i) const {
-    const std::string where = place("depth", i);
+    const std::string where = source("depth", i);
     const ImageMessage image = recording_->image(streams_.depth, depth_.at(i), where);
     if (image.width != info().depth.width || image.height != info().depth.height) {
       throw Error(where,
@@ -121,8 +121,8 @@ class RecordedCapture : public Capture {
     return rva::depth_of(image, info().depth_unit_m, where);
   }
 
-  [[nodiscard]] std::string place(const char* kind, std::size_t i) const {
-    return fmt::format("{}, {} frame {}", recording_->place(), kind, i);
+  [[nodiscard]] std::string source(const char* kind, std::size_t i) const {
+    return fmt::format("{}, {} frame {}", recording_->source(), kind, i);
   }
 
   [[nodiscard]] ColorImage read_color(const RecordedMessage& message, const std::string& where) const {
@@ -147,7 +147,7 @@ std::unique_ptr<Capture> open_recording(const std::filesystem::path& file, const
                                                               : open_bag_recording(file);
   RecordedStreams streams = find_streams(*recording, options.topic);
   CaptureInfo info = describe(*recording, streams, options.intrinsics);
-  require_possible(info, recording->place());
+  require_possible(info, recording->source());
   const double stated_unit_m = info.depth_unit_m;
   info.no_depth = options.no_depth;
   settle_unit(options, info);

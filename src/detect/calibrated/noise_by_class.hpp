@@ -8,7 +8,7 @@
 
 namespace rva {
 
-struct NoiseByPlace {
+struct NoiseByClass {
   Image<float> deviation_px;  ///< of the change of an unchanged pixel about the drift; 0 where not judged
   /// Averaging over the frames reduces the deviation of a single frame as averaging over this many
   /// independent frames would. Empty if deviation over time explains nothing, as with one frame per side.
@@ -26,10 +26,10 @@ struct NoiseByPlace {
 ///
 /// Effective frames and the fixed part follow from a straight line through the classes: variance = fixed^2 +
 /// deviation over time^2 / frames.
-/// @param unsure               as returned by unsure_places()
+/// @param unreliable               as returned by unreliable_pixels()
 /// @param drift_px, drift_variance_px2 drift and its variance at every pixel
 /// @param disparity_by_depth           as for disparity_change()
-[[nodiscard]] NoiseByPlace noise_by_place(const DisparityChange& change, const Mask& unsure,
+[[nodiscard]] NoiseByClass noise_by_class(const DisparityChange& change, const Mask& unreliable,
                                           const Image<float>& drift_px,
                                           const Image<float>& drift_variance_px2, double disparity_by_depth);
 

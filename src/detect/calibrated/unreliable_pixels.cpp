@@ -1,4 +1,4 @@
-#include "detect/calibrated/unsure_places.hpp"
+#include "detect/calibrated/unreliable_pixels.hpp"
 
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -32,7 +32,7 @@ cv::Mat measured_around(const Image<float>& disparity_px) {
 
 }  // namespace
 
-Mask unsure_places(const DisparityChange& change) {
+Mask unreliable_pixels(const DisparityChange& change) {
   const float steady = steady_px(change);
   Image<float> excess(change.judged.width(), change.judged.height());
   for (std::size_t i = 0; i < excess.size(); ++i) {
@@ -44,12 +44,12 @@ Mask unsure_places(const DisparityChange& change) {
   const cv::Mat before = measured_around(change.before_px);
   const cv::Mat after = measured_around(change.after_px);
   const auto least = static_cast<std::uint8_t>((1.0 - most_missing) * mask_set);
-  Mask unsure(excess.width(), excess.height());
-  for (std::size_t i = 0; i < unsure.size(); ++i) {
+  Mask unreliable(excess.width(), excess.height());
+  for (std::size_t i = 0; i < unreliable.size(); ++i) {
     const bool missing = before.data[i] < least && after.data[i] < least;
-    unsure[i] = missing || excess[i] > 0.0F ? mask_set : std::uint8_t{0};
+    unreliable[i] = missing || excess[i] > 0.0F ? mask_set : std::uint8_t{0};
   }
-  return unsure;
+  return unreliable;
 }
 
 }  // namespace rva
