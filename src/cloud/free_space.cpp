@@ -87,6 +87,17 @@ float lesser(float a, float b) {
   return std::abs(a) < std::abs(b) ? a : b;
 }
 
+// The change of disparity in the final camera, `to`, that has the same depth as `change_px` has in the initial
+// camera, `from`. Without this, heights would be off by the square of the ratio of both distances.
+// Section 7 of docs/math.md.
+float carried_over(float change_px, float from_px, const DepthView& from, float to_px, const DepthView& to) {
+  const float farther_m =
+      static_cast<float>(from.disparity_m_px) * (1.0F / (from_px - change_px) - 1.0F / from_px);
+  constexpr float least = 1e-3F;  // behind the final camera, there is no disparity
+  const float by_to_px = std::max(1.0F / to_px + farther_m / static_cast<float>(to.disparity_m_px), least);
+  return to_px - 1.0F / by_to_px;
+}
+
 // Subtracts the offset, as if the initial camera had been as warm as the final one.
 DepthView without_offset(DepthView view, float offset_px) {
   for (float& disparity_px : view.disparity_px.pixels()) {
@@ -121,8 +132,8 @@ class FreeSpace {
   }
 
  private:
-  // Compares the final point with the surface along the ray of the initial camera through it. Positive
-  // in front.
+  // Compares the final point with the surface along the ray of the initial camera through it, in disparity of
+  // the final camera. Positive in front.
   // Equation 42 of docs/math.md.
   [[nodiscard]] std::optional<float> before_px(int u, int v) const {
     const float z = static_cast<float>(final_.disparity_m_px) / final_.disparity_px(u, v);
@@ -131,11 +142,13 @@ class FreeSpace {
     const Eigen::Vector3f point = rotation_ * (z * ray) + translation_;
     if (point.z() < nearest_m) return std::nullopt;
     const float by_z = 1.0F / point.z();
+    const float disparity_px = static_cast<float>(initial_.disparity_m_px) * by_z;
     const Intrinsics& camera = initial_.camera;
-    return initial_surroundings_.excess_px(
-        static_cast<float>(initial_.disparity_m_px) * by_z,
-        static_cast<float>(camera.fx) * point.x() * by_z + static_cast<float>(camera.cx),
+    const std::optional<float> change_px = initial_surroundings_.excess_px(
+        disparity_px, static_cast<float>(camera.fx) * point.x() * by_z + static_cast<float>(camera.cx),
         static_cast<float>(camera.fy) * point.y() * by_z + static_cast<float>(camera.cy));
+    if (!change_px) return change_px;
+    return carried_over(*change_px, disparity_px, initial_, final_.disparity_px(u, v), final_);
   }
 
   // The same along the ray of the final camera, where the initial view has a surface. A removed surface must

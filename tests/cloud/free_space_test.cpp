@@ -74,6 +74,26 @@ TEST(FreeSpace, HeightsAreInTheFinalCamerasDisparity) {
   EXPECT_NEAR(change.before_px(u, v), wall_px, 0.15);
 }
 
+TEST(FreeSpace, HeightsAreTrueWhereTheCameraCameCloser) {
+  const Transform far_off = pose(0.0, 0.0, 0.0);
+  const Transform close_up = pose(0.0, 0.25, 0.0);
+  test::Room with = bay();
+  with.boxes.push_back(test::box(-0.1, 0.1, 0.0, 0.1, 1.0, 1.2));  // before the far wall
+  const DisparityChange change =
+      free_space_change(look(bay(), far_off), look(with, close_up), far_off.inverse() * close_up, 0.0);
+  const Eigen::Vector2d pixel =
+      test::small_camera().project(close_up.inverse() * Eigen::Vector3d(0.0, 0.05, 1.0));
+  const auto u = static_cast<int>(std::lround(pixel.x()));
+  const auto v = static_cast<int>(std::lround(pixel.y()));
+  ASSERT_NE(change.judged(u, v), 0);
+  const double disparity_m_px = test::small_camera().fx * test::baseline_m;
+  const double height_m = disparity_m_px / static_cast<double>(change.before_px(u, v)) -
+                          disparity_m_px / static_cast<double>(change.after_px(u, v));
+  const double true_m = test::depth_at(bay(), close_up, test::small_camera(), u, v) -
+                        test::depth_at(with, close_up, test::small_camera(), u, v);
+  EXPECT_NEAR(height_m, true_m, 0.03 * true_m);
+}
+
 TEST(FreeSpace, KnowsTheDriftOfTheCamera) {
   const Counts counts = count(compare(bay(), bay(), 1.0));
   EXPECT_EQ(counts.nearer, 0);

@@ -25,6 +25,24 @@ double needed_deviations(const Scale& scale, double threshold) {
   return (threshold + nine_of_ten_deviations) * scale.evidence.spread / scale.evidence.window_px;
 }
 
+// The mean deviation of the judged pixels in a window around each pixel. Pixels that are not judged have the
+// deviation 0.
+Image<float> mean_of_judged(const Image<float>& deviation_px, int window_px) {
+  const cv::Size window(window_px, window_px);
+  const cv::Mat deviations = as_mat(deviation_px);
+  cv::Mat judged;
+  cv::Mat(deviations > 0.0F).convertTo(judged, CV_32F, 1.0 / mask_set);
+  cv::Mat sum;
+  cv::Mat share;
+  cv::blur(deviations, sum, window);
+  cv::blur(judged, share, window);
+  Image<float> mean(deviation_px.width(), deviation_px.height());
+  cv::Mat target = as_mat(mean);
+  sum.copyTo(target);
+  target /= cv::max(share, 1.0 / window.area());
+  return mean;
+}
+
 }  // namespace
 
 const Scale& finest_reachable(std::span<const Scale> scales) {
@@ -46,9 +64,7 @@ Image<float> level_of_detection_mm(const Mask& unreliable, const Image<float>& d
   };
   const float reliable_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.reliable);
   const float unreliable_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.unreliable);
-  Image<float> around_px(depth_m.width(), depth_m.height());
-  cv::Mat around = as_mat(around_px);
-  cv::blur(as_mat(deviation_px), around, cv::Size(scale.evidence.window_px, scale.evidence.window_px));
+  const Image<float> around_px = mean_of_judged(deviation_px, scale.evidence.window_px);
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
     if (scale.evidence.pooled[i] == 0) continue;
     // An object is judged together with the pixels around it, which may be noisier.
