@@ -28,6 +28,15 @@ double most_probable_slope(double count, double sum, const UsualSlope& usual, do
   return high;
 }
 
+// The Fisher information that an excess contains about the slope if excesses are truncated at `length`, as a
+// share of what it contains if they are not.
+// Equation 24 of docs/math.md.
+double information_share(double slope, double length) {
+  const double cut_off = slope * length;
+  const double growth = std::expm1(cut_off);
+  return 1.0 - cut_off * cut_off * (growth + 1.0) / (growth * growth);
+}
+
 }  // namespace
 
 // Equation 23 of docs/math.md.
@@ -59,7 +68,8 @@ FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual
   }
   const double slope = most_probable_slope(count, sum, usual, length);
   const double beyond_too = count / -std::expm1(-slope * length);
-  return {std::max(beyond_too, 1.0) / 2.0, slope, count + usual.peaks};
+  const double known_peaks = count * information_share(slope, length) + usual.peaks;
+  return {std::max(beyond_too, 1.0) / 2.0, slope, known_peaks};
 }
 
 }  // namespace rva

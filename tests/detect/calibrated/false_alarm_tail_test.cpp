@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/random.hpp"
@@ -56,6 +57,33 @@ TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
   }
   EXPECT_GT(beyond, 0.1 * repetitions);
   EXPECT_LT(beyond, 0.3 * repetitions);
+}
+
+// The slope of an image, gamma distributed about the usual one.
+double slope_of(const UsualSlope& usual, Random& random) {
+  double sum = 0.0;  // of as many exponential numbers as the usual slope counts peaks
+  for (int k = 0; k < static_cast<int>(usual.peaks); ++k) sum -= std::log(1.0 - random.uniform());
+  return sum * usual.slope / usual.peaks;
+}
+
+// Where peaks are as the tail assumes, the thresholds of many images let through what is allowed on average,
+// also if excesses are truncated so early that each of them contains little about the slope.
+TEST(FalseAlarmTail, LetsThroughOnAverageWhatIsAllowed) {
+  constexpr int images = 3000;
+  constexpr int peaks = 120;
+  constexpr double allowed = 0.05 / 16.0;
+  for (const auto& [usual, end] : {std::pair(UsualSlope{1.3, 10.0}, 7.0), {UsualSlope{1.25, 7.0}, 7.0},
+                                   {UsualSlope{1.7, 7.0}, 5.0}}) {
+    Random random(17);
+    double expected = 0.0;
+    for (std::uint64_t image = 0; image < images; ++image) {
+      const double slope = slope_of(usual, random);
+      const double height = fit_tail(peaks_of(peaks, slope, 1000 + image), usual, end).height_of(allowed);
+      expected += 0.5 * peaks * std::exp(-slope * (height - FalseAlarmTail::onset)) / images;
+    }
+    EXPECT_GT(expected, 0.6 * allowed) << usual.slope << " up to " << end;
+    EXPECT_LT(expected, 1.6 * allowed) << usual.slope << " up to " << end;
+  }
 }
 
 TEST(FalseAlarmTail, ChangesDoNotPassForNoise) {
