@@ -8,6 +8,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 
 namespace {
@@ -67,6 +68,9 @@ int main(int argc, char** argv) {
   } catch (const rva::UsageError& error) {
     fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
     return rva::cli::status_usage;
+  } catch (const rva::ExistsError& error) {
+    fmt::print(stderr, "rva: {} with --overwrite\n", rva::printable(error.what()));
+    return rva::cli::status_failed;
   } catch (const rva::Error& error) {
     fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
     return rva::cli::status_failed;

@@ -87,8 +87,8 @@ float lesser(float a, float b) {
   return std::abs(a) < std::abs(b) ? a : b;
 }
 
-// The change of disparity in the final camera, `to`, that has the same depth as `change_px` has in the initial
-// camera, `from`. Without this, heights would be off by the square of the ratio of both distances.
+// The change of disparity in the final camera, `to`, that has the same depth as `change_px` has in the
+// initial camera, `from`. Without this, heights would be off by the square of the ratio of both distances.
 // Section 7 of docs/math.md.
 float carried_over(float change_px, float from_px, const DepthView& from, float to_px, const DepthView& to) {
   const float farther_m =

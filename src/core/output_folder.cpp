@@ -66,8 +66,8 @@ void require_free_target(const fs::path& target, const std::vector<std::string>&
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(target, ignored)) || is_empty_folder(target)) return;
   if (existing == Existing::refuse) {
-    throw Error(printable(target), "already exists",
-                "choose another folder, or overwrite the earlier result");
+    throw ExistsError(printable(target), "already exists",
+                      "choose another folder, or overwrite the earlier result");
   }
   require_replaceable(target, files);
 }

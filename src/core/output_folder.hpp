@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/remains.hpp"
 
 namespace rva {
@@ -22,6 +23,12 @@ enum class Remains {
   keep,    ///< for recordings, which cannot be repeated
 };
 
+/// The target of an OutputFolder exists and is not to be replaced.
+class ExistsError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Whether a folder contains nothing but files of a result (see OutputFolder), be it complete or not.
 [[nodiscard]] bool holds_only(const std::filesystem::path& folder, const std::vector<std::string>& files);
 
@@ -35,7 +42,9 @@ class OutputFolder {
   /// @param files   the files that such a result may contain: paths inside it, in which * and [0-9] are
   ///                wildcards as in a shell ("depth/*.png"). Every result contains the first. A folder that
   ///                lacks the first, or contains anything else at any depth, is never replaced
-  /// @throws Error  when the target exists (see Existing) or is not UTF-8, or its parent cannot be written
+  /// @throws ExistsError when the target exists and is not to be replaced
+  /// @throws Error  when the target is not replaceable (see Existing) or not UTF-8, or its parent cannot be
+  ///                written
   OutputFolder(const std::filesystem::path& target, std::vector<std::string> files, Existing existing,
                Remains remains = Remains::remove);
   ~OutputFolder();

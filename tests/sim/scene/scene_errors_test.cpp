@@ -141,7 +141,7 @@ TEST(SceneErrors, OfMeshes) {
   EXPECT_THAT(with("empty.stl"), AllOf(StartsWith(place), HasSubstr("contains no triangles")));
   EXPECT_THAT(with("points.obj"), AllOf(StartsWith(place), HasSubstr("contains no triangles")));
   EXPECT_THAT(with("noise.stl"), AllOf(StartsWith(place), HasSubstr("contains no triangles")));
-  EXPECT_THAT(with("huge.obj"), AllOf(StartsWith(place), HasSubstr("is larger than 100 m")));
+  EXPECT_THAT(with("huge.obj"), AllOf(StartsWith(place), HasSubstr("extends beyond 100 m")));
   EXPECT_THAT(with("huge.obj", "ft"), HasSubstr(":6: field meshes[0].unit: unknown unit \"ft\""));
 }
 
@@ -166,7 +166,7 @@ TEST(SceneErrors, OfDebris) {
       {debris("kind: key, on: [0, 0.47], at_m: [0, 0, 0]"), "6: field debris[0]: unknown key \"on\""},
       {debris("kind: key, on: [0, 0.47], resting: 99"), "6: field debris[0].resting: \"99\" is out of range"},
       {debris("kind: key, on: [0, 0.47], name: rib-left"),
-       "6: field debris[0].name: \"rib-left\" is another"},
+       "6: field debris[0].name: \"rib-left\" is already the name of another object"},
       {debris("kind: key, on: [0, 0.54]"), "6: field debris[0].on: key does not come to rest there"},
       {debris("kind: key, on: [0, 50]"), "6: field debris[0].on: key does not come to rest there"},
       {debris("kind: key, on: [1.0, 0.5]"), "6: field debris[0].on: key lies outside the bay"},
