@@ -44,11 +44,11 @@ rva::Comparison compare(const rva::Capture& initial_capture, const rva::Capture&
 void detect(const rva::Capture& initial, const rva::Capture& final) {
   const rva::Comparison comparison = compare(initial, final);
   for (const auto& finding : rva::find_findings(comparison, {.min_blob_px = 40}, final.info().depth)) {
-    // Every changed pixel has a depth, so every finding has a position.
-    const Eigen::Vector3d& at_m = finding.position_m.value();
+    // Every changed pixel has a depth, so every finding has a position and a score.
+    const Eigen::Vector3d at_m = finding.position_m.value_or(Eigen::Vector3d::Zero());
     fmt::print("{:3} {:8}  at ({:.3f}, {:.3f}, {:.3f}) m  {:5} px  score {:.1f}\n", finding.id,
                rva::name_of(finding.kind), at_m.x(), at_m.y(), at_m.z(), finding.pixels.size(),
-               finding.score.value());
+               finding.score.value_or(0.0));
   }
   fmt::print("compared {:.1f} % of the pixels\n", 100.0 * comparison.coverage.compared);
 }
