@@ -10,16 +10,8 @@
 #include "cloud/registration.hpp"
 #include "core/error.hpp"
 #include "depth/capture.hpp"
-#include "detect/detection.hpp"
 
 namespace {
-
-rva::DepthView view_of(const rva::Capture& capture) {
-  const rva::CaptureInfo& info = capture.info();
-  rva::Runtime runtime;
-  const rva::DepthStatistics statistics = rva::statistics_of(capture, capture.depth_frames(), {}, runtime);
-  return rva::depth_view(statistics, info.depth, info.depth_unit_m, rva::disparity_m_px(info));
-}
 
 void print(const rva::Registration& registration) {
   const Eigen::Matrix4d& matrix = registration.initial_from_final.matrix();
@@ -45,8 +37,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const rva::Registration registration =
-        rva::register_views(view_of(*rva::open_capture(argv[1])), view_of(*rva::open_capture(argv[2])));
+    const rva::Registration registration = rva::register_views(rva::depth_view(*rva::open_capture(argv[1])),
+                                                               rva::depth_view(*rva::open_capture(argv[2])));
     if (registration.trusted()) {
       print(registration);
       return 0;

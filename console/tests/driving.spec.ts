@@ -219,7 +219,7 @@ test.describe('whoever has the controls', () => {
     await expect(page.getByTestId('drive-hint')).toContainText('Pull the stick');
   });
 
-  test('reaches a limit and is told', async ({ console: page }) => {
+  test('a limit is reported when the camera reaches it', async ({ console: page }) => {
     await page.keyboard.down('ArrowUp');
     await expect(page.getByTestId('drive-hint')).toContainText('Limit reached');
     await page.keyboard.up('ArrowUp');

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "cloud/depth_view.hpp"
 #include "cloud/view_motion.hpp"
 #include "infrared/infrared_alignment.hpp"
 #include "infrared/infrared_check.hpp"
@@ -15,11 +14,10 @@ namespace rva {
 namespace {
 
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
-// As many as infrared images are compared with: with fewer, most of the image lies under dots.
+// With fewer captures, dots cover most of the image of the others. Comparisons have the same limit.
 constexpr std::size_t least_captures = 4;
-// Where a bay has little texture, a round makes up for a fifth of a turn or less: after 8 rounds, turns of
-// 0.05 to 0.25 degrees seemed 0.4 to 1 times as large in four simulated bays, after 40 rounds 0.9 to 1.1
-// times as large in three of them.
+// In a bay with little texture, a round makes up for a fifth of a turn or less, so that the 8 rounds of a
+// comparison do not converge (docs/robot.md has measurements).
 constexpr int many_rounds = 40;
 
 ReferenceSurface surface_of(const Capture& capture) {
@@ -35,8 +33,7 @@ Transform view_from_first(const Captures& captures, std::size_t capture) {
   return world_from(capture).inverse() * world_from(0);
 }
 
-std::optional<double> turn_by_depth_deg(const Capture& baseline, const Capture& returned) {
-  const DepthView before = depth_view(baseline);
+std::optional<double> turn_by_depth_deg(const DepthView& before, const Capture& returned) {
   const ViewMotion motion = view_motion(before, depth_view(returned));
   if (motion.tiles == 0.0) return std::nullopt;
   return motion.displacement_px / before.camera.fx * deg_per_rad;
@@ -96,7 +93,7 @@ class BaselinePoses::Infrared {
   std::map<std::size_t, Laid> laid_;  // by capture, as far as they were asked for
 };
 
-BaselinePoses::BaselinePoses(const Captures& captures) : captures_(captures) {
+BaselinePoses::BaselinePoses(const Captures& captures) : captures_(captures), depth_(captures.size()) {
   const auto has_infrared = [](const auto& capture) {
     return capture->has_infrared(Imager::left, Light::projector);
   };
@@ -107,9 +104,15 @@ BaselinePoses::BaselinePoses(const Captures& captures) : captures_(captures) {
 
 BaselinePoses::~BaselinePoses() = default;
 
+const DepthView& BaselinePoses::depth_of(std::size_t capture) {
+  std::optional<DepthView>& depth = depth_.at(capture);
+  if (!depth) depth = depth_view(*captures_[capture]);
+  return *depth;
+}
+
 std::optional<double> BaselinePoses::turn_deg(std::size_t capture, const Capture& returned) {
   if (returned.info().depth.distortion != Distortion::none) return std::nullopt;
-  const std::optional<double> by_depth = turn_by_depth_deg(*captures_.at(capture), returned);
+  const std::optional<double> by_depth = turn_by_depth_deg(depth_of(capture), returned);
   const std::optional<double> by_infrared =
       infrared_ ? infrared_->turn_deg(capture, returned) : std::optional<double>();
   if (!by_depth || !by_infrared) return by_depth ? by_depth : by_infrared;

@@ -4,19 +4,21 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "cloud/depth_view.hpp"
 #include "depth/capture.hpp"
 
 namespace rva {
 
 /// The poses of the captures of one view's baseline, as later images of the same camera show them.
 ///
-/// Two estimates are made, and the larger one counts. The depth images show it by their edges
-/// (view_motion()). The left infrared image is laid, without its dots, upon those of all other captures of
-/// the baseline (infrared/infrared_alignment.hpp), and so was the capture's own. What both estimates have in
-/// common is that they are too small rather than too large: the matcher's errors and the light between the
-/// dots stay where they are in the image when the camera turns. For the same reason the capture's own image
-/// is left out of what its pose is measured against.
+/// A turn is estimated twice, and the larger estimate counts: from the depth images (view_motion()), and from
+/// the left infrared image, which is aligned without its dots with those of all other captures of the
+/// baseline (infrared/infrared_alignment.hpp), as the capture's own image is. The matcher's errors and the
+/// light between the dots stay where they are in the image when the camera turns, which makes turns seem
+/// smaller. For this reason the larger estimate counts, and the capture's own image is not among those that
+/// it is aligned with. docs/robot.md states how close the estimates are.
 class BaselinePoses {
  public:
   /// @param captures of one view, dithered, at least one; outlive this object
@@ -36,7 +38,10 @@ class BaselinePoses {
  private:
   class Infrared;
 
+  [[nodiscard]] const DepthView& depth_of(std::size_t capture);
+
   const Captures& captures_;
+  std::vector<std::optional<DepthView>> depth_;  // of the captures that were asked for
   std::unique_ptr<Infrared> infrared_;  // null where a capture lacks infrared images, or there are too few
 };
 

@@ -42,7 +42,8 @@ class CaptureWriter {
   /// @throws Error when the image is not of the size that the description states, or cannot be written
   void write_depth(std::size_t number, const DepthImage& image) const;
 
-  /// As write_depth(), but for colour; any size where the description states no colour intrinsics.
+  /// Writes a colour image as write_depth() writes a depth image. Any size is accepted if the description
+  /// states no colour intrinsics.
   void write_color(std::size_t number, const ColorImage& image) const;
 
   /// Writes the mean image of an imager under a light, and its scale and exposure into capture.json. Not for

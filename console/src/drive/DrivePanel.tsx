@@ -1,4 +1,4 @@
-// Turning the camera: who has the controls, the stick, the angles, and the stop button, which everybody may use.
+// Turning the camera: the name of the driver, the stick, the angles, and the stop button, which everybody may use.
 import { useState } from 'preact/hooks';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
@@ -29,7 +29,7 @@ function hint(robot: RobotStatus, yours: boolean, hasController: boolean): strin
   return hasController ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
 }
 
-/** @param small whether to show only the stop button and who is driving, to leave room for a page of pictures */
+/** @param small whether to show only the stop button and the name of the driver, to leave room for a page of pictures */
 export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: boolean }) {
   const status = useStore(link.status);
   const lease = useStore(link.lease);

@@ -122,7 +122,7 @@ class LiveLink {
     }
   }
 
-  // Without a message, a user who has lost the controls would not know why the stick has no effect.
+  // A message explains why the stick has no effect after the controls were lost.
   private sayWhyLost(now: Lease): void {
     if (this.lease.value.yours && !now.yours && !this.releasing) {
       const message = now.holder !== undefined
