@@ -18,22 +18,22 @@
 #include <utility>
 #include <vector>
 
-#include "cloud/appearance_evidence.hpp"
-#include "cloud/fused_view.hpp"
-#include "cloud/lit_capture.hpp"
-#include "cloud/spatial_comparison.hpp"
-#include "cloud/spatial_detection.hpp"
-#include "cloud/still_evidence.hpp"
-#include "cloud/view_check.hpp"
 #include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/parallel.hpp"
 #include "core/random.hpp"
+#include "detect/appearance/appearance_evidence.hpp"
+#include "detect/spatial/lit_capture.hpp"
+#include "detect/spatial/spatial_comparison.hpp"
+#include "detect/spatial/spatial_detection.hpp"
+#include "detect/spatial/still_evidence.hpp"
 #include "evaluate/capture_room.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
 #include "evaluate/usual_slope_fit.hpp"
 #include "sim/sensor/camera_models.hpp"
+#include "views/fused_view.hpp"
+#include "views/view_check.hpp"
 
 namespace fs = std::filesystem;
 

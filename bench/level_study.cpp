@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
-#include "cloud/detect.hpp"
 #include "core/random.hpp"
+#include "detect/detect.hpp"
 #include "evaluate/capture_room.hpp"
 #include "evaluate/intervals.hpp"
 #include "evaluate/judgement.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
-#include "sim/scene/shapes.hpp"
+#include "scene/solids/shapes.hpp"
 #include "sim/sensor/camera_models.hpp"
 
 namespace {

@@ -27,7 +27,7 @@
 #include "map/pose_refinement.hpp"
 #include "map/view_capture.hpp"
 #include "map/waypoints.hpp"
-#include "sim/scene/camera_stand.hpp"
+#include "scene/camera_stand.hpp"
 #include "sim/simulated_camera.hpp"
 #include "sim/simulated_robot.hpp"
 

@@ -15,15 +15,15 @@
 #include <string>
 
 #include "bench/interleaved.hpp"
-#include "cloud/octree_detection.hpp"
-#include "cloud/pcl_cloud.hpp"
-#include "cloud/registration.hpp"
-#include "cloud/spatial_comparison.hpp"
 #include "core/file.hpp"
 #include "depth/depth_statistics.hpp"
-#include "detect/detection.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "detect/findings/detection.hpp"
+#include "detect/spatial/spatial_comparison.hpp"
+#include "detect/thesis/octree_detection.hpp"
+#include "detect/thesis/pcl_cloud.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
+#include "views/registration.hpp"
 
 namespace rva::bench {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 
 #include "camera/live_camera.hpp"
-#include "camera/memory_capture.hpp"
 #include "camera/recording.hpp"
 #include "camera/replay_camera.hpp"
+#include "capture/folder/capture_writer.hpp"
+#include "capture/memory_capture.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "depth/capture_writer.hpp"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <functional>
 
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
 
 namespace {

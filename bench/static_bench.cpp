@@ -19,9 +19,9 @@
 #include "depth/depth_statistics.hpp"
 #include "depth/image_file.hpp"
 #include "depth/mat_view.hpp"
-#include "detect/findings.hpp"
-#include "detect/gaussian.hpp"
-#include "detect/regions.hpp"
+#include "detect/findings/findings.hpp"
+#include "detect/regions/regions.hpp"
+#include "detect/thesis/gaussian.hpp"
 
 namespace rva::bench {
 namespace {

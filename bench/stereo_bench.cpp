@@ -20,7 +20,7 @@
 #include "depth/mat_view.hpp"
 #include "infrared/dot_mask.hpp"
 #include "robot/dither.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/sensor/camera_models.hpp"
 #include "sim/simulated_camera.hpp"
 #include "stereo/space_time.hpp"

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "sim/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace rva {
 

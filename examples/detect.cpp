@@ -1,14 +1,14 @@
 // Compares two captures of one scene, before and after the work, with the method that suits them, and prints
 // a line for each finding. Run it as `build/examples/detect data/bin-tools/initial data/bin-tools/final`.
-#include "cloud/detect.hpp"
+#include "detect/detect.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 #include <string>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
-#include "depth/capture.hpp"
 
 namespace {
 

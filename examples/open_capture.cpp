@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "capture/capture.hpp"
+#include "capture/frame_reader.hpp"
 #include "core/error.hpp"
-#include "depth/capture.hpp"
-#include "depth/frame_reader.hpp"
 
 namespace {
 

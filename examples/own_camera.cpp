@@ -9,10 +9,10 @@
 
 #include "camera/camera.hpp"
 #include "camera/recording.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/random.hpp"
-#include "depth/capture_writer.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
-#include "depth/capture.hpp"
-#include "detect/detection.hpp"
-#include "detect/findings.hpp"
+#include "detect/findings/detection.hpp"
+#include "detect/findings/findings.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <Eigen/Core>
 #include <numbers>
 
-#include "cloud/depth_view.hpp"
-#include "cloud/registration.hpp"
+#include "capture/capture.hpp"
 #include "core/error.hpp"
-#include "depth/capture.hpp"
+#include "views/depth_view.hpp"
+#include "views/registration.hpp"
 
 namespace {
 

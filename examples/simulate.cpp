@@ -8,10 +8,10 @@
 #include <filesystem>
 
 #include "camera/recording.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
-#include "depth/capture_writer.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
 
 namespace {

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "capture/capture.hpp"
+#include "capture/frame_reader.hpp"
 #include "core/error.hpp"
 #include "core/quantile.hpp"
-#include "depth/capture.hpp"
 #include "depth/depth_statistics.hpp"
-#include "depth/frame_reader.hpp"
-#include "detect/detection.hpp"
+#include "detect/findings/detection.hpp"
 
 namespace {
 

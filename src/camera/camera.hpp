@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "depth/image.hpp"
 
 namespace rva {

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <vector>
 
-#include "camera/memory_capture.hpp"
+#include "capture/memory_capture.hpp"
 #include "core/date_time.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "camera/camera.hpp"
+#include "camera/check_standard.hpp"
 #include "core/progress.hpp"
-#include "depth/check_standard.hpp"
 
 namespace rva {
 

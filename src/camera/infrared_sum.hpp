@@ -5,7 +5,7 @@
 #include <map>
 
 #include "camera/camera.hpp"
-#include "depth/capture_writer.hpp"
+#include "capture/folder/capture_writer.hpp"
 
 namespace rva {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "camera/camera.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "core/progress.hpp"
-#include "depth/capture_writer.hpp"
 
 namespace rva {
 

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "camera/camera.hpp"
+#include "capture/capture.hpp"
 #include "core/clock.hpp"
 #include "core/options.hpp"
-#include "depth/capture.hpp"
 
 namespace rva {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "camera/camera.hpp"
-#include "depth/check_standard.hpp"
+#include "camera/check_standard.hpp"
 
 namespace rva::cli {
 

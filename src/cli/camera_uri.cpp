@@ -3,7 +3,7 @@
 #include "camera/replay_camera.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
 
 namespace rva::cli {

@@ -7,7 +7,7 @@
 
 #include "camera/camera.hpp"
 #include "camera/realsense/realsense.hpp"
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 
 namespace rva::cli {
 

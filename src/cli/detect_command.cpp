@@ -14,14 +14,14 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
-#include "cloud/detect.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "depth/image_file.hpp"
-#include "detect/drawing.hpp"
-#include "detect/ignored_regions.hpp"
+#include "detect/detect.hpp"
+#include "detect/findings/drawing.hpp"
+#include "detect/regions/ignored_regions.hpp"
 
 namespace rva::cli {
 namespace {

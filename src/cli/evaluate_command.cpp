@@ -20,7 +20,7 @@
 #include "evaluate/evaluation_json.hpp"
 #include "evaluate/moved_report.hpp"
 #include "evaluate/recorded_study.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/sensor/camera_models.hpp"
 
 namespace rva::cli {

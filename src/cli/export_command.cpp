@@ -4,6 +4,7 @@
 #include <system_error>
 #include <vector>
 
+#include "capture/open3d/open3d_writer.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
@@ -12,7 +13,6 @@
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
-#include "depth/open3d_writer.hpp"
 #include "map/capture_points.hpp"
 #include "map/point_files.hpp"
 

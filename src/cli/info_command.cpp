@@ -7,14 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "capture/frame_reader.hpp"
+#include "capture/intrinsics_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/interrupt.hpp"
 #include "core/path_text.hpp"
-#include "depth/frame_reader.hpp"
-#include "depth/intrinsics_json.hpp"
 
 namespace rva::cli {
 namespace {

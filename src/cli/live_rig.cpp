@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "camera/memory_capture.hpp"
 #include "camera/replay_camera.hpp"
+#include "capture/capture.hpp"
+#include "capture/memory_capture.hpp"
 #include "cli/camera_uri.hpp"
 #include "cli/robot_uri.hpp"
 #include "cli/simulated_view.hpp"
@@ -12,8 +13,7 @@
 #include "core/clock.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
-#include "depth/capture.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_bay.hpp"
 #include "sim/simulated_robot.hpp"
 

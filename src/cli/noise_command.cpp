@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "camera/noise.hpp"
 #include "cli/camera_check.hpp"
 #include "cli/camera_uri.hpp"
 #include "cli/commands.hpp"
@@ -16,7 +17,6 @@
 #include "core/output_folder.hpp"
 #include "depth/colorize.hpp"
 #include "depth/image_file.hpp"
-#include "depth/noise.hpp"
 
 namespace rva::cli {
 namespace {

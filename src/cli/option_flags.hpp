@@ -13,10 +13,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
 #include "core/options.hpp"
 #include "core/path_text.hpp"
-#include "depth/capture.hpp"
 
 namespace rva::cli {
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
+#include "camera/check_standard.hpp"
+#include "camera/noise.hpp"
 #include "camera/realsense/realsense.hpp"
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
-#include "cloud/detect.hpp"
-#include "depth/check_standard.hpp"
-#include "depth/noise.hpp"
+#include "detect/detect.hpp"
 #include "evaluate/study.hpp"
 #include "inspect/inspector.hpp"
 #include "map/calibration.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "camera/recording.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "cli/camera_uri.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
@@ -16,9 +17,8 @@
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
-#include "depth/capture_writer.hpp"
 #include "robot/dither.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
 #include "sim/simulated_robot.hpp"
 

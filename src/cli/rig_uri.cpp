@@ -7,7 +7,7 @@
 #include "cli/robot_uri.hpp"
 #include "cli/simulated_view.hpp"
 #include "core/error.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
 #include "sim/simulated_robot.hpp"
 

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "camera/recording.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
-#include "depth/capture_writer.hpp"
 #include "depth/image_file.hpp"
-#include "sim/scene/scene_file.hpp"
+#include "scene/file/scene_file.hpp"
 #include "sim/sensor/camera_models.hpp"
 #include "sim/simulated_camera.hpp"
 #include "sim/truth.hpp"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "capture/capture_view.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/stopwatch.hpp"
-#include "depth/capture_view.hpp"
 
 namespace rva {
 namespace {

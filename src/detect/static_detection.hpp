@@ -5,15 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "capture/capture.hpp"
 #include "core/options.hpp"
 #include "core/progress.hpp"
-#include "depth/capture.hpp"
 #include "depth/depth_statistics.hpp"
 #include "detect/calibrated/calibrated.hpp"
-#include "detect/constant.hpp"
-#include "detect/detection.hpp"
-#include "detect/gaussian.hpp"
-#include "detect/regions.hpp"
+#include "detect/findings/detection.hpp"
+#include "detect/regions/regions.hpp"
+#include "detect/thesis/constant.hpp"
+#include "detect/thesis/gaussian.hpp"
 
 namespace rva {
 
@@ -49,7 +49,7 @@ struct StaticDetection {
   DepthStatistics final;
 };
 
-/// Compares two captures pixel by pixel. It assumes that the camera stood still (cloud/detect.hpp
+/// Compares two captures pixel by pixel. It assumes that the camera stood still (detect/detect.hpp
 /// checks this).
 /// @param left_out pixels of the depth image to leave out; empty for none
 /// @throws Error when the captures differ in camera, size, intrinsics or depth unit, when `gaussian` has

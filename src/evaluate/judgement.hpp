@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "depth/depth_statistics.hpp"
-#include "detect/findings.hpp"
+#include "detect/findings/findings.hpp"
 #include "sim/simulated_camera.hpp"
 
 namespace rva {

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "cloud/detect.hpp"
-#include "cloud/octree_detection.hpp"
 #include "core/random.hpp"
-#include "detect/findings.hpp"
+#include "detect/detect.hpp"
+#include "detect/findings/findings.hpp"
+#include "detect/thesis/octree_detection.hpp"
 #include "evaluate/capture_room.hpp"
 #include "evaluate/judgement.hpp"
 #include "evaluate/moved_wing.hpp"

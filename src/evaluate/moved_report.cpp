@@ -12,13 +12,13 @@
 #include <tuple>
 #include <utility>
 
-#include "cloud/octree_detection.hpp"
 #include "core/error.hpp"
 #include "core/json_object.hpp"
 #include "core/quantile.hpp"
 #include "detect/calibrated/calibrated.hpp"
+#include "detect/thesis/octree_detection.hpp"
 #include "evaluate/intervals.hpp"
-#include "sim/scene/debris_catalogue.hpp"
+#include "scene/debris/debris_catalogue.hpp"
 
 namespace rva {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "cloud/depth_view.hpp"
 #include "evaluate/judgement.hpp"
 #include "geometry/transform.hpp"
 #include "sim/simulated_camera.hpp"
+#include "views/depth_view.hpp"
 
 namespace rva {
 

@@ -5,9 +5,9 @@
 
 #include "core/random.hpp"
 #include "robot/dither.hpp"
-#include "sim/scene/drop_zone.hpp"
-#include "sim/scene/random_debris.hpp"
-#include "sim/scene/traces.hpp"
+#include "scene/debris/random_debris.hpp"
+#include "scene/drop_zone.hpp"
+#include "scene/traces.hpp"
 
 namespace rva {
 namespace {

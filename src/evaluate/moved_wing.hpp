@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "evaluate/random_wing.hpp"
-#include "sim/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace rva {
 

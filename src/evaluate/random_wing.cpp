@@ -10,9 +10,9 @@
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "core/random.hpp"
-#include "sim/scene/debris_catalogue.hpp"
-#include "sim/scene/drop_zone.hpp"
-#include "sim/scene/random_debris.hpp"
+#include "scene/debris/debris_catalogue.hpp"
+#include "scene/debris/random_debris.hpp"
+#include "scene/drop_zone.hpp"
 
 namespace rva {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/scene/scene.hpp"
-#include "sim/scene/wing_bay.hpp"
+#include "scene/scene.hpp"
+#include "scene/wing/wing_bay.hpp"
 
 namespace rva {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cloud/spatial_detection.hpp"
+#include "detect/spatial/spatial_detection.hpp"
 #include "evaluate/judgement.hpp"
 #include "geometry/transform.hpp"
 

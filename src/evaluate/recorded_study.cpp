@@ -5,9 +5,9 @@
 #include <numbers>
 #include <set>
 
-#include "cloud/detect.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "detect/detect.hpp"
 
 namespace rva {
 namespace {

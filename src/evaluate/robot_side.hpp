@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "cloud/spatial_detection.hpp"
+#include "detect/spatial/spatial_detection.hpp"
 #include "geometry/pan_tilt.hpp"
 #include "map/view_capture.hpp"
-#include "sim/scene/scene.hpp"
+#include "scene/scene.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
 #include "sim/simulated_camera.hpp"
 

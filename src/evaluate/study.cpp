@@ -6,9 +6,9 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "detect/calibrated/calibrated.hpp"
-#include "detect/constant.hpp"
-#include "detect/gaussian.hpp"
-#include "sim/scene/traces.hpp"
+#include "detect/thesis/constant.hpp"
+#include "detect/thesis/gaussian.hpp"
+#include "scene/traces.hpp"
 
 namespace rva {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "depth/image.hpp"
 #include "geometry/transform.hpp"
 #include "infrared/reference_surface.hpp"

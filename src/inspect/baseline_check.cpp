@@ -8,13 +8,13 @@
 #include <system_error>
 #include <utility>
 
-#include "cloud/detect.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
-#include "detect/drawing.hpp"
+#include "detect/detect.hpp"
+#include "detect/findings/drawing.hpp"
 #include "inspect/view_comparison.hpp"
 #include "map/view_capture.hpp"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "detect/findings.hpp"
-#include "detect/ignored_regions.hpp"
+#include "detect/findings/findings.hpp"
+#include "detect/regions/ignored_regions.hpp"
 #include "geometry/pan_tilt.hpp"
 
 namespace rva {

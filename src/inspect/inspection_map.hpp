@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "depth/capture.hpp"
-#include "detect/detection.hpp"
+#include "capture/capture.hpp"
+#include "detect/findings/detection.hpp"
 #include "geometry/pan_tilt.hpp"
 #include "inspect/inspection_folder.hpp"
 #include "map/map_cloud.hpp"

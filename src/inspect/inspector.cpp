@@ -8,11 +8,11 @@
 #include <system_error>
 #include <utility>
 
+#include "capture/capture.hpp"
 #include "core/date_time.hpp"
 #include "core/durability.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
-#include "depth/capture.hpp"
 #include "inspect/baseline_check.hpp"
 #include "inspect/person_name.hpp"
 #include "inspect/view_comparison.hpp"

@@ -5,7 +5,7 @@
 
 #include "core/quantile.hpp"
 #include "detect/calibrated/calibrated.hpp"
-#include "detect/detection.hpp"
+#include "detect/findings/detection.hpp"
 
 namespace rva {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "depth/depth_statistics.hpp"
 #include "depth/image.hpp"
 #include "detect/calibrated/level_of_detection.hpp"

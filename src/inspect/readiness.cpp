@@ -11,9 +11,9 @@
 #include "core/date_time.hpp"
 #include "core/error.hpp"
 #include "depth/depth_statistics.hpp"
-#include "detect/calibrated/disparity_change.hpp"
-#include "detect/calibrated/drift.hpp"
-#include "detect/detection.hpp"
+#include "detect/findings/detection.hpp"
+#include "views/disparity_change.hpp"
+#include "views/drift.hpp"
 
 namespace rva {
 namespace {

@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
+#include "capture/folder/capture_writer.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "core/remains.hpp"
-#include "depth/capture_writer.hpp"
 #include "inspect/baseline_check.hpp"
 #include "inspect/inspection_folder.hpp"
 #include "inspect/view_comparison.hpp"

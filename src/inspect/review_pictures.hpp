@@ -1,9 +1,9 @@
 // Pictures for the review of findings: before and after the work in one view, aligned pixel by pixel.
 #pragma once
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "depth/image.hpp"
-#include "detect/detection.hpp"
+#include "detect/findings/detection.hpp"
 #include "geometry/transform.hpp"
 
 namespace rva {

@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "camera/recording.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "core/clock.hpp"
 #include "core/date_time.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
-#include "depth/capture_writer.hpp"
 #include "inspect/watched_camera.hpp"
 #include "map/view_capture.hpp"
 #include "map/view_folder.hpp"

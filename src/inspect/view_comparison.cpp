@@ -9,12 +9,12 @@
 #include <system_error>
 #include <utility>
 
-#include "cloud/detect.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
-#include "detect/drawing.hpp"
+#include "detect/detect.hpp"
+#include "detect/findings/drawing.hpp"
 #include "inspect/inspection_map.hpp"
 #include "inspect/review_pictures.hpp"
 #include "map/point_files.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cloud/spatial_detection.hpp"
 #include "core/progress.hpp"
+#include "detect/spatial/spatial_detection.hpp"
 #include "inspect/inspection.hpp"
 #include "inspect/inspection_folder.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "capture/frame_reader.hpp"
 #include "core/error.hpp"
 #include "depth/depth_statistics.hpp"
-#include "depth/frame_reader.hpp"
 
 namespace rva {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "capture/capture.hpp"
 #include "core/progress.hpp"
-#include "depth/capture.hpp"
 #include "map/map_cloud.hpp"
 
 namespace rva {

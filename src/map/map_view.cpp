@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "capture/frame_reader.hpp"
 #include "core/error.hpp"
-#include "depth/frame_reader.hpp"
-#include "detect/detection.hpp"
+#include "detect/findings/detection.hpp"
 
 namespace rva {
 namespace {

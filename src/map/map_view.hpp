@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "cloud/depth_view.hpp"
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "geometry/pan_tilt.hpp"
+#include "views/depth_view.hpp"
 
 namespace rva {
 

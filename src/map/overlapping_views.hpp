@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "cloud/normal_equations.hpp"
-#include "cloud/planar_patches.hpp"
 #include "geometry/transform.hpp"
 #include "map/map_view.hpp"
+#include "views/normal_equations.hpp"
+#include "views/planar_patches.hpp"
 
 namespace rva {
 
@@ -68,7 +68,7 @@ class OverlappingViews {
   /// All pairs of views in which more than a tenth of the samples fall onto planes of the other view.
   [[nodiscard]] std::vector<ViewNumbers> pairs(std::span<const Transform> world_from_camera) const;
 
-  /// Sums the residuals of cloud/normal_equations.hpp over the pairs. The errors of neighbouring residuals
+  /// Sums the residuals of views/normal_equations.hpp over the pairs. The errors of neighbouring residuals
   /// are correlated, so that the information is reduced accordingly.
   [[nodiscard]] PoseEquations equations(std::span<const Transform> world_from_camera,
                                         std::span<const ViewNumbers> pairs,

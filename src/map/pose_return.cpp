@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "camera/memory_capture.hpp"
+#include "capture/memory_capture.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 

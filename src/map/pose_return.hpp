@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "cloud/baseline_poses.hpp"
 #include "core/options.hpp"
 #include "geometry/pan_tilt.hpp"
 #include "map/rig.hpp"
+#include "views/baseline_poses.hpp"
 
 namespace rva {
 

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "camera/recording.hpp"
+#include "capture/capture.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
-#include "depth/capture.hpp"
-#include "depth/capture_writer.hpp"
 #include "map/waypoints.hpp"
 
 namespace fs = std::filesystem;

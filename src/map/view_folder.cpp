@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "capture/folder/capture_writer.hpp"
 #include "core/durability.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "core/remains.hpp"
-#include "depth/capture_writer.hpp"
 #include "map/view_capture.hpp"
 
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 
 #include "core/date_time.hpp"
 #include "core/path_text.hpp"
-#include "detect/ignored_regions.hpp"
+#include "detect/regions/ignored_regions.hpp"
 #include "server/api.hpp"
 #include "server/request_body.hpp"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "capture/capture.hpp"
 #include "core/file.hpp"
-#include "depth/capture.hpp"
 #include "depth/image_file.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
 #include "inspect/review_pictures.hpp"

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/random.hpp"
-#include "sim/scene/camera_stand.hpp"
+#include "scene/camera_stand.hpp"
 
 namespace rva {
 

@@ -8,8 +8,8 @@
 
 #include "camera/camera.hpp"
 #include "geometry/pan_tilt.hpp"
-#include "sim/scene/ray_caster.hpp"
-#include "sim/scene/scene.hpp"
+#include "scene/ray_caster.hpp"
+#include "scene/scene.hpp"
 #include "sim/sensor/color_renderer.hpp"
 #include "sim/sensor/infrared_renderer.hpp"
 #include "sim/sensor/stereo_sensor.hpp"

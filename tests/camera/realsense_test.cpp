@@ -15,9 +15,9 @@
 #include "camera/live_camera.hpp"
 #include "camera/realsense/realsense_camera.hpp"
 #include "camera/realsense/realsense_frames.hpp"
+#include "capture/align.hpp"
+#include "capture/capture.hpp"
 #include "core/error.hpp"
-#include "depth/align.hpp"
-#include "depth/capture.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rva {

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "depth/image.hpp"
 
 namespace rva::test {

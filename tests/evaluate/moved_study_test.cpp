@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "evaluate/moved_report.hpp"
 #include "evaluate/moved_wing.hpp"
-#include "sim/scene/camera_stand.hpp"
+#include "scene/camera_stand.hpp"
 
 namespace rva {
 namespace {

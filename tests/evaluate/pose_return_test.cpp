@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "cloud/baseline_poses.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
 #include "tests/temporary_folder.hpp"
+#include "views/baseline_poses.hpp"
 
 namespace rva {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "core/error.hpp"
 #include "evaluate/moved_wing.hpp"
-#include "sim/scene/camera_stand.hpp"
-#include "sim/scene/drop_zone.hpp"
-#include "sim/scene/ray_caster.hpp"
+#include "scene/camera_stand.hpp"
+#include "scene/drop_zone.hpp"
+#include "scene/ray_caster.hpp"
 
 namespace rva {
 namespace {

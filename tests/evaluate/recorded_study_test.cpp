@@ -5,10 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "capture/folder/capture_writer.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/random.hpp"
-#include "depth/capture_writer.hpp"
 #include "depth/image_file.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 #include <vector>
 
-#include "depth/db3/db3_messages.hpp"
+#include "capture/rosbag2/db3_messages.hpp"
 #include "tests/fuzz/load_or_refuse.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

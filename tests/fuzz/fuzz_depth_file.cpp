@@ -1,4 +1,4 @@
-#include "depth/depth_file.hpp"
+#include "capture/images/depth_file.hpp"
 #include "tests/fuzz/load_or_refuse.hpp"
 
 // The first byte chooses the kind of file.

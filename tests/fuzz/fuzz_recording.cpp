@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "capture/capture.hpp"
 #include "core/file.hpp"
-#include "depth/capture.hpp"
 #include "tests/fuzz/load_or_refuse.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "depth/formats.hpp"
+#include "capture/formats.hpp"
 #include "tests/fuzz/load_or_refuse.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "capture/folder/capture_writer.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
-#include "depth/capture_writer.hpp"
 #include "sim/simulated_camera.hpp"
 #include "tests/sim/simulated_frames.hpp"
 #include "tests/sim/small_scenes.hpp"

@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
-#include "depth/capture.hpp"
 #include "sim/simulated_robot.hpp"
 #include "store/sqlite_records.hpp"
 #include "tests/inspect/waving_camera.hpp"

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "depth/capture.hpp"
 
 namespace rva {
 namespace {

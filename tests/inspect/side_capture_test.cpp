@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "depth/capture.hpp"
 #include "sim/simulated_bay.hpp"
 #include "sim/simulated_robot.hpp"
 #include "tests/inspect/waving_camera.hpp"

@@ -1,11 +1,11 @@
-// A robot in a bay of boxes (tests/cloud/box_room.hpp), seen without a sensor.
+// A robot in a bay of boxes (tests/views/box_room.hpp), seen without a sensor.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "map/map_view.hpp"
-#include "tests/cloud/box_room.hpp"
+#include "tests/views/box_room.hpp"
 
 namespace rva::test {
 

@@ -5,9 +5,9 @@
 
 #include <memory>
 
+#include "capture/capture.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "depth/capture.hpp"
 #include "sim/simulated_robot.hpp"
 #include "tests/depth/stacks.hpp"
 #include "tests/manual_clock.hpp"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "depth/depth_statistics.hpp"
-#include "detect/constant.hpp"
-#include "detect/gaussian.hpp"
-#include "detect/regions.hpp"
+#include "detect/regions/regions.hpp"
+#include "detect/thesis/constant.hpp"
+#include "detect/thesis/gaussian.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "sim/scene/scene.hpp"
-#include "sim/scene/shapes.hpp"
+#include "scene/scene.hpp"
+#include "scene/solids/shapes.hpp"
 
 namespace rva::test {
 

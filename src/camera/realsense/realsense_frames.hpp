@@ -4,7 +4,7 @@
 #include <librealsense2/rs.hpp>
 #include <optional>
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 
 namespace rva {
 

@@ -6,13 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include "detect/calibrated/disparity_change.hpp"
-#include "detect/calibrated/drift.hpp"
 #include "detect/calibrated/noise_by_class.hpp"
 #include "detect/calibrated/outlines.hpp"
 #include "detect/calibrated/pooled_evidence.hpp"
 #include "detect/calibrated/scale.hpp"
 #include "detect/calibrated/unreliable_pixels.hpp"
+#include "views/disparity_change.hpp"
+#include "views/drift.hpp"
 
 namespace rva {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "core/options.hpp"
 #include "depth/depth_statistics.hpp"
-#include "detect/calibrated/disparity_change.hpp"
 #include "detect/calibrated/false_alarm_tail.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
 #include "detect/calibrated/unreliable_pixels.hpp"
-#include "detect/comparison.hpp"
+#include "detect/regions/comparison.hpp"
+#include "views/disparity_change.hpp"
 
 namespace rva {
 

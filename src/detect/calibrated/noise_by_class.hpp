@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "detect/calibrated/disparity_change.hpp"
+#include "views/disparity_change.hpp"
 
 namespace rva {
 

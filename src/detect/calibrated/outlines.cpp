@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "depth/blobs.hpp"
 #include "depth/mat_view.hpp"
-#include "detect/blobs.hpp"
 
 namespace rva {
 namespace {

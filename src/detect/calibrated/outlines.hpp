@@ -4,7 +4,7 @@
 #include <array>
 
 #include "detect/calibrated/scale.hpp"
-#include "detect/comparison.hpp"
+#include "detect/regions/comparison.hpp"
 
 namespace rva {
 

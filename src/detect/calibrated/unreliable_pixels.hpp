@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "detect/calibrated/disparity_change.hpp"
+#include "views/disparity_change.hpp"
 
 namespace rva {
 

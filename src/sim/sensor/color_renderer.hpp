@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "depth/image.hpp"
-#include "sim/scene/ray_caster.hpp"
-#include "sim/scene/scene.hpp"
+#include "scene/ray_caster.hpp"
+#include "scene/scene.hpp"
 #include "sim/sensor/stereo_rig.hpp"
 
 namespace rva {

@@ -1,10 +1,10 @@
 // The light on the two infrared imagers, before any noise.
 #pragma once
 
-#include "depth/capture.hpp"
+#include "capture/capture.hpp"
 #include "depth/image.hpp"
-#include "sim/scene/ray_caster.hpp"
-#include "sim/scene/scene.hpp"
+#include "scene/ray_caster.hpp"
+#include "scene/scene.hpp"
 #include "sim/sensor/dot_pattern.hpp"
 #include "sim/sensor/rectification_error.hpp"
 #include "sim/sensor/stereo_rig.hpp"

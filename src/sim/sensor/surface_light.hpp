@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/scene/material.hpp"
+#include "scene/material.hpp"
 
 namespace rva {
 

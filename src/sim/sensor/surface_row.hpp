@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/scene/ray_caster.hpp"
-#include "sim/scene/scene.hpp"
+#include "scene/ray_caster.hpp"
+#include "scene/scene.hpp"
 #include "sim/sensor/surface_light.hpp"
 
 namespace rva {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "sim/scene/trace.hpp"
+#include "scene/trace.hpp"
 
 namespace rva {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "detect/findings.hpp"
-#include "detect/regions.hpp"
+#include "detect/findings/findings.hpp"
+#include "detect/regions/regions.hpp"
 #include "tests/detect/calibrated/noisy_captures.hpp"
 
 namespace rva {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/scene/ray_caster.hpp"
+#include "scene/ray_caster.hpp"
 #include "sim/sensor/infrared_renderer.hpp"
 #include "tests/sim/small_scenes.hpp"
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/scene/ray_caster.hpp"
-#include "sim/scene/traces.hpp"
-#include "sim/scene/wing_bay.hpp"
+#include "scene/ray_caster.hpp"
+#include "scene/traces.hpp"
+#include "scene/wing/wing_bay.hpp"
 
 namespace rva {
 namespace {

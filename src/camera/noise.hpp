@@ -1,0 +1,72 @@
+// Temporal noise and drift of the depth of a still scene (thesis chapters 3.2.3 and 4.2.3).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "capture/capture.hpp"
+#include "core/options.hpp"
+#include "core/progress.hpp"
+#include "depth/depth_statistics.hpp"
+#include "depth/image.hpp"
+
+namespace rva {
+
+struct NoiseOptions {
+  int frames = 0;
+  int welch_frames = 10;
+  double alpha = 0.01;
+  double bin_m = 0.25;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
+                                   "frames to use, from the first; 0 for all"});
+    visit(self.welch_frames,
+          OptionField{"welch-frames", "", 2, 10000,
+                      "frames at either end that Welch's test compares; fewer where the capture is short"});
+    visit(self.alpha,
+          OptionField{"alpha", "", 1e-12, 0.5, "Welch's test marks pixels with a p-value below this"});
+    visit(self.bin_m, OptionField{"bin", "m", 0.01, 10, "width of the distance classes of the report"});
+  }
+};
+
+/// Noise of the pixels in one range of distances.
+struct NoiseBin {
+  double from_m = 0.0;
+  double to_m = 0.0;
+  std::size_t pixels = 0;
+  double median_std_mm = 0.0;
+  double p95_std_mm = 0.0;
+  std::optional<double> subpixel_rms_px;  ///< disparity noise, where the baseline is known
+};
+
+struct NoiseReport {
+  std::size_t frames = 0;
+  double fill_rate = 0.0;  ///< share of all pixels of all frames that have a measurement
+  NoiseBin overall;        ///< over all pixels with two or more measurements
+  std::vector<NoiseBin> bins;
+  std::size_t welch_frames = 0;
+  double alpha = 0.0;
+  std::size_t welch_tested_px = 0;
+  /// Share of the tested pixels with p < alpha; about alpha if nothing drifted.
+  double welch_rejected = 0.0;
+};
+
+struct Noise {
+  Image<float> std_mm;   ///< population standard deviation along z; NaN where fewer than two measurements
+  Image<float> welch_p;  ///< p-value; NaN where untested (fewer than two measurements at either end)
+  NoiseReport report;
+};
+
+/// @throws Error when there are fewer than four frames (Welch's test needs two at either end), or one cannot
+///         be read; UsageError when an option is out of range; Interrupted
+[[nodiscard]] Noise measure_noise(const Capture& capture, const NoiseOptions& options,
+                                  const Progress& progress);
+
+/// Two-sided p-value of Welch's unequal-variances t-test between the two sets' means of pixel i, with the
+/// Welch-Satterthwaite degrees of freedom (Welch 1947); NaN where either has fewer than two measurements.
+/// Two constant sets give 1 when equal, 0 otherwise.
+[[nodiscard]] double welch_p_value(const DepthStatistics& a, const DepthStatistics& b, std::size_t i);
+
+}  // namespace rva

@@ -1,0 +1,62 @@
+// The records that an MCAP file consists of (mcap.dev/spec, version 0).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "capture/rosbag1/ros_bytes.hpp"
+
+namespace rva {
+
+enum class McapOp : std::uint8_t {
+  footer = 0x02,
+  schema = 0x03,
+  channel = 0x04,
+  message = 0x05,
+  chunk = 0x06,
+  message_index = 0x07,
+  chunk_index = 0x08,
+  data_end = 0x0F,
+};
+
+inline constexpr std::string_view mcap_magic = "\x89MCAP0\r\n";
+
+/// Bytes of a record before its content: the opcode (1) and the length (8).
+inline constexpr std::size_t mcap_head_bytes = 9;
+
+struct McapRecord {
+  McapOp op{};
+  std::span<const std::byte> content;
+};
+
+/// Takes a record from the front of the bytes. @throws Error when fewer bytes are left than it states
+[[nodiscard]] McapRecord take_mcap_record(RosBytes& bytes, std::string_view source);
+
+struct McapChannel {
+  std::uint16_t id = 0;
+  std::uint16_t schema = 0;
+  std::string topic;
+  std::string encoding;  ///< of its messages: "cdr" (ROS 2), "ros1"
+};
+
+/// @throws Error when the record ends early; so do all functions below
+[[nodiscard]] McapChannel parse_mcap_channel(std::span<const std::byte> content, std::string_view source);
+
+struct McapMessage {
+  std::uint16_t channel = 0;
+  std::uint64_t time_ns = 0;
+  std::span<const std::byte> data;
+};
+
+[[nodiscard]] McapMessage parse_mcap_message(std::span<const std::byte> content, std::string_view source);
+
+/// Decompresses the records of a chunk (LZ4, Zstandard or uncompressed).
+/// @throws Error also when the compression is unknown, or the checksum does not match
+[[nodiscard]] std::vector<std::byte> unpack_mcap_chunk(std::span<const std::byte> content,
+                                                       std::string_view source);
+
+}  // namespace rva

@@ -1,0 +1,62 @@
+// Entry point of all detection methods: chooses the method, after checking in the images whether the
+// camera moved.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/options.hpp"
+#include "core/progress.hpp"
+#include "depth/image.hpp"
+#include "detect/findings/detection.hpp"
+#include "detect/spatial/spatial_detection.hpp"
+#include "detect/static_detection.hpp"
+#include "detect/thesis/octree_detection.hpp"
+#include "views/registration.hpp"
+
+namespace rva {
+
+enum class DetectionMethod {
+  automatic,   ///< calibrated if the camera stood still, spatial if it moved
+  constant,    ///< static camera: algorithm 2 of the thesis
+  gaussian,    ///< static camera: algorithm 3 of the thesis
+  calibrated,  ///< static camera: against a noise model learnt from the captures
+  spatial,     ///< moved camera: by comparing free space
+  octree,      ///< moved camera: the pipeline of the thesis
+};
+[[nodiscard]] std::string_view name_of(DetectionMethod method);
+[[nodiscard]] std::optional<DetectionMethod> detection_method_from_name(std::string_view name);
+
+struct DetectOptions {
+  DetectionMethod method = DetectionMethod::automatic;
+  StaticDetectionOptions static_camera;  ///< method is ignored; false findings and regions apply to all
+  OctreeOptions octree;
+
+  static void describe(auto&& self, auto&& visit) {
+    StaticDetectionOptions::describe(self.static_camera, visit);
+    OctreeOptions::describe(self.octree, visit);
+  }
+};
+
+struct SidesDetection {
+  Detection detection;  ///< in the view of the first final capture
+  /// Registration of the first captures of either side; empty if they were not registered.
+  std::optional<Registration> registration;
+};
+
+/// Compares two sides of one or more captures each.
+///
+/// The method `automatic` uses `spatial` for several captures a side, and if the stated poses differ.
+/// Otherwise it compares pixel by pixel with `calibrated` and checks in the depth images whether the views
+/// are aligned (view_motion.hpp). If they are not, it registers them and compares with `spatial`, and a
+/// warning states the motion. A static method requested by name is always used; if the camera moved, a
+/// warning states that the result may show the motion rather than changes.
+/// @param initial, final at least one capture each, those of a side from nearly one pose
+/// @param left_out       pixels of the first initial depth image to leave out; empty for none
+/// @throws Error when the captures are of different cameras or show different views, when they cannot be
+///         registered, or a frame cannot be read; UsageError for options out of range; Interrupted
+[[nodiscard]] SidesDetection detect(const Captures& initial, const Captures& final,
+                                    const DetectOptions& options, const Progress& progress,
+                                    const Mask& left_out = {});
+
+}  // namespace rva

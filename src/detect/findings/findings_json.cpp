@@ -1,0 +1,69 @@
+#include <nlohmann/json.hpp>
+
+#include "detect/findings/findings.hpp"
+
+namespace rva {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json_value(const Evidence& evidence) {
+  Json json = Json::array();
+  if (evidence.depth) json.push_back("depth");
+  if (evidence.appearance) json.push_back("appearance");
+  return json;
+}
+
+// @param of_two true if depth and infrared or colour images were compared, so that the evidence is stated
+Json to_json_value(const Finding& finding, bool of_two) {
+  Json json;
+  json["id"] = finding.id;
+  json["kind"] = name_of(finding.kind);
+  json["bbox"] = {finding.box.x, finding.box.y, finding.box.width, finding.box.height};
+  json["area_px"] = finding.pixels.size();
+  json["centroid"] = {finding.centroid.x(), finding.centroid.y()};
+  if (const auto& p = finding.position_m) json["position_m"] = {p->x(), p->y(), p->z()};
+  if (finding.size_mm) json["size_mm"] = *finding.size_mm;
+  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.score) json["score"] = *finding.score;
+  if (finding.p_value) json["p_value"] = *finding.p_value;
+  if (finding.moved_from) json["moved_from"] = *finding.moved_from;
+  if (of_two) json["evidence"] = to_json_value(finding.evidence);
+  return json;
+}
+
+Json to_json_value(const Coverage& coverage) {
+  Json json{{"compared", coverage.compared}, {"unseen", coverage.unseen}, {"invalid", coverage.invalid}};
+  if (coverage.beyond_clip) json["beyond_clip"] = *coverage.beyond_clip;
+  if (coverage.left_out) json["left_out"] = *coverage.left_out;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Findings& findings) {
+  Json json;
+  json["format"] = "rva-detections";
+  json["version"] = 1;
+  json["method"] = findings.method;
+  json["parameters"] = Json::object();
+  for (const auto& [name, value] : findings.parameters) {
+    std::visit([&, &key = name](auto number) { json["parameters"][key] = number; }, value);
+  }
+  json["frames"] = {{"initial", findings.initial_frames}, {"final", findings.final_frames}};
+  json["final_from_initial"] = to_row_major(findings.final_from_initial);
+  json["coverage"] = to_json_value(findings.coverage);
+  if (findings.appearance_judged) json["coverage"]["appearance"] = *findings.appearance_judged;
+  const Runtime& runtime = findings.runtime;
+  json["runtime_ms"] = {{"load", runtime.load_ms},
+                        {"statistics", runtime.statistics_ms},
+                        {"detect", runtime.detect_ms},
+                        {"regions", runtime.regions_ms},
+                        {"total", runtime.total_ms}};
+  json["detections"] = Json::array();
+  for (const Finding& finding : findings.findings)
+    json["detections"].push_back(to_json_value(finding, findings.appearance_judged.has_value()));
+  return json.dump(1) + "\n";
+}
+
+}  // namespace rva

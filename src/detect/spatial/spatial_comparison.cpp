@@ -1,0 +1,29 @@
+#include "detect/spatial/spatial_comparison.hpp"
+
+#include <utility>
+
+#include "views/free_space.hpp"
+
+namespace rva {
+
+SpatialChange change_from_elsewhere(const DepthView& initial, const DepthView& final,
+                                    const Registration& registration, KnownMotion known) {
+  return {free_space_change(initial, final, registration.initial_from_final, registration.offset_px),
+          known == KnownMotion::bumped ? slopes_of_bumped_cameras : slopes_of_moved_cameras,
+          final.disparity_m_px};
+}
+
+SpatialChange change_from_same_places(std::vector<PlacedChange> changes, const Intrinsics& camera,
+                                      double disparity_m_px) {
+  DisparityChange fused = fuse(std::move(changes), camera, disparity_m_px);
+  const UsualSlopes slopes = usual_slopes(fused.frames);
+  return {std::move(fused), slopes, disparity_m_px};
+}
+
+CalibratedComparison compare_spatial(const SpatialChange& change, double unit_m,
+                                     const CalibratedOptions& options) {
+  return compare_calibrated(change.change, change.disparity_m_px / unit_m, change.disparity_m_px,
+                            change.slopes, options);
+}
+
+}  // namespace rva

@@ -1,0 +1,70 @@
+// The shapes of the debris catalogue. Lengths in this header are in millimetres, as in drawings;
+// make_debris() converts them to metres.
+#pragma once
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "core/random.hpp"
+#include "scene/scene.hpp"
+#include "scene/solids/extrusion.hpp"
+
+namespace rva {
+
+using Parts = std::vector<Part>;
+
+[[nodiscard]] Part part_of(std::string_view material, TriangleMesh mesh);
+[[nodiscard]] TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& by);
+[[nodiscard]] TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& factors);
+/// The mesh rotated counterclockwise about an axis of unit length.
+[[nodiscard]] TriangleMesh turned(const TriangleMesh& mesh, double angle_deg, const Eigen::Vector3d& axis);
+/// lathe() for a profile given as a list: corners (r, z).
+[[nodiscard]] TriangleMesh turned_solid(std::initializer_list<Eigen::Vector2d> profile_rz, int segments);
+/// turned_ring() for a loop given as a list: corners (r, z), up along the outside, down along the bore.
+[[nodiscard]] TriangleMesh turned_hollow(std::initializer_list<Eigen::Vector2d> loop_rz, int segments);
+/// The corners of a regular hexagon.
+/// @param across_flats distance between opposite sides
+[[nodiscard]] Outline hexagon(double across_flats);
+/// An arc, both ends included, counterclockwise.
+[[nodiscard]] Outline arc(const Eigen::Vector2d& center, double radius, double from_deg, double to_deg,
+                          int pieces);
+/// A strip of sheet metal or tape along a path.
+/// @param normals directions of its thickness, one for each point of the path, of unit length
+/// @param across  direction of its width, of unit length
+[[nodiscard]] TriangleMesh ribbon(const std::vector<Eigen::Vector3d>& path,
+                                  const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& across,
+                                  double width, double thickness);
+/// The parts, uniformly scaled to the given largest extent, so that random shapes of a kind have one size.
+[[nodiscard]] Parts fitted(Parts parts, double largest_extent);
+
+/// Tools and the contents of pockets.
+[[nodiscard]] Parts flashlight();
+[[nodiscard]] Parts small_flashlight();
+[[nodiscard]] Parts screwdriver();
+[[nodiscard]] Parts socket();
+[[nodiscard]] Parts wrench();
+[[nodiscard]] Parts drill_bit(double diameter, double length, double flute_length);
+[[nodiscard]] Parts sheet_holder();
+[[nodiscard]] Parts pen();
+[[nodiscard]] Parts key();
+
+/// Fasteners of a wing.
+[[nodiscard]] Parts swaged_collar(double diameter_in);
+[[nodiscard]] Parts bolt_m6();
+[[nodiscard]] Parts hi_lok();
+[[nodiscard]] Parts nut_m6();
+[[nodiscard]] Parts nut_plate();
+[[nodiscard]] Parts rivet();
+[[nodiscard]] Parts washer_m6();
+
+/// Flexible objects, of random shape except for the roll of tape.
+[[nodiscard]] Parts swarf(Random& random);
+[[nodiscard]] Parts wire(Random& random);
+[[nodiscard]] Parts tape_roll();
+[[nodiscard]] Parts tape_strip(Random& random);
+[[nodiscard]] Parts rag(Random& random);
+[[nodiscard]] Parts glove(Random& random);
+
+}  // namespace rva

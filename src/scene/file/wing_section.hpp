@@ -1,0 +1,13 @@
+// The `wing` and `work` sections of a scene file.
+#pragma once
+
+#include "scene/file/yaml_node.hpp"
+#include "scene/wing/wing_bay.hpp"
+
+namespace rva {
+
+/// @throws Error also for sizes that do not fit together
+[[nodiscard]] WingBay read_wing(const YamlNode& section);
+[[nodiscard]] Work read_work(const YamlNode& section);
+
+}  // namespace rva

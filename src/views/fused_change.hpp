@@ -1,0 +1,28 @@
+// Fuses changes observed from nearly one pose.
+#pragma once
+
+#include <vector>
+
+#include "geometry/intrinsics.hpp"
+#include "geometry/transform.hpp"
+#include "views/disparity_change.hpp"
+
+namespace rva {
+
+/// The change between two captures of one pose, and that pose.
+struct PlacedChange {
+  DisparityChange change;
+  Transform first_from_view = Transform::Identity();
+};
+
+/// Fuses the changes of several views into the first one. In a single view that returned exactly, the errors
+/// of the matcher cancel pixel by pixel, but so does a small object on which no dot falls. A few servo steps
+/// away, other dots fall on it. Each pixel of the result is the mean of the changes that the views have on
+/// that surface, each without its drift; at least half of the views must have one. Lost depth is that of the
+/// first view.
+/// @param changes        at least one, all of `camera`
+/// @param disparity_m_px focal length times baseline
+[[nodiscard]] DisparityChange fuse(std::vector<PlacedChange> changes, const Intrinsics& camera,
+                                   double disparity_m_px);
+
+}  // namespace rva
