@@ -31,6 +31,7 @@
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
 #include "evaluate/usual_slope_fit.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "sim/sensor/camera_models.hpp"
 #include "views/fused_view.hpp"
 #include "views/view_check.hpp"
@@ -113,10 +114,7 @@ struct TakenSide {
     return statistics_of(*lit.front(), count, {}, ignored);
   }
 
-  [[nodiscard]] double disparity_by_depth() const {
-    const CaptureInfo& info = lit.front()->info();
-    return disparity_m_px(info) / info.depth_unit_m;
-  }
+  [[nodiscard]] StereoScale stereo() const { return stereo_scale(lit.front()->info()); }
 };
 
 TakenSide take(const Scene& scene, const StereoSensorOptions& sensor, const RobotSideOptions& options,
@@ -149,11 +147,10 @@ struct UnchangedBay {
 };
 
 void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
-  const double disparity_by_depth = bay.after.disparity_by_depth();
+  const StereoScale stereo = bay.after.stereo();
   const auto of_frames = [&](std::size_t count) {
-    return peaks_of(
-        disparity_change(bay.before.statistics(count), bay.after.statistics(count), disparity_by_depth),
-        disparity_by_depth);
+    return peaks_of(disparity_change(bay.before.statistics(count), bay.after.statistics(count), stereo),
+                    stereo);
   };
   const CalibratedPeaks means = of_frames(frames);
   append(peaks[still_change_sure], means.change.reliable);
@@ -174,7 +171,7 @@ void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known,
       known == KnownMotion::bumped ? register_near_views(before, after) : register_views(before, after);
   if (!registration.trusted()) return;
   const SpatialChange change = change_from_elsewhere(before, after, registration, known);
-  const CalibratedPeaks found = peaks_of(change.change, bay.after.disparity_by_depth());
+  const CalibratedPeaks found = peaks_of(change.change, bay.after.stereo());
   const bool bumped = known == KnownMotion::bumped;
   append(peaks[bumped ? bumped_change_sure : moved_change_sure], found.change.reliable);
   append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unreliable);

@@ -58,7 +58,7 @@ Side take(const std::string& scene, std::uint64_t seed) {
 }
 
 DepthView view_of(const Side& side) {
-  return depth_view(side.statistics, side.info.depth, side.info.depth_unit_m, disparity_m_px(side.info));
+  return depth_view(side.statistics, side.info.depth, stereo_scale(side.info));
 }
 
 Eigen::AlignedBox3f crop() {
@@ -198,8 +198,7 @@ class MovedCamera {
     const DepthView after = view_of(final_);
     const Registration registration = register_views(before, after);
     const Comparison comparison =
-        compare_spatial(change_from_elsewhere(before, after, registration), final_.info.depth_unit_m, {})
-            .comparison;
+        compare_spatial(change_from_elsewhere(before, after, registration), {}).comparison;
     sink = sink + find_findings(comparison, {}, final_.info.depth).size();
   }
 

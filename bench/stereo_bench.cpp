@@ -18,6 +18,7 @@
 
 #include "core/quantile.hpp"
 #include "depth/mat_view.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "infrared/dot_mask.hpp"
 #include "robot/dither.hpp"
 #include "scene/file/scene_file.hpp"
@@ -57,17 +58,14 @@ struct Truth {
   cv::Mat from_edge_px;   // distance to the nearest step of disparity
 };
 
-double disparity_m_px(const SimulatedCamera& camera) {
-  return camera.info().depth.fx * camera.info().camera->baseline_m.value();
-}
-
 Truth truth_of(const SimulatedCamera& camera) {
   constexpr float step_px = 0.7F;
   const Image<float> depth_m = camera.true_view().depth_m;
   Truth truth{{depth_m.width(), depth_m.height()}, {depth_m.width(), depth_m.height()}, {}};
   for (std::size_t i = 0; i < depth_m.size(); ++i)
     truth.disparity_px[i] =
-        depth_m[i] > 0.0F ? static_cast<float>(disparity_m_px(camera)) / depth_m[i] : 0.0F;
+        depth_m[i] > 0.0F ? static_cast<float>(stereo_scale(camera.info()).focal_baseline_m_px) / depth_m[i]
+                          : 0.0F;
   cv::Mat edges(depth_m.height(), depth_m.width(), CV_8U, cv::Scalar(255));
   for (int v = 1; v + 1 < depth_m.height(); ++v) {
     for (int u = 1; u + 1 < depth_m.width(); ++u) {
@@ -158,12 +156,12 @@ Dither take(SimulatedCamera& camera, const Transform& first_world_from_camera) {
   for (int i = 0; i < frames; ++i) {
     const CameraFrame frame = camera.wait_for_frame().value();
     if (sum.empty()) sum = count = left = right = Image<float>(frame.depth.width(), frame.depth.height());
-    const double unit_m = camera.info().depth_unit_m;
+    const StereoScale stereo = stereo_scale(camera.info());
     for (std::size_t k = 0; k < sum.size(); ++k) {
       left[k] += static_cast<float>(frame.infrared.at(Imager::left)[k]);
       right[k] += static_cast<float>(frame.infrared.at(Imager::right)[k]);
       if (frame.depth[k] == no_depth) continue;
-      sum[k] += static_cast<float>(disparity_m_px(camera) / (unit_m * frame.depth[k]));
+      sum[k] += static_cast<float>(stereo.disparity_px(stereo.unit_m * frame.depth[k]));
       count[k] += 1.0F;
     }
   }
@@ -218,9 +216,9 @@ void matchers(const Dither& first, const Truth& truth) {
 /// The mean of the camera's disparities over several captures, transformed into the view of the first.
 class CameraMean {
  public:
-  CameraMean(const ReferenceSurface& start, double disparity_m_px)
+  CameraMean(const ReferenceSurface& start, const StereoScale& stereo)
       : start_(start),
-        disparity_m_px_(disparity_m_px),
+        stereo_(stereo),
         sum_(start.camera.width, start.camera.height),
         count_(start.camera.width, start.camera.height) {}
 
@@ -252,12 +250,12 @@ class CameraMean {
     const Eigen::Vector3d point =
         dither.mean.view_from_reference.inverse() *
         start_.camera.deproject({static_cast<double>(column), static_cast<double>(row)},
-                                disparity_m_px_ / static_cast<double>(there_px));
-    return static_cast<float>(disparity_m_px_ / point.z());
+                                stereo_.depth_m(static_cast<double>(there_px)));
+    return static_cast<float>(stereo_.disparity_px(point.z()));
   }
 
   const ReferenceSurface& start_;
-  double disparity_m_px_;
+  StereoScale stereo_;
   Image<float> sum_;
   Image<float> count_;
 };
@@ -292,7 +290,7 @@ void measure(const std::string& scene_file) {
     side.push_back(take(camera, first));
   }
   matchers(side.front(), truth);
-  space_time(side, truth, camera.info().depth, disparity_m_px(camera));
+  space_time(side, truth, camera.info().depth, stereo_scale(camera.info()));
 }
 
 }  // namespace

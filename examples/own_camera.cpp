@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/random.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace {
 
@@ -28,7 +29,7 @@ class TiltedPlane : public rva::Camera {
 
   [[nodiscard]] std::optional<rva::CameraFrame> wait_for_frame() override {
     const rva::CaptureInfo view = info();
-    const double disparity_m_px = view.depth.fx * *view.camera->baseline_m;
+    const rva::StereoScale stereo = rva::stereo_scale(view);
     rva::CameraFrame frame;
     frame.number = number_++;
     frame.time_s = static_cast<double>(frame.number) / 30.0;
@@ -36,7 +37,7 @@ class TiltedPlane : public rva::Camera {
     for (int v = 0; v < view.depth.height; ++v) {
       for (int u = 0; u < view.depth.width; ++u) {
         const double plane_m = 1.0 / (1.0 - 0.3 * (u - view.depth.cx) / view.depth.fx);  // z = 1 m + 0.3 x
-        const double depth_m = disparity_m_px / (disparity_m_px / plane_m + 0.1 * random_.normal());
+        const double depth_m = stereo.depth_m(stereo.disparity_px(plane_m) + 0.1 * random_.normal());
         frame.depth(u, v) = static_cast<std::uint16_t>(std::lround(depth_m / view.depth_unit_m));
       }
     }

@@ -21,7 +21,7 @@ rva::Comparison compare(const rva::Capture& initial_capture, const rva::Capture&
   rva::Runtime runtime;
   const auto initial = rva::statistics_of(initial_capture, initial_capture.depth_frames(), {}, runtime);
   const auto final = rva::statistics_of(final_capture, final_capture.depth_frames(), {}, runtime);
-  const double disparity_px = rva::disparity_m_px(info) / info.depth_unit_m;
+  const double disparity_px = rva::stereo_scale(info).focal_baseline_units_px();
   rva::Comparison comparison(final.width(), final.height());
   for (std::size_t i = 0; i < final.size(); ++i) {
     if (!initial.seen(i) || !final.seen(i)) continue;

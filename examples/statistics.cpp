@@ -12,6 +12,7 @@
 #include "core/quantile.hpp"
 #include "depth/depth_statistics.hpp"
 #include "detect/findings/detection.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace {
 
@@ -23,7 +24,7 @@ void print_noise(const rva::Capture& capture) {
 
   // Disparity is d = f b / z, so a deviation of z is one of f b / z^2 times as much in disparity. There the
   // noise of a stereo camera hardly depends on distance.
-  const double disparity_m_px = rva::disparity_m_px(info);
+  const rva::StereoScale stereo = rva::stereo_scale(info);
   std::vector<double> means_m;
   std::vector<double> noise_mm;
   std::vector<double> noise_px;
@@ -33,7 +34,7 @@ void print_noise(const rva::Capture& capture) {
     const double deviation_m = statistics.standard_deviation(i) * info.depth_unit_m;
     means_m.push_back(mean_m);
     noise_mm.push_back(1000.0 * deviation_m);
-    noise_px.push_back(deviation_m * disparity_m_px / (mean_m * mean_m));
+    noise_px.push_back(deviation_m * stereo.disparity_px(mean_m) / mean_m);
   }
   if (means_m.empty())
     throw rva::Error("capture", "no pixel was measured in two frames", "give a capture of several frames");

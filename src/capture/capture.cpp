@@ -109,12 +109,12 @@ std::unique_ptr<Capture> open_capture(const fs::path& path, const CaptureOptions
 }
 
 // Equation 1 of docs/math.md.
-double disparity_m_px(const CaptureInfo& info) {
+StereoScale stereo_scale(const CaptureInfo& info) {
   constexpr double usual_baseline_m = 0.050;
   const double baseline_m = info.camera && info.camera->baseline_m.value_or(0.0) > 0.0
                                 ? *info.camera->baseline_m
                                 : usual_baseline_m;
-  return info.depth.fx * baseline_m;
+  return {.focal_baseline_m_px = info.depth.fx * baseline_m, .unit_m = info.depth_unit_m};
 }
 
 }  // namespace rva

@@ -14,6 +14,7 @@
 
 #include "depth/image.hpp"
 #include "geometry/intrinsics.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "geometry/transform.hpp"
 
 namespace rva {
@@ -173,8 +174,8 @@ struct CaptureOptions {
 [[nodiscard]] std::unique_ptr<Capture> open_capture(const std::filesystem::path& path,
                                                     const CaptureOptions& options = {});
 
-/// Focal length times baseline, m px: the product of a disparity in pixels and the depth in metres. If the
-/// capture does not state its baseline, 50 mm is assumed, and disparities are not in true pixels.
-[[nodiscard]] double disparity_m_px(const CaptureInfo& info);
+/// The scale between a capture's depth and disparity. If the capture does not state its stereo baseline, 50
+/// mm is assumed, and disparities are not in true pixels.
+[[nodiscard]] StereoScale stereo_scale(const CaptureInfo& info);
 
 }  // namespace rva

@@ -56,7 +56,7 @@ const Capture& initial_of_same_view(const Captures& initial, const Capture& fina
 }
 
 DepthView view_of(const DepthStatistics& statistics, const CaptureInfo& info) {
-  return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
+  return depth_view(statistics, info.depth, stereo_scale(info));
 }
 
 /// The views of a static comparison, and whether they are aligned.

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/stopwatch.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 namespace {
@@ -134,12 +135,12 @@ class Run {
     }
     state_parameters(options_.calibrated);
     const CaptureInfo& info = final_.info();
-    const double disparity_by_depth = disparity_m_px(info) / info.depth_unit_m;
-    DisparityChange change = disparity_change(before, after, disparity_by_depth);
+    const StereoScale stereo = stereo_scale(info);
+    DisparityChange change = disparity_change(before, after, stereo);
     leave_out(change, left_out_);
     if (!initial_.marks_no_depth_by_zero() || !final_.marks_no_depth_by_zero()) forget_losses(change);
-    CalibratedComparison calibrated = compare_calibrated(change, disparity_by_depth, disparity_m_px(info),
-                                                         usual_slopes(change.frames), options_.calibrated);
+    CalibratedComparison calibrated =
+        compare_calibrated(change, stereo, usual_slopes(change.frames), options_.calibrated);
     result_.level_of_detection =
         LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
     return std::move(calibrated.comparison);

@@ -123,13 +123,14 @@ OtherChanges other_changes(const SimulatedCamera& before, const SimulatedCamera&
   return {work_pixels(before, after), trace_pixels(after)};
 }
 
-void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
+void count_shown(const DepthStatistics& without, const DepthStatistics& with, const StereoScale& stereo,
                  std::vector<Target>& targets) {
   constexpr double trace_px = 0.1;
+  const double product_units_px = stereo.focal_baseline_units_px();
   const auto shows = [&](std::size_t i) {
     if (without.seen(i) != with.seen(i)) return true;
     if (!with.seen(i)) return false;
-    return std::abs(disparity_by_depth / with.mean(i) - disparity_by_depth / without.mean(i)) > trace_px;
+    return std::abs(product_units_px / with.mean(i) - product_units_px / without.mean(i)) > trace_px;
   };
   for (Target& target : targets) {
     const Mask around = grown(mask_of(target.pixels, with.width(), with.height()), found_within_px);

@@ -6,6 +6,7 @@
 
 #include "depth/depth_statistics.hpp"
 #include "detect/findings/findings.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "sim/simulated_camera.hpp"
 
 namespace rva {
@@ -42,9 +43,8 @@ struct OtherChanges {
 /// Counts for each target the pixels within 4 pixels of it at which it changes disparity by more than 0.1 px,
 /// or adds or removes a measurement. The threshold is three standard deviations of the noise that differs
 /// between two captures, as measured by script/faithfulness (docs/simulator.md).
-/// @param without, with      captures of one view with identical noise, without debris and with it
-/// @param disparity_by_depth focal length times baseline: disparity in pixels times depth in depth units
-void count_shown(const DepthStatistics& without, const DepthStatistics& with, double disparity_by_depth,
+/// @param without, with captures of one view with identical noise, without debris and with it
+void count_shown(const DepthStatistics& without, const DepthStatistics& with, const StereoScale& stereo,
                  std::vector<Target>& targets);
 
 struct Judgement {

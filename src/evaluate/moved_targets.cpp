@@ -33,9 +33,10 @@ bool is_seen_free(const Target& target, const Intrinsics& camera, const DepthVie
     const float seen_px = initial.disparity_px(static_cast<int>(std::lround(pixel.x())),
                                                static_cast<int>(std::lround(pixel.y())));
     constexpr double tolerance_px = 0.5;
-    free += seen_px > 0.0F && static_cast<double>(seen_px) < initial.disparity_m_px / point.z() + tolerance_px
-                ? 1
-                : 0;
+    free +=
+        seen_px > 0.0F && static_cast<double>(seen_px) < initial.stereo.disparity_px(point.z()) + tolerance_px
+            ? 1
+            : 0;
   }
   return 2 * free >= target.pixels.size();
 }

@@ -50,8 +50,7 @@ Comparison compare(const Detector& detector, const Take& before, const Take& aft
   if (detector.method == "gaussian")
     return compare_gaussian(before.statistics(), after.statistics(), info.depth_unit_m,
                             {.sigmas = detector.setting});
-  return compare_calibrated(before.statistics(), after.statistics(), info.depth_unit_m,
-                            info.depth.fx * info.camera->baseline_m.value(),
+  return compare_calibrated(before.statistics(), after.statistics(), stereo_scale(info),
                             {.false_findings = detector.setting})
       .comparison;
 }
@@ -91,9 +90,7 @@ void count_shown_by_twins(const Scene& scene, const StereoSensorOptions& sensor,
   Take without(without_roles(scene, {Role::debris}), sensor, mix(seed, 4));
   Take with(scene, sensor, mix(seed, 4));
   for (Take* take : {&without, &with}) take->up_to(frames);
-  const CaptureInfo info = with.camera().info();
-  count_shown(without.statistics(), with.statistics(),
-              info.depth.fx * info.camera->baseline_m.value() / info.depth_unit_m, targets);
+  count_shown(without.statistics(), with.statistics(), stereo_scale(with.camera().info()), targets);
 }
 
 SimulatedInspection inspect(const StudyOptions& options, const std::optional<Scene>& scene,

@@ -12,10 +12,10 @@
 namespace rva {
 
 ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>& disparity_px,
-                                   double disparity_m_px) {
+                                   const StereoScale& stereo) {
   Image<float> filled_px = disparity_px;
   if (!fill_gaps(as_mat(disparity_px) <= 0.0, filled_px)) return {camera, {}};
-  for (float& value : filled_px.pixels()) value /= static_cast<float>(disparity_m_px);
+  for (float& value : filled_px.pixels()) value /= static_cast<float>(stereo.focal_baseline_m_px);
   return {camera, std::move(filled_px)};
 }
 

@@ -7,6 +7,7 @@
 
 #include "depth/image.hpp"
 #include "geometry/intrinsics.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "geometry/transform.hpp"
 
 namespace rva {
@@ -19,11 +20,10 @@ struct ReferenceSurface {
 };
 
 /// Converts a disparity image. A pixel without a disparity gets that of the nearest one that has it.
-/// @param disparity_px   0 where there is none
-/// @param disparity_m_px focal length times baseline
+/// @param disparity_px 0 where there is none
 /// @return an empty image if no pixel has a disparity
 [[nodiscard]] ReferenceSurface reference_surface(const Intrinsics& camera, const Image<float>& disparity_px,
-                                                 double disparity_m_px);
+                                                 const StereoScale& stereo);
 
 /// Projects single pixels of the reference into another view.
 class ViewOfSurface {

@@ -10,8 +10,7 @@
 namespace rva {
 
 NoiseWatch::NoiseWatch(const CaptureInfo& info)
-    : unit_m_(info.depth_unit_m),
-      disparity_m_px_(disparity_m_px(info)),
+    : stereo_(stereo_scale(info)),
       even_(info.depth.width, info.depth.height),
       odd_(info.depth.width, info.depth.height) {}
 
@@ -29,7 +28,7 @@ NoiseSoFar NoiseWatch::measure() const {
   }
   noise.measured = static_cast<double>(seen) / static_cast<double>(even_.size());
   if (!std_mm.empty()) noise.median_std_mm = quantile(std_mm, 0.5);
-  CalibratedComparison halves = compare_calibrated(even_, odd_, unit_m_, disparity_m_px_, {});
+  CalibratedComparison halves = compare_calibrated(even_, odd_, stereo_, {});
   noise.findable = std::move(halves.levels);
   noise.least_mm = std::move(halves.level_of_detection_mm);
   return noise;

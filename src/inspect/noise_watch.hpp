@@ -8,6 +8,7 @@
 #include "depth/depth_statistics.hpp"
 #include "depth/image.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 
@@ -37,8 +38,7 @@ class NoiseWatch {
   [[nodiscard]] NoiseSoFar measure() const;
 
  private:
-  double unit_m_;
-  double disparity_m_px_;
+  StereoScale stereo_;
   DepthStatistics even_;
   DepthStatistics odd_;
 };

@@ -70,9 +70,7 @@ ReadinessItem depth_item(const Watched& watched, const ReadinessOptions& options
 }
 
 ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& options) {
-  const double product = disparity_m_px(watched.info);
-  const DisparityChange change =
-      disparity_change(watched.first, watched.second, product / watched.info.depth_unit_m);
+  const DisparityChange change = disparity_change(watched.first, watched.second, stereo_scale(watched.info));
   const Drift drift = fit_drift(change);
   const int u = watched.info.depth.width / 2;
   const int v = watched.info.depth.height / 2;

@@ -94,7 +94,7 @@ bool sees(const DepthView& view, const Eigen::Vector3d& point_m) {
   if (!view.camera.contains(pixel)) return false;
   const auto seen_px = static_cast<double>(
       view.disparity_px(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))));
-  return std::abs(seen_px - view.disparity_m_px / point_m.z()) < same_surface_px;
+  return std::abs(seen_px - view.stereo.disparity_px(point_m.z())) < same_surface_px;
 }
 
 // The colour camera has a narrower field of view than the depth camera, so that points without a colour take
@@ -118,7 +118,7 @@ std::vector<VoxelSum> voxels_of(const MapView& view, const Transform& foot_from_
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
       if (good(u, v) == 0) continue;
-      const double z_m = depth.disparity_m_px / static_cast<double>(depth.disparity_px(u, v));
+      const double z_m = depth.stereo.depth_m(static_cast<double>(depth.disparity_px(u, v)));
       if (z_m < options.near_m || z_m > options.far_m) continue;
       const Eigen::Vector3d point_m = camera.deproject({u, v}, z_m);
       const Eigen::Vector3d position_m = foot_from_camera * point_m;

@@ -34,8 +34,7 @@ MapView load_map_view(const Capture& capture, const std::string& name, const Pan
   DepthStatistics statistics(info.depth.width, info.depth.height);
   for_each_depth_frame(capture, capture.depth_frames(), {},
                        [&](const DepthImage& frame) { statistics.add(frame); });
-  return {name, joints, depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info)),
-          color_of(capture)};
+  return {name, joints, depth_view(statistics, info.depth, stereo_scale(info)), color_of(capture)};
 }
 
 }  // namespace rva

@@ -20,7 +20,7 @@ int labels_of(const SweepOptions& options) {
 /// the reference.
 class RowDifferences {
  public:
-  RowDifferences(const ReferenceSurface& start, double disparity_m_px, const StereoView& view,
+  RowDifferences(const ReferenceSurface& start, const StereoScale& stereo, const StereoView& view,
                  const SweepOptions& options)
       : start_(start),
         view_(view),
@@ -29,7 +29,7 @@ class RowDifferences {
         per_px_(static_cast<int>(std::lround(1.0 / options.step_px))),
         range_px_(static_cast<float>(options.range_px)),
         excess_px_(static_cast<float>(view.excess_px)),
-        disparity_m_px_(static_cast<float>(disparity_m_px)) {
+        focal_baseline_m_px_(static_cast<float>(stereo.focal_baseline_m_px)) {
     const Transform& pose = view.view_from_reference;
     depth_of_ray_ = pose.linear().row(2).cast<float>();
     depth_shift_ = static_cast<float>(pose.translation().z());
@@ -55,7 +55,7 @@ class RowDifferences {
     const Eigen::Vector3f ray(
         (static_cast<float>(u) - static_cast<float>(camera.cx)) / static_cast<float>(camera.fx),
         (static_cast<float>(v) - static_cast<float>(camera.cy)) / static_cast<float>(camera.fy), 1.0F);
-    return disparity_m_px_ * inverse / (depth_of_ray_.dot(ray) + depth_shift_ * inverse);
+    return focal_baseline_m_px_ * inverse / (depth_of_ray_.dot(ray) + depth_shift_ * inverse);
   }
 
   RVA_VECTOR_CLONES bool differences_at(int u, int v, float* differences) {
@@ -98,7 +98,7 @@ class RowDifferences {
   int per_px_;
   float range_px_;
   float excess_px_;
-  float disparity_m_px_;
+  float focal_baseline_m_px_;
   Eigen::Vector3f depth_of_ray_;
   float depth_shift_ = 0.0F;
   std::vector<float> segment_;  // of the right image, interpolated at the row of the pixel
@@ -215,9 +215,9 @@ struct Rows {
 
 // Adds the costs of one view. Rows outside the image do not contribute. `costs` may consist of these
 // rows only.
-void add_view(const ReferenceSurface& start, double disparity_m_px, const StereoView& view,
+void add_view(const ReferenceSurface& start, const StereoScale& stereo, const StereoView& view,
               const SweepOptions& options, const Rows& rows, SweptCosts& costs) {
-  RowDifferences differences(start, disparity_m_px, view, options);
+  RowDifferences differences(start, stereo, view, options);
   WindowCosts windows(start.inverse_depth_per_m.width(), costs.labels(), options.window_px);
   const int half_px = options.window_px / 2;
   const int height = start.inverse_depth_per_m.height();
@@ -244,14 +244,14 @@ void add_best(const SweptCosts& costs, std::vector<float>& best_px) {
 }
 
 // The median over strips of rows, which are a sufficient sample.
-float excess_px(const ReferenceSurface& surface, double disparity_m_px, const StereoView& view) {
+float excess_px(const ReferenceSurface& surface, const StereoScale& stereo, const StereoView& view) {
   constexpr SweepOptions labels{.window_px = 9, .range_px = 1.5, .step_px = 0.25};
   constexpr int strip_px = 4;
   constexpr int every_px = 32;
   std::vector<float> best_px;
   for (int top = every_px / 2; top + strip_px <= surface.inverse_depth_per_m.height(); top += every_px) {
     SweptCosts costs(surface.inverse_depth_per_m.width(), strip_px, labels);
-    add_view(surface, disparity_m_px, view, labels, {top, top + strip_px}, costs);
+    add_view(surface, stereo, view, labels, {top, top + strip_px}, costs);
     add_best(costs, best_px);
   }
   return best_px.empty() ? 0.0F : quantile(best_px, 0.5);
@@ -266,25 +266,26 @@ SweptCosts::SweptCosts(int width, int height, const SweepOptions& options)
       step_px_(static_cast<float>(options.step_px)),
       costs_(freedom.size() * static_cast<std::size_t>(labels_)) {}
 
-SweptCosts sweep(const ReferenceSurface& start, double disparity_m_px, std::span<const StereoView> views,
+SweptCosts sweep(const ReferenceSurface& start, const StereoScale& stereo, std::span<const StereoView> views,
                  const SweepOptions& options) {
   assert(options.window_px % 2 == 1);
   SweptCosts costs(start.inverse_depth_per_m.width(), start.inverse_depth_per_m.height(), options);
   parallel_bands(start.inverse_depth_per_m.height(), [&](int first, int end) {
     for (const StereoView& view : views) {
       throw_if_interrupted();
-      add_view(start, disparity_m_px, view, options, {first, end}, costs);
+      add_view(start, stereo, view, options, {first, end}, costs);
     }
   });
   return costs;
 }
 
-void align_disparities(const ReferenceSurface& surface, double disparity_m_px, std::span<StereoView> views) {
+void align_disparities(const ReferenceSurface& surface, const StereoScale& stereo,
+                       std::span<StereoView> views) {
   parallel_bands(static_cast<int>(views.size()), [&](int first, int end) {
     for (int k = first; k < end; ++k) {
       throw_if_interrupted();
       StereoView& view = views[static_cast<std::size_t>(k)];
-      view.excess_px += static_cast<double>(excess_px(surface, disparity_m_px, view));
+      view.excess_px += static_cast<double>(excess_px(surface, stereo, view));
     }
   });
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "depth/image.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "geometry/transform.hpp"
 #include "infrared/reference_surface.hpp"
 
@@ -64,14 +65,14 @@ class SweptCosts {
 /// Computes costs about a surface. Windows follow the surface, so that sloped surfaces are matched
 /// without distortion.
 /// @param start          surface in the reference view
-/// @param disparity_m_px focal length times baseline
 /// @param views          at least one, of the size of the start
-[[nodiscard]] SweptCosts sweep(const ReferenceSurface& start, double disparity_m_px,
+[[nodiscard]] SweptCosts sweep(const ReferenceSurface& start, const StereoScale& stereo,
                                std::span<const StereoView> views, const SweepOptions& options = {});
 
 /// Adds to excess_px of each pair the median difference of its disparity from that of the surface. The
 /// temperature of a camera shifts it by a tenth of a pixel from capture to capture.
-void align_disparities(const ReferenceSurface& surface, double disparity_m_px, std::span<StereoView> views);
+void align_disparities(const ReferenceSurface& surface, const StereoScale& stereo,
+                       std::span<StereoView> views);
 
 /// The minimum of some costs, interpolated between labels by a parabola through the least one and
 /// its neighbours.

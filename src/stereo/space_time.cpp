@@ -18,11 +18,11 @@ Image<float> median_of_neighbours(const Image<float>& image) {
 
 }  // namespace
 
-ReferenceSurface refined(const ReferenceSurface& start, double disparity_m_px,
+ReferenceSurface refined(const ReferenceSurface& start, const StereoScale& stereo,
                          std::span<const StereoView> views, const SweepOptions& options) {
   constexpr float least_px = 0.01F;
-  const auto scale = static_cast<float>(disparity_m_px);
-  const SweptCosts costs = sweep(start, disparity_m_px, views, options);
+  const auto scale = static_cast<float>(stereo.focal_baseline_m_px);
+  const SweptCosts costs = sweep(start, stereo, views, options);
   Image<float> disparity = start.inverse_depth_per_m;
   for (int v = 0; v < disparity.height(); ++v) {
     for (int u = 0; u < disparity.width(); ++u) {
@@ -35,16 +35,16 @@ ReferenceSurface refined(const ReferenceSurface& start, double disparity_m_px,
   return result;
 }
 
-Image<float> space_time_disparity(const ReferenceSurface& start, double disparity_m_px,
+Image<float> space_time_disparity(const ReferenceSurface& start, const StereoScale& stereo,
                                   std::span<const StereoView> views, const SpaceTimeOptions& options) {
-  const ReferenceSurface coarse = refined(start, disparity_m_px, views, options.coarse);
-  const ReferenceSurface fine = refined(coarse, disparity_m_px, views, options.fine);
+  const ReferenceSurface coarse = refined(start, stereo, views, options.coarse);
+  const ReferenceSurface fine = refined(coarse, stereo, views, options.fine);
   Image<float> disparity(fine.inverse_depth_per_m.width(), fine.inverse_depth_per_m.height());
-  const SweptCosts seen = sweep(fine, disparity_m_px, views,
-                                {.window_px = options.fine.window_px, .range_px = 0.0, .step_px = 1.0});
+  const SweptCosts seen =
+      sweep(fine, stereo, views, {.window_px = options.fine.window_px, .range_px = 0.0, .step_px = 1.0});
   for (std::size_t i = 0; i < disparity.size(); ++i) {
     if (seen.freedom[i] > 0.0F)
-      disparity[i] = static_cast<float>(disparity_m_px) * fine.inverse_depth_per_m[i];
+      disparity[i] = static_cast<float>(stereo.focal_baseline_m_px) * fine.inverse_depth_per_m[i];
   }
   return disparity;
 }

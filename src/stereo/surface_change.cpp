@@ -20,13 +20,13 @@ constexpr int mean_px = 5;
 static_assert(surface_window_px == fine.window_px + mean_px - 1);
 
 // The surface that explains the pairs of both sides together; every second pair of each side suffices.
-ReferenceSurface common_surface(const ReferenceSurface& start, double disparity_m_px,
+ReferenceSurface common_surface(const ReferenceSurface& start, const StereoScale& stereo,
                                 std::span<const StereoView> before, std::span<const StereoView> after) {
   std::vector<StereoView> some;
   for (const auto side : {before, after}) {
     for (std::size_t k = 0; k < side.size(); k += 2) some.push_back(side[k]);
   }
-  return refined(start, disparity_m_px, some, coarse);
+  return refined(start, stereo, some, coarse);
 }
 
 /// The comparison of one pixel's costs.
@@ -129,13 +129,12 @@ SurfaceChange weighed(Ratios ratios) {
 
 }  // namespace
 
-SurfaceChange surface_change(const ReferenceSurface& start, double disparity_m_px,
+SurfaceChange surface_change(const ReferenceSurface& start, const StereoScale& stereo,
                              std::span<StereoView> before, std::span<StereoView> after) {
-  align_disparities(start, disparity_m_px, before);
-  align_disparities(start, disparity_m_px, after);
-  const ReferenceSurface common = common_surface(start, disparity_m_px, before, after);
-  return weighed(
-      ratios_of(sweep(common, disparity_m_px, before, fine), sweep(common, disparity_m_px, after, fine)));
+  align_disparities(start, stereo, before);
+  align_disparities(start, stereo, after);
+  const ReferenceSurface common = common_surface(start, stereo, before, after);
+  return weighed(ratios_of(sweep(common, stereo, before, fine), sweep(common, stereo, after, fine)));
 }
 
 }  // namespace rva

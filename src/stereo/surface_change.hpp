@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "geometry/stereo_scale.hpp"
 #include "stereo/plane_sweep.hpp"
 
 namespace rva {
@@ -25,7 +26,7 @@ struct SurfaceChange {
 /// depend on which dots fall near them; costs at the same points of a surface do not.
 /// @param start          surface in the reference view, to a few pixels of disparity
 /// @param before, after  pairs of the sides, at least one each, with poses accurate to a tenth of a pixel
-[[nodiscard]] SurfaceChange surface_change(const ReferenceSurface& start, double disparity_m_px,
+[[nodiscard]] SurfaceChange surface_change(const ReferenceSurface& start, const StereoScale& stereo,
                                            std::span<StereoView> before, std::span<StereoView> after);
 
 }  // namespace rva

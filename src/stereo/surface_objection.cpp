@@ -29,11 +29,11 @@ Image<float> least_costs(const SweptCosts& costs) {
   return least;
 }
 
-SideCosts costs_of(const ReferenceSurface& own, const ReferenceSurface& other, double disparity_m_px,
+SideCosts costs_of(const ReferenceSurface& own, const ReferenceSurface& other, const StereoScale& stereo,
                    std::span<StereoView> pairs) {
-  align_disparities(own, disparity_m_px, pairs);
-  const SweptCosts about_own = sweep(own, disparity_m_px, pairs, nearby);
-  const SweptCosts about_other = sweep(other, disparity_m_px, pairs, nearby);
+  align_disparities(own, stereo, pairs);
+  const SweptCosts about_own = sweep(own, stereo, pairs, nearby);
+  const SweptCosts about_other = sweep(other, stereo, pairs, nearby);
   SideCosts costs{least_costs(about_own), least_costs(about_other), about_own.freedom};
   const float least = 0.1F * *std::ranges::max_element(costs.freedom.pixels());
   for (std::size_t i = 0; i < costs.freedom.size(); ++i) {
@@ -74,10 +74,10 @@ Image<float> least_within_a_pixel(const Image<float>& variances) {
 }  // namespace
 
 SurfaceObjection surface_objection(const ReferenceSurface& surface_before,
-                                   const ReferenceSurface& surface_after, double disparity_m_px,
+                                   const ReferenceSurface& surface_after, const StereoScale& stereo,
                                    std::span<StereoView> before, std::span<StereoView> after) {
-  const SideCosts of_before = costs_of(surface_before, surface_after, disparity_m_px, before);
-  const SideCosts of_after = costs_of(surface_after, surface_before, disparity_m_px, after);
+  const SideCosts of_before = costs_of(surface_before, surface_after, stereo, before);
+  const SideCosts of_after = costs_of(surface_after, surface_before, stereo, after);
   const Image<float> by_before = objection_of(of_before);
   const Image<float> by_after = objection_of(of_after);
   const Image<float> by_before_nearby = least_within_a_pixel(by_before);

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "geometry/stereo_scale.hpp"
 #include "stereo/plane_sweep.hpp"
 
 namespace rva {
@@ -22,7 +23,8 @@ struct SurfaceObjection {
 /// @param surface_before, surface_after surfaces of the sides in the reference view, to a pixel of disparity
 /// @param before, after   pairs of the sides, at least one each
 [[nodiscard]] SurfaceObjection surface_objection(const ReferenceSurface& surface_before,
-                                                 const ReferenceSurface& surface_after, double disparity_m_px,
-                                                 std::span<StereoView> before, std::span<StereoView> after);
+                                                 const ReferenceSurface& surface_after,
+                                                 const StereoScale& stereo, std::span<StereoView> before,
+                                                 std::span<StereoView> after);
 
 }  // namespace rva

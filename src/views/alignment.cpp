@@ -9,8 +9,9 @@ Eigen::Vector3d gradient_at(const Eigen::Vector3d& point, const PlanarPatch& pat
   const double by_z = 1.0 / point.z();
   const double along_u = static_cast<double>(patch.slope_u) * of.camera().fx;
   const double along_v = static_cast<double>(patch.slope_v) * of.camera().fy;
-  return by_z * Eigen::Vector3d(-along_u, -along_v,
-                                (along_u * point.x() + along_v * point.y() - of.disparity_m_px()) * by_z);
+  return by_z * Eigen::Vector3d(
+                    -along_u, -along_v,
+                    (along_u * point.x() + along_v * point.y() - of.stereo().focal_baseline_m_px) * by_z);
 }
 
 struct Fall {
@@ -28,7 +29,7 @@ bool fall(const Eigen::Vector3d& point, const PlanarPatches& onto, Fall& result)
   const double v = camera.fy * point.y() * by_z + camera.cy;
   const PlanarPatch* patch = onto.find(u, v);
   if (patch == nullptr) return false;
-  result.px = onto.disparity_m_px() * by_z - onto.disparity_px(*patch, u, v);
+  result.px = onto.stereo().focal_baseline_m_px * by_z - onto.disparity_px(*patch, u, v);
   result.gradient = gradient_at(point, *patch, onto);
   return true;
 }
@@ -57,7 +58,7 @@ std::vector<SurfaceSample> samples_of(const PlanarPatches& patches, int every) {
     for (int column = every / 2; column < patches.columns(); column += every) {
       const PlanarPatch& patch = patches.at(column, row);
       if (patch.disparity_px <= 0.0F) continue;
-      const double depth_m = patches.disparity_m_px() / static_cast<double>(patch.disparity_px);
+      const double depth_m = patches.stereo().depth_m(static_cast<double>(patch.disparity_px));
       const Eigen::Vector3d position_m =
           patches.camera().deproject({patches.centre_px(column), patches.centre_px(row)}, depth_m);
       points.push_back({position_m, gradient_at(position_m, patch, patches)});

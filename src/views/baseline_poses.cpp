@@ -22,7 +22,7 @@ constexpr int many_rounds = 40;
 
 ReferenceSurface surface_of(const Capture& capture) {
   const DepthView view = depth_view(capture);
-  return reference_surface(view.camera, view.disparity_px, view.disparity_m_px);
+  return reference_surface(view.camera, view.disparity_px, view.stereo);
 }
 
 // Where the robot states that the captures were taken, in the frame of the first.

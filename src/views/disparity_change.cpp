@@ -17,9 +17,9 @@ constexpr float nothing = 0.0F;
 // Converts depth statistics to mean disparities, and adds the variance of a single frame to `variance_px2`.
 class Converter {
  public:
-  Converter(const DepthStatistics& depth, double disparity_by_depth)
+  Converter(const DepthStatistics& depth, const StereoScale& stereo)
       : depth_(depth),
-        disparity_by_depth_(static_cast<float>(disparity_by_depth)),
+        focal_baseline_units_px_(static_cast<float>(stereo.focal_baseline_units_px())),
         share_of_frames_(depth.frames() == 0 ? 0.0F : 1.0F / static_cast<float>(depth.frames())),
         share_of_(depth.frames() + 1) {
     for (std::size_t count = 1; count < share_of_.size(); ++count)
@@ -36,14 +36,14 @@ class Converter {
     if (!depth_.seen(i)) return;
     const float share = share_of_[depth_.count(i)];
     const float by_mean = 1.0F / (static_cast<float>(depth_.sum(i)) * share);
-    const float slope = disparity_by_depth_ * by_mean * by_mean * share;
-    disparity_px = disparity_by_depth_ * by_mean;
+    const float slope = focal_baseline_units_px_ * by_mean * by_mean * share;
+    disparity_px = focal_baseline_units_px_ * by_mean;
     variance_px2 += static_cast<float>(depth_.scaled_variance(i)) * slope * slope;
   }
 
  private:
   const DepthStatistics& depth_;
-  float disparity_by_depth_;
+  float focal_baseline_units_px_;
   float share_of_frames_;
   std::vector<float> share_of_;
 };
@@ -97,12 +97,12 @@ void forget_losses(DisparityChange& change) { std::ranges::fill(change.lost.pixe
 
 // Equation 7 of docs/math.md.
 DisparityChange disparity_change(const DepthStatistics& initial, const DepthStatistics& final,
-                                 double disparity_by_depth) {
+                                 const StereoScale& stereo) {
   assert(initial.width() == final.width() && initial.height() == final.height());
   DisparityChange change(final.width(), final.height());
   change.frames = std::min(initial.frames(), final.frames());
-  const Converter before(initial, disparity_by_depth);
-  const Converter after(final, disparity_by_depth);
+  const Converter before(initial, stereo);
+  const Converter after(final, stereo);
   for (std::size_t i = 0; i < final.size(); ++i) {
     if (change.frames > 0) change.lost[i] = before.share_seen(i) - after.share_seen(i);
     float variance_px2 = 0.0F;

@@ -4,6 +4,7 @@
 
 #include "depth/depth_statistics.hpp"
 #include "depth/image.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 
@@ -52,10 +53,9 @@ void forget_losses(DisparityChange& change);
 /// median pixel are not judged: their matches alternate between surfaces far apart, and their mean is no
 /// depth of either.
 ///
-/// @param initial, final      statistics before and after, of one size and depth unit
-/// @param disparity_by_depth  focal length times baseline: the product of a disparity in pixels and the depth
-///                            in depth units
+/// @param initial, final statistics before and after, of one size and depth unit
+/// @param stereo of both
 [[nodiscard]] DisparityChange disparity_change(const DepthStatistics& initial, const DepthStatistics& final,
-                                               double disparity_by_depth);
+                                               const StereoScale& stereo);
 
 }  // namespace rva

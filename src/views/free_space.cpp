@@ -92,9 +92,10 @@ float lesser(float a, float b) {
 // Section 7 of docs/math.md.
 float carried_over(float change_px, float from_px, const DepthView& from, float to_px, const DepthView& to) {
   const float farther_m =
-      static_cast<float>(from.disparity_m_px) * (1.0F / (from_px - change_px) - 1.0F / from_px);
+      static_cast<float>(from.stereo.focal_baseline_m_px) * (1.0F / (from_px - change_px) - 1.0F / from_px);
   constexpr float least = 1e-3F;  // behind the final camera, there is no disparity
-  const float by_to_px = std::max(1.0F / to_px + farther_m / static_cast<float>(to.disparity_m_px), least);
+  const float by_to_px =
+      std::max(1.0F / to_px + farther_m / static_cast<float>(to.stereo.focal_baseline_m_px), least);
   return to_px - 1.0F / by_to_px;
 }
 
@@ -115,7 +116,7 @@ class FreeSpace {
         final_(final),
         rotation_(initial_from_final.linear().cast<float>()),
         translation_(initial_from_final.translation().cast<float>()),
-        expected_px_(render(initial, final.camera, final.disparity_m_px, initial_from_final.inverse())),
+        expected_px_(render(initial, final.camera, final.stereo, initial_from_final.inverse())),
         initial_surroundings_(initial.disparity_px),
         expected_surroundings_(expected_px_),
         final_surroundings_(final.disparity_px) {}
@@ -136,13 +137,13 @@ class FreeSpace {
   // the final camera. Positive in front.
   // Equation 42 of docs/math.md.
   [[nodiscard]] std::optional<float> before_px(int u, int v) const {
-    const float z = static_cast<float>(final_.disparity_m_px) / final_.disparity_px(u, v);
+    const float z = static_cast<float>(final_.stereo.focal_baseline_m_px) / final_.disparity_px(u, v);
     const Eigen::Vector3f ray(static_cast<float>((u - final_.camera.cx) / final_.camera.fx),
                               static_cast<float>((v - final_.camera.cy) / final_.camera.fy), 1.0F);
     const Eigen::Vector3f point = rotation_ * (z * ray) + translation_;
     if (point.z() < nearest_m) return std::nullopt;
     const float by_z = 1.0F / point.z();
-    const float disparity_px = static_cast<float>(initial_.disparity_m_px) * by_z;
+    const float disparity_px = static_cast<float>(initial_.stereo.focal_baseline_m_px) * by_z;
     const Intrinsics& camera = initial_.camera;
     const std::optional<float> change_px = initial_surroundings_.excess_px(
         disparity_px, static_cast<float>(camera.fx) * point.x() * by_z + static_cast<float>(camera.cx),

@@ -23,11 +23,11 @@ void take_off_drift(DisparityChange& change) {
   }
 }
 
-DepthView after(const std::vector<PlacedChange>& changes, const Intrinsics& camera, double disparity_m_px) {
+DepthView after(const std::vector<PlacedChange>& changes, const Intrinsics& camera,
+                const StereoScale& stereo) {
   std::vector<PlacedView> views;
   for (const PlacedChange& of : changes)
-    views.push_back(
-        {{camera, disparity_m_px, of.change.after_px, of.change.deviation_px}, of.first_from_view});
+    views.push_back({{camera, stereo, of.change.after_px, of.change.deviation_px}, of.first_from_view});
   return fuse(views);
 }
 
@@ -41,8 +41,8 @@ struct Sums {
 
 class Fusion {
  public:
-  Fusion(std::vector<PlacedChange> changes, const Intrinsics& camera, double disparity_m_px)
-      : changes_(std::move(changes)), surface_(after(changes_, camera, disparity_m_px)) {
+  Fusion(std::vector<PlacedChange> changes, const Intrinsics& camera, const StereoScale& stereo)
+      : changes_(std::move(changes)), surface_(after(changes_, camera, stereo)) {
     for (const PlacedChange& of : changes_) view_from_first_.emplace_back(of.first_from_view.inverse());
   }
 
@@ -66,7 +66,7 @@ class Fusion {
     if (after_px <= 0.0F) return;
     fused.after_px(u, v) = after_px;
     const Eigen::Vector3d point =
-        surface_.camera.deproject({u, v}, surface_.disparity_m_px / static_cast<double>(after_px));
+        surface_.camera.deproject({u, v}, surface_.stereo.depth_m(static_cast<double>(after_px)));
     Sums sums;
     for (std::size_t k = 0; k < changes_.size(); ++k)
       add(changes_[k].change, view_from_first_[k] * point, sums);
@@ -88,7 +88,7 @@ class Fusion {
     const auto v = static_cast<int>(std::lround(pixel.y()));
     const float after_px = change.after_px(u, v);
     const float before_px = change.before_px(u, v);
-    const auto wanted_px = static_cast<float>(surface_.disparity_m_px / point.z());
+    const auto wanted_px = static_cast<float>(surface_.stereo.disparity_px(point.z()));
     if (after_px <= 0.0F || before_px <= 0.0F || std::abs(after_px - wanted_px) > one_surface_px) return;
     sums.before_px = before_px;
     if (change.judged(u, v) == 0) return;
@@ -104,11 +104,11 @@ class Fusion {
 
 }  // namespace
 
-DisparityChange fuse(std::vector<PlacedChange> changes, const Intrinsics& camera, double disparity_m_px) {
+DisparityChange fuse(std::vector<PlacedChange> changes, const Intrinsics& camera, const StereoScale& stereo) {
   assert(!changes.empty());
   if (changes.size() == 1) return std::move(changes.front().change);
   for (PlacedChange& of : changes) take_off_drift(of.change);
-  return Fusion(std::move(changes), camera, disparity_m_px).run();
+  return Fusion(std::move(changes), camera, stereo).run();
 }
 
 }  // namespace rva

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/intrinsics.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "geometry/transform.hpp"
 #include "views/disparity_change.hpp"
 
@@ -20,9 +21,8 @@ struct PlacedChange {
 /// away, other dots fall on it. Each pixel of the result is the mean of the changes that the views have on
 /// that surface, each without its drift; at least half of the views must have one. Lost depth is that of the
 /// first view.
-/// @param changes        at least one, all of `camera`
-/// @param disparity_m_px focal length times baseline
+/// @param changes at least one, all of `camera`
 [[nodiscard]] DisparityChange fuse(std::vector<PlacedChange> changes, const Intrinsics& camera,
-                                   double disparity_m_px);
+                                   const StereoScale& stereo);
 
 }  // namespace rva

@@ -46,8 +46,8 @@ DepthView fuse(const std::vector<PlacedView>& views) {
   if (views.size() == 1) return first;
   std::vector<Image<float>> rendered;
   for (std::size_t k = 1; k < views.size(); ++k)
-    rendered.push_back(render(views[k].view, first.camera, first.disparity_m_px, views[k].first_from_view));
-  DepthView fused{first.camera, first.disparity_m_px, Image<float>(first.camera.width, first.camera.height),
+    rendered.push_back(render(views[k].view, first.camera, first.stereo, views[k].first_from_view));
+  DepthView fused{first.camera, first.stereo, Image<float>(first.camera.width, first.camera.height),
                   Image<float>(first.camera.width, first.camera.height)};
   const std::size_t least = (views.size() + 1) / 2;
   std::vector<float> seen_px;

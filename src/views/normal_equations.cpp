@@ -48,7 +48,7 @@ struct Fall {
 Fall fall(const Vectors& points, Eigen::Index count, const PlanarPatches& onto) {
   constexpr float nearest_m = 0.05F;
   const Intrinsics& camera = onto.camera();
-  const auto disparity_m_px = static_cast<float>(onto.disparity_m_px());
+  const auto focal_baseline_m_px = static_cast<float>(onto.stereo().focal_baseline_m_px);
   const auto fx = static_cast<float>(camera.fx);
   const auto fy = static_cast<float>(camera.fy);
   const Numbers by_z = points[2].max(nearest_m).inverse();
@@ -67,9 +67,9 @@ Fall fall(const Vectors& points, Eigen::Index count, const PlanarPatches& onto) 
     along_u[i] = patch->slope_u * fx;
     along_v[i] = patch->slope_v * fy;
   }
-  result.px = disparity_m_px * by_z - plane_px;
+  result.px = focal_baseline_m_px * by_z - plane_px;
   result.gradient = {-along_u * by_z, -along_v * by_z,
-                     (along_u * points[0] + along_v * points[1] - disparity_m_px) * by_z.square()};
+                     (along_u * points[0] + along_v * points[1] - focal_baseline_m_px) * by_z.square()};
   return result;
 }
 

@@ -75,7 +75,7 @@ PlanarPatches::PlanarPatches(const DepthView& view, int step_px, int window_px)
     : step_px_(step_px),
       by_step_px_(1.0 / step_px),
       camera_(view.camera),
-      disparity_m_px_(view.disparity_m_px),
+      stereo_(view.stereo),
       patches_(view.camera.width / step_px, view.camera.height / step_px) {
   parallel_bands(rows(), [&](int first, int end) {
     for (int row = first; row < end; ++row) {

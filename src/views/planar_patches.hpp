@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <concepts>
 
+#include "geometry/stereo_scale.hpp"
 #include "views/depth_view.hpp"
 
 namespace rva {
@@ -53,7 +54,7 @@ class PlanarPatches {
   }
 
   [[nodiscard]] const Intrinsics& camera() const { return camera_; }
-  [[nodiscard]] double disparity_m_px() const { return disparity_m_px_; }
+  [[nodiscard]] const StereoScale& stereo() const { return stereo_; }
 
  private:
   // Pixels of the image are at least -0.5, so that truncation rounds down.
@@ -65,7 +66,7 @@ class PlanarPatches {
   int step_px_;
   double by_step_px_;
   Intrinsics camera_;
-  double disparity_m_px_;
+  StereoScale stereo_;
   Image<PlanarPatch> patches_;
 };
 

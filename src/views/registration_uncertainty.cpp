@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/quantile.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 namespace {
@@ -54,9 +55,10 @@ double median_distance_m(const std::vector<SurfaceSample>& points) {
 }
 
 // Scales rotations and the offset to metres at that distance, so that all directions are comparable.
-AlignmentStep scales(double distance_m, double disparity_m_px) {
+AlignmentStep scales(double distance_m, const StereoScale& stereo) {
   AlignmentStep by;
-  by << distance_m, distance_m, distance_m, 1.0, 1.0, 1.0, distance_m * distance_m / disparity_m_px;
+  by << distance_m, distance_m, distance_m, 1.0, 1.0, 1.0,
+      distance_m * distance_m / stereo.focal_baseline_m_px;
   return by;
 }
 
@@ -100,7 +102,7 @@ RegistrationUncertainty uncertainty(const ViewPair& views, const Alignment& alig
   }
   RegistrationUncertainty result;
   result.distance_m = median_distance_m(views.final_samples);
-  const AlignmentStep unit = scales(result.distance_m, views.final.disparity_m_px()).cwiseInverse();
+  const AlignmentStep unit = scales(result.distance_m, views.final.stereo()).cwiseInverse();
   AlignmentInformation held = of_final.held() + of_initial.held();
   held(6, 6) += offset_prior;
   // Both views sample the same surfaces, so each residual occurs twice, which doubles the scatter.

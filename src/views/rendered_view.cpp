@@ -17,13 +17,13 @@ struct Vertex {
 };
 
 // All pixels of a view, moved and projected. On a row, points and their depths are linear in the pixel.
-std::vector<Vertex> project_all(const DepthView& view, const Intrinsics& camera, double disparity_m_px,
+std::vector<Vertex> project_all(const DepthView& view, const Intrinsics& camera, const StereoScale& stereo,
                                 const Transform& camera_from_view) {
   std::vector<Vertex> vertices(view.disparity_px.size());
   const Eigen::Matrix3f rotation = camera_from_view.linear().cast<float>();
   const Eigen::Vector3f translation = camera_from_view.translation().cast<float>();
-  const auto from_m_px = static_cast<float>(view.disparity_m_px);
-  const auto to_m_px = static_cast<float>(disparity_m_px);
+  const auto from_m_px = static_cast<float>(view.stereo.focal_baseline_m_px);
+  const auto to_m_px = static_cast<float>(stereo.focal_baseline_m_px);
   const auto fx = static_cast<float>(camera.fx);
   const auto fy = static_cast<float>(camera.fy);
   const auto cx = static_cast<float>(camera.cx);
@@ -75,10 +75,10 @@ void draw(const Vertex& a, const Vertex& b, const Vertex& c, Image<float>& pictu
 
 }  // namespace
 
-Image<float> render(const DepthView& view, const Intrinsics& camera, double disparity_m_px,
+Image<float> render(const DepthView& view, const Intrinsics& camera, const StereoScale& stereo,
                     const Transform& camera_from_view) {
   Image<float> picture(camera.width, camera.height);
-  const std::vector<Vertex> vertices = project_all(view, camera, disparity_m_px, camera_from_view);
+  const std::vector<Vertex> vertices = project_all(view, camera, stereo, camera_from_view);
   const auto width = static_cast<std::size_t>(view.camera.width);
   for (int v = 0; v + 1 < view.camera.height; ++v) {
     for (int u = 0; u + 1 < view.camera.width; ++u) {

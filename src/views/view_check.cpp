@@ -41,7 +41,7 @@ double displacement_px(const DepthView& view, const Transform& camera_from_view,
     for (int u = 0; u < view.camera.width; u += sampling_px) {
       const auto disparity_px = static_cast<double>(view.disparity_px(u, v));
       if (disparity_px <= 0.0) continue;
-      const Eigen::Vector3d point = view.camera.deproject({u, v}, view.disparity_m_px / disparity_px);
+      const Eigen::Vector3d point = view.camera.deproject({u, v}, view.stereo.depth_m(disparity_px));
       const Eigen::Vector3d here = camera_from_view * point;
       const Eigen::Vector3d there = other * point;
       if (here.z() <= 0.0 || there.z() <= 0.0) continue;

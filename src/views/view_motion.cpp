@@ -11,6 +11,7 @@
 #include "core/quantile.hpp"
 #include "depth/blobs.hpp"
 #include "depth/mat_view.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "views/disparity_change.hpp"
 
 namespace rva {
@@ -91,9 +92,10 @@ Eigen::Matrix<double, 3, motion_terms> motions_of(const Eigen::Vector3d& point) 
 /// The change of disparity at a pixel due to a motion is the change of the disparity of the surface point
 /// minus the slope of disparity times the flow.
 /// Equations 48 and 49 of docs/math.md.
-Sample sample_at(int u, int v, const SmoothedPair& pair, const Intrinsics& camera, double disparity_m_px) {
+Sample sample_at(int u, int v, const SmoothedPair& pair, const Intrinsics& camera,
+                 const StereoScale& stereo) {
   const auto disparity_px = static_cast<double>(pair.mean_px.at<float>(v, u));
-  const double z_m = disparity_m_px / disparity_px;
+  const double z_m = stereo.depth_m(disparity_px);
   const Eigen::Vector3d point = camera.deproject({u, v}, z_m);
   const Eigen::Matrix<double, 3, motion_terms> moved = motions_of(point);
   Sample sample;
@@ -120,7 +122,7 @@ std::vector<Sample> samples_of(const DepthView& initial, const DepthView& final)
   for (int v = margin_px; v < final.camera.height - margin_px; v += sampling_px) {
     for (int u = margin_px; u < final.camera.width - margin_px; u += sampling_px) {
       if (pair.seen.at<std::uint8_t>(v, u) != 0)
-        samples.push_back(sample_at(u, v, pair, final.camera, final.disparity_m_px));
+        samples.push_back(sample_at(u, v, pair, final.camera, final.stereo));
     }
   }
   return samples;

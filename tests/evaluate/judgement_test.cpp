@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/stereo_scale.hpp"
+
 namespace rva {
 namespace {
 
@@ -87,18 +89,18 @@ DepthStatistics flat(const std::vector<std::uint32_t>& others, std::uint16_t oth
 
 // 212500 / 10000 is 21.25 px; at 9950, 0.107 px more; at 9960, 0.085.
 TEST(Shown, IsWhatChangesDisparityOrTakesItAway) {
-  constexpr double disparity_by_depth = 212500.0;
+  constexpr StereoScale stereo{.focal_baseline_m_px = 21.25, .unit_m = 0.0001};
   const DepthStatistics without = flat({}, 0);
   std::vector<Target> targets = one_target();
-  count_shown(without, flat(square(38, 38, 5), 9950), disparity_by_depth, targets);
+  count_shown(without, flat(square(38, 38, 5), 9950), stereo, targets);
   EXPECT_EQ(targets[0].shown_px, 25);
   EXPECT_TRUE(targets[0].is_shown());
-  count_shown(without, flat(square(38, 38, 5), 9960), disparity_by_depth, targets);
+  count_shown(without, flat(square(38, 38, 5), 9960), stereo, targets);
   EXPECT_EQ(targets[0].shown_px, 0);
   EXPECT_FALSE(targets[0].is_shown());
-  count_shown(without, flat(square(47, 47, 5), 0), disparity_by_depth, targets);
+  count_shown(without, flat(square(47, 47, 5), 0), stereo, targets);
   EXPECT_EQ(targets[0].shown_px, 4) << "2 x 2 of the lost pixels are within 4 px of the target";
-  count_shown(flat(square(38, 38, 5), 0), without, disparity_by_depth, targets);
+  count_shown(flat(square(38, 38, 5), 0), without, stereo, targets);
   EXPECT_EQ(targets[0].shown_px, 25) << "depth that debris brings";
 }
 

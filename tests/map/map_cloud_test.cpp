@@ -97,8 +97,9 @@ TEST_F(MapCloud, WeighsNearViewsMore) {
   MapView far = views_[0];
   for (MapView* const view : {&near, &far}) view->depth.disparity_px = Image<float>(424, 240);
   for (float& px : near.depth.disparity_px.pixels())
-    px = static_cast<float>(near.depth.disparity_m_px / 0.504);
-  for (float& px : far.depth.disparity_px.pixels()) px = static_cast<float>(far.depth.disparity_m_px / 1.005);
+    px = static_cast<float>(near.depth.stereo.disparity_px(0.504));
+  for (float& px : far.depth.disparity_px.pixels())
+    px = static_cast<float>(far.depth.stereo.disparity_px(1.005));
   const std::vector<MapView> views{near, far};
   Transform behind = Transform::Identity();
   behind.translation().z() = -0.5;

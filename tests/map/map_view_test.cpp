@@ -21,7 +21,7 @@ TEST(MapView, IsTheMeanOfTheFramesAtItsJoints) {
   EXPECT_EQ(view.joints, (PanTilt{12.0, -7.0}));
   EXPECT_EQ(view.name, "a view");
   EXPECT_FALSE(view.color);
-  const double depth = view.depth.disparity_m_px / static_cast<double>(view.depth.disparity_px[0]);
+  const double depth = view.depth.stereo.depth_m(static_cast<double>(view.depth.disparity_px[0]));
   EXPECT_NEAR(depth, 1001.0 * info_at(0, 0).depth_unit_m, 1e-6);
 }
 

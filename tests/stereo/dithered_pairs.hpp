@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "infrared/dot_mask.hpp"
 #include "stereo/space_time.hpp"
 
@@ -14,7 +15,7 @@ namespace rva::test {
 inline const Intrinsics pair_camera{
     .width = 240, .height = 160, .fx = 425.0, .fy = 425.0, .cx = 119.5, .cy = 79.5};
 inline constexpr double pair_baseline_m = 0.05;
-inline constexpr double pair_disparity_m_px = 425.0 * pair_baseline_m;
+inline constexpr StereoScale pair_stereo{.focal_baseline_m_px = 425.0 * pair_baseline_m};
 
 /// z = depth_m + slope * x in the reference's frame, and nearer by a step from `step_x_m` to `end_x_m`.
 struct Plane {
@@ -105,7 +106,7 @@ inline Image<float> true_disparity(const Plane& plane) {
       const Eigen::Vector3d ray =
           pair_camera.deproject({static_cast<double>(u), static_cast<double>(v)}, 1.0);
       disparity(u, v) =
-          static_cast<float>(pair_disparity_m_px / meet(plane, Eigen::Vector3d::Zero(), ray).z());
+          static_cast<float>(pair_stereo.disparity_px(meet(plane, Eigen::Vector3d::Zero(), ray).z()));
     }
   }
   return disparity;
@@ -115,7 +116,7 @@ inline Image<float> true_disparity(const Plane& plane) {
 inline ReferenceSurface off_by(const Image<float>& disparity, float error_px) {
   ReferenceSurface surface{pair_camera, disparity};
   for (float& value : surface.inverse_depth_per_m.pixels())
-    value = (value + error_px) / static_cast<float>(pair_disparity_m_px);
+    value = (value + error_px) / static_cast<float>(pair_stereo.focal_baseline_m_px);
   return surface;
 }
 

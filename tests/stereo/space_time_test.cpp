@@ -38,8 +38,8 @@ double rms_error_px(const Image<float>& disparity, const Image<float>& truth) {
 double error_of(const test::Plane& plane, std::size_t captures, float start_error_px, std::uint64_t seed) {
   const Image<float> truth = test::true_disparity(plane);
   const std::vector<StereoView> views = test::dithered_pairs(plane, captures, speckle, seed);
-  return rms_error_px(
-      space_time_disparity(test::off_by(truth, start_error_px), test::pair_disparity_m_px, views), truth);
+  return rms_error_px(space_time_disparity(test::off_by(truth, start_error_px), test::pair_stereo, views),
+                      truth);
 }
 
 TEST(SpaceTime, FindsAWallToASmallShareOfAPixelFromAnywhereInRange) {
@@ -62,7 +62,7 @@ TEST(SpaceTime, AStepIsSharpToTwoPixels) {
   const Image<float> truth = test::true_disparity(step);
   const Image<float> wall = test::true_disparity({});
   const std::vector<StereoView> views = test::dithered_pairs(step, 8, speckle, 4);
-  const Image<float> found = space_time_disparity(test::off_by(wall, 0.0F), test::pair_disparity_m_px, views);
+  const Image<float> found = space_time_disparity(test::off_by(wall, 0.0F), test::pair_stereo, views);
   int wrong = 0;
   int count = 0;
   for_each_judged([&](int u, int v) {
@@ -78,8 +78,7 @@ TEST(SpaceTime, AStepIsSharpToTwoPixels) {
 TEST(SpaceTime, WhatNoPairSeesIsUnknown) {
   const Image<float> truth = test::true_disparity({});
   const std::vector<StereoView> views = test::dithered_pairs({}, 2, speckle, 5);
-  const Image<float> found =
-      space_time_disparity(test::off_by(truth, 0.0F), test::pair_disparity_m_px, views);
+  const Image<float> found = space_time_disparity(test::off_by(truth, 0.0F), test::pair_stereo, views);
   for (int v = 0; v < found.height(); ++v) EXPECT_EQ(found(3, v), 0.0F) << v;
 }
 
@@ -87,9 +86,9 @@ TEST(SpaceTime, CostsOfAllPairsAreTheSumOfThoseOfEach) {
   const Image<float> truth = test::true_disparity({});
   const std::vector<StereoView> views = test::dithered_pairs({}, 3, speckle, 6);
   const ReferenceSurface start = test::off_by(truth, 0.2F);
-  const SweptCosts all = sweep(start, test::pair_disparity_m_px, views);
+  const SweptCosts all = sweep(start, test::pair_stereo, views);
   std::vector<SweptCosts> single;
-  for (const StereoView& view : views) single.push_back(sweep(start, test::pair_disparity_m_px, {&view, 1}));
+  for (const StereoView& view : views) single.push_back(sweep(start, test::pair_stereo, {&view, 1}));
   for_each_judged([&](int u, int v) {
     for (std::size_t label = 0; label < all.at(u, v).size(); ++label) {
       float sum = 0.0F;
@@ -103,11 +102,11 @@ TEST(SpaceTime, OneSidesBrightnessDoesNotCount) {
   const Image<float> truth = test::true_disparity({});
   std::vector<StereoView> views = test::dithered_pairs({}, 2, speckle, 7);
   const ReferenceSurface start = test::off_by(truth, 0.2F);
-  const SweptCosts before = sweep(start, test::pair_disparity_m_px, views);
+  const SweptCosts before = sweep(start, test::pair_stereo, views);
   for (StereoView& view : views) {
     for (float& value : view.right.pixels()) value += 0.4F;
   }
-  const SweptCosts after = sweep(start, test::pair_disparity_m_px, views);
+  const SweptCosts after = sweep(start, test::pair_stereo, views);
   for_each_judged([&](int u, int v) {
     for (std::size_t label = 0; label < before.at(u, v).size(); ++label)
       EXPECT_NEAR(after.at(u, v)[label], before.at(u, v)[label], 2e-3F);
@@ -118,7 +117,7 @@ TEST(SpaceTime, EachPairIsMovedToWhereTheSurfaceIs) {
   const Image<float> truth = test::true_disparity({});
   std::vector<StereoView> views = test::dithered_pairs({}, 3, speckle, 8);
   views[1].excess_px = 0.3;
-  align_disparities(test::off_by(truth, 0.1F), test::pair_disparity_m_px, views);
+  align_disparities(test::off_by(truth, 0.1F), test::pair_stereo, views);
   for (const StereoView& view : views) EXPECT_NEAR(view.excess_px, -0.1, 0.05);
 }
 

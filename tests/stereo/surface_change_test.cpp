@@ -21,8 +21,7 @@ const test::Plane after{.depth_m = 0.8, .slope = 0.0, .step_m = 0.015, .step_x_m
 SurfaceChange change_of(const test::Plane& first, const test::Plane& second, std::uint64_t seed) {
   std::vector<StereoView> initial = test::dithered_pairs(first, captures, speckle, seed);
   std::vector<StereoView> final = test::dithered_pairs(second, captures, speckle, seed + 100);
-  return surface_change(test::off_by(test::true_disparity(first), 0.3F), test::pair_disparity_m_px, initial,
-                        final);
+  return surface_change(test::off_by(test::true_disparity(first), 0.3F), test::pair_stereo, initial, final);
 }
 
 float highest(const SurfaceChange& change, int first_u, int end_u) {

@@ -28,8 +28,8 @@ SurfaceObjection objection_of(const Sides& sides, std::size_t captures, std::uin
   std::vector<StereoView> before = test::dithered_pairs(sides.before, captures, speckle, seed);
   std::vector<StereoView> after = test::dithered_pairs(sides.after, captures, speckle, seed + 100);
   return surface_objection(test::off_by(test::true_disparity(sides.claimed_before), 0.0F),
-                           test::off_by(test::true_disparity(sides.claimed_after), 0.0F),
-                           test::pair_disparity_m_px, before, after);
+                           test::off_by(test::true_disparity(sides.claimed_after), 0.0F), test::pair_stereo,
+                           before, after);
 }
 
 // In the middle of the strip, where all of it is judged.

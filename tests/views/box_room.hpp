@@ -91,7 +91,7 @@ inline DepthView look(const Room& room, const Transform& world_from_camera, cons
       const double depth_m = depth_at(room, world_from_camera, camera, u, v);
       if (depth_m <= 0.0) continue;
       const double disparity_px =
-          view.disparity_m_px / depth_m + how.offset_px + how.noise_px * random.normal();
+          view.stereo.disparity_px(depth_m) + how.offset_px + how.noise_px * random.normal();
       view.disparity_px(u, v) = static_cast<float>(disparity_px);
       view.deviation_px(u, v) = static_cast<float>(how.noise_px);
     }

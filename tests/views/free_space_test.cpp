@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/stereo_scale.hpp"
 #include "tests/views/box_room.hpp"
 
 namespace rva {
@@ -86,9 +87,9 @@ TEST(FreeSpace, HeightsAreTrueWhereTheCameraCameCloser) {
   const auto u = static_cast<int>(std::lround(pixel.x()));
   const auto v = static_cast<int>(std::lround(pixel.y()));
   ASSERT_NE(change.judged(u, v), 0);
-  const double disparity_m_px = test::small_camera().fx * test::baseline_m;
-  const double height_m = disparity_m_px / static_cast<double>(change.before_px(u, v)) -
-                          disparity_m_px / static_cast<double>(change.after_px(u, v));
+  const StereoScale stereo{.focal_baseline_m_px = test::small_camera().fx * test::baseline_m};
+  const double height_m = stereo.depth_m(static_cast<double>(change.before_px(u, v))) -
+                          stereo.depth_m(static_cast<double>(change.after_px(u, v)));
   const double true_m = test::depth_at(bay(), close_up, test::small_camera(), u, v) -
                         test::depth_at(with, close_up, test::small_camera(), u, v);
   EXPECT_NEAR(height_m, true_m, 0.03 * true_m);

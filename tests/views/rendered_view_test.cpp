@@ -16,7 +16,7 @@ TEST(RenderedView, IsWhatTheOtherCameraSees) {
   const Transform to = pose(0.0, 0.05, 2);
   const DepthView view = look(bay(), from);
   const DepthView seen = look(bay(), to);
-  const Image<float> rendered = render(view, seen.camera, seen.disparity_m_px, to.inverse() * from);
+  const Image<float> rendered = render(view, seen.camera, seen.stereo, to.inverse() * from);
   int compared = 0;
   int same = 0;
   for (std::size_t i = 0; i < rendered.size(); ++i) {
@@ -32,10 +32,9 @@ TEST(RenderedView, ShowsTheNearestAndNothingFromBehind) {
   const test::Room room{{test::box(-9, 9, -9, 9, 1.0, 1.1), test::box(-0.1, 0.1, -0.1, 0.1, 0.6, 0.65)}};
   const DepthView view = look(room, pose(0, 0, 0, 0));
   const Transform aside = pose(0.15, 0, 0, 0);
-  const Image<float> rendered =
-      render(view, view.camera, view.disparity_m_px, aside.inverse() * pose(0, 0, 0, 0));
-  const auto wall_px = static_cast<float>(view.disparity_m_px / 1.0);
-  const auto box_px = static_cast<float>(view.disparity_m_px / 0.6);
+  const Image<float> rendered = render(view, view.camera, view.stereo, aside.inverse() * pose(0, 0, 0, 0));
+  const auto wall_px = static_cast<float>(view.stereo.disparity_px(1.0));
+  const auto box_px = static_cast<float>(view.stereo.disparity_px(0.6));
   const auto at = [&](double x, double z) {
     const Eigen::Vector2d pixel = view.camera.project({x - 0.15, 0.0, z});
     return rendered(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
@@ -45,8 +44,7 @@ TEST(RenderedView, ShowsTheNearestAndNothingFromBehind) {
   EXPECT_EQ(at(0.12, 1.0), 0.0F) << "hidden behind the box from where it was seen";
   const Transform behind(Eigen::Translation3d(0, 0, 3.0) *
                          Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY()));
-  const Image<float> back =
-      render(view, view.camera, view.disparity_m_px, behind.inverse() * pose(0, 0, 0, 0));
+  const Image<float> back = render(view, view.camera, view.stereo, behind.inverse() * pose(0, 0, 0, 0));
   for (const float disparity_px : back.pixels()) EXPECT_EQ(disparity_px, 0.0F);
 }
 

@@ -37,7 +37,7 @@ inline std::unique_ptr<Capture> shoot(const Room& room, const Shot& shot) {
     for (std::size_t i = 0; i < frame.size(); ++i) {
       if (!view.seen(i)) continue;
       frame[i] = static_cast<std::uint16_t>(
-          std::lround(view.disparity_m_px / static_cast<double>(view.disparity_px[i]) / unit_m));
+          std::lround(view.stereo.depth_m(static_cast<double>(view.disparity_px[i])) / unit_m));
     }
     frames.push_back(std::move(frame));
   }

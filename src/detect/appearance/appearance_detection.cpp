@@ -15,6 +15,7 @@
 #include "detect/regions/regions.hpp"
 #include "detect/spatial/joint_evidence.hpp"
 #include "detect/spatial/still_evidence.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 namespace {
@@ -75,12 +76,12 @@ double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<Judg
 }
 
 // The height is what the pairs measured in disparity, converted at the finding's depth after the work.
-void give_height(float nearer_px, double disparity_m_px, Finding& finding) {
+void give_height(float nearer_px, const StereoScale& stereo, Finding& finding) {
   if (!finding.position_m) return;
   constexpr double mm_per_m = 1000.0;
-  const double after_px = disparity_m_px / finding.position_m->z();
+  const double after_px = stereo.disparity_px(finding.position_m->z());
   const double before_px = after_px - static_cast<double>(nearer_px);
-  if (before_px > 0.0) finding.height_mm = mm_per_m * (disparity_m_px / before_px - finding.position_m->z());
+  if (before_px > 0.0) finding.height_mm = mm_per_m * (stereo.depth_m(before_px) - finding.position_m->z());
 }
 
 /// The strongest evidence of one light over a finding, in deviations.
@@ -106,7 +107,7 @@ Strongest strongest_of(const JudgedChange& light, const std::vector<std::uint32_
 // Sets kind and evidence of a finding. If the stereo pairs show by themselves that the surface moved, the
 // kind is `added` or `removed`, else `appearance`. The median decides on the direction, since single pixels
 // beside an object, which only one imager sees, may show either.
-void name_evidence(const std::vector<JudgedChange>& lights, double disparity_m_px, Finding& finding) {
+void name_evidence(const std::vector<JudgedChange>& lights, const StereoScale& stereo, Finding& finding) {
   constexpr float least_px = 0.05F;
   finding.kind = ChangeKind::appearance;
   finding.evidence = {.depth = false, .appearance = true};
@@ -118,7 +119,7 @@ void name_evidence(const std::vector<JudgedChange>& lights, double disparity_m_p
         std::sqrt(std::max(std::pow(strongest.all, 2.0F) - std::pow(strongest.moved, 2.0F), 0.0F));
     finding.kind = strongest.nearer_px > 0.0F ? ChangeKind::added : ChangeKind::removed;
     finding.evidence = {.depth = true, .appearance = seen > speaks_deviations};
-    give_height(strongest.nearer_px, disparity_m_px, finding);
+    give_height(strongest.nearer_px, stereo, finding);
   }
 }
 
@@ -136,7 +137,7 @@ Finding finding_of(Region region, const std::vector<JudgedChange>& lights, const
   }
   finding.centroid = sum / static_cast<double>(finding.pixels.size());
   locate(view.camera, depths_m, finding);
-  name_evidence(lights, view.disparity_m_px, finding);
+  name_evidence(lights, view.stereo, finding);
   finding.score = score_of(finding.pixels, lights);
   finding.p_value = -std::expm1(-std::pow(10.0, -*finding.score));
   return finding;
@@ -164,7 +165,7 @@ void add_changes(ImageChanges images, InfraredCompared compared, double false_fi
   give_evidence(mask, findings);
   // Colour images do not refute a finding of depth: an object may have the colour of its background.
   if (judged_in_infrared)
-    drop_unsupported({*judged_in_infrared, compared, final_view.disparity_m_px}, false_findings, detection);
+    drop_unsupported({*judged_in_infrared, compared, final_view.stereo}, false_findings, detection);
   for (Region& region : find_regions(mask, {.min_blob_px = std::max(least_pixels, regions.min_blob_px),
                                            .join_px = std::min(join_px, regions.join_px)})) {
     Finding finding = finding_of(std::move(region), changes, detection.final_m, final_view);
@@ -223,7 +224,7 @@ void add_appearance(const Captures& initial, const Captures& final, const Compar
       changes.infrared, [](const JudgedChange& change) { return !change.surface.judged.empty(); });
   const auto lights = static_cast<double>(changes.infrared.size() + (changes.color ? 1 : 0));
   for (const JudgedChange& change : changes.infrared)
-    lower_level_of_detection(change, false_findings / lights, placed.final_view.disparity_m_px, detection);
+    lower_level_of_detection(change, false_findings / lights, placed.final_view.stereo, detection);
   add_changes(std::move(changes), surfaces ? InfraredCompared::surfaces : InfraredCompared::appearance,
               false_findings, regions, placed.final_view, detection);
   add_time(start, detection);

@@ -12,6 +12,7 @@
 #include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/spatial/surface_support.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "infrared/dot_free_image.hpp"
 #include "infrared/dot_mask.hpp"
 #include "infrared/infrared_alignment.hpp"
@@ -106,11 +107,11 @@ std::vector<StereoView> pairs_of(const Captures& side, float level, const std::v
 }
 
 SurfaceChange surface_between(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
-                              double disparity_m_px, float level, const std::vector<InfraredView>& before,
+                              const StereoScale& stereo, float level, const std::vector<InfraredView>& before,
                               const std::vector<InfraredView>& after) {
   std::vector<StereoView> pairs_before = pairs_of(initial, level, before);
   std::vector<StereoView> pairs_after = pairs_of(final, level, after);
-  SurfaceChange change = surface_change(surface, disparity_m_px, pairs_before, pairs_after);
+  SurfaceChange change = surface_change(surface, stereo, pairs_before, pairs_after);
   // At the edge of the projector's field, pairs match light that comes and goes with the camera's pose.
   const Mask field = both_set(within_projectors(surface, before), within_projectors(surface, after));
   for (std::size_t i = 0; i < field.size(); ++i) change.judged[i] &= field[i];
@@ -118,7 +119,7 @@ SurfaceChange surface_between(const Captures& initial, const Captures& final, co
 }
 
 JudgedChange under_projector(const Captures& initial, const Captures& final, const ReferenceSurface& surface,
-                             double disparity_m_px, float level, const std::vector<InfraredView>& before,
+                             const StereoScale& stereo, float level, const std::vector<InfraredView>& before,
                              const std::vector<InfraredView>& after, const DotFreeImage& image_before,
                              const DotFreeImage& image_after) {
   const Mask lit = both_set(lit_in_all(surface, after), lit_in_all(surface, before));
@@ -129,7 +130,7 @@ JudgedChange under_projector(const Captures& initial, const Captures& final, con
   drop_faint(change);
   SurfaceChange moved;
   if (have_pairs(initial, final)) {
-    moved = surface_between(initial, final, surface, disparity_m_px, level, before, after);
+    moved = surface_between(initial, final, surface, stereo, level, before, after);
     change = with_surface(std::move(change), moved);
   }
   return with_tail(std::move(change), has_pairs ? tail_with_pairs : tail_between_dots, std::move(moved));
@@ -149,8 +150,8 @@ JudgedChange under_lamp(const ReferenceSurface& surface, const std::vector<Infra
 std::optional<JudgedChange> change_between(const Captures& initial, const Captures& final,
                                            const PlacedCaptures& placed, const Transform& initial_from_final,
                                            Light light, std::vector<std::string>& warnings) {
-  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
-                                                     placed.final_view.disparity_m_px);
+  const ReferenceSurface surface =
+      reference_surface(placed.final_view.camera, placed.final_view.disparity_px, placed.final_view.stereo);
   const float level = exposed_level(final.front()->infrared_mean(Imager::left, light).value(), light);
   std::vector<InfraredView> after =
       views_of(final, light, level, placed.first_from_final, Transform::Identity());
@@ -172,10 +173,9 @@ std::optional<JudgedChange> change_between(const Captures& initial, const Captur
     return std::nullopt;
   }
   const DotFreeImage image_before = fuse(surface, before);
-  return light == Light::projector
-             ? under_projector(initial, final, surface, placed.final_view.disparity_m_px, level, before,
-                               after, image_before, image_after)
-             : under_lamp(surface, before, after, image_before, image_after);
+  return light == Light::projector ? under_projector(initial, final, surface, placed.final_view.stereo, level,
+                                                     before, after, image_before, image_after)
+                                   : under_lamp(surface, before, after, image_before, image_after);
 }
 
 }  // namespace rva

@@ -174,8 +174,8 @@ std::optional<JudgedChange> compare_side_by_side(const Captures& initial, const 
   if (!after) return std::nullopt;
   auto before = color_views(initial, placed.first_from_initial, initial_from_final);
   if (!before) return std::nullopt;
-  const ReferenceSurface surface = reference_surface(placed.final_view.camera, placed.final_view.disparity_px,
-                                                     placed.final_view.disparity_m_px);
+  const ReferenceSurface surface =
+      reference_surface(placed.final_view.camera, placed.final_view.disparity_px, placed.final_view.stereo);
   align(surface, *before, *after);
   AppearanceChange strongest;
   const std::array<float, 3> levels = levels_of(after->front().color);
@@ -197,7 +197,7 @@ std::optional<JudgedChange> compare_still(const Capture& initial, const Capture&
   if (!color_before || !color_after || !is_well_lit(*color_before) || !is_well_lit(*color_after))
     return std::nullopt;
   const ReferenceSurface surface =
-      reference_surface(final_view.camera, final_view.disparity_px, final_view.disparity_m_px);
+      reference_surface(final_view.camera, final_view.disparity_px, final_view.stereo);
   const std::array<float, 3> levels = levels_of(*color_after);
   const OnDepth before = on_depth(initial, *color_before, surface, levels);
   const OnDepth after = on_depth(final, *color_after, surface, levels);

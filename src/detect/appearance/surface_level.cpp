@@ -14,7 +14,7 @@ constexpr double mm_per_m = 1000.0;
 }  // namespace
 
 // Equation 30 of docs/math.md.
-void lower_level_of_detection(const JudgedChange& light, double false_findings, double disparity_m_px,
+void lower_level_of_detection(const JudgedChange& light, double false_findings, const StereoScale& stereo,
                               Detection& detection) {
   const SurfaceChange& surface = light.surface;
   if (surface.judged.empty() || !detection.level_of_detection) return;
@@ -25,7 +25,8 @@ void lower_level_of_detection(const JudgedChange& light, double false_findings, 
     if (surface.judged[i] == 0 || is_left_out(detection.left_out, i) || !(depth_m > 0.0)) continue;
     const double per_px = surface.deviations_per_px[i];
     if (needed >= most_px * per_px) continue;
-    const auto own_mm = static_cast<float>(mm_per_m * depth_m * depth_m * needed / (per_px * disparity_m_px));
+    const auto own_mm =
+        static_cast<float>(mm_per_m * depth_m * depth_m * needed / (per_px * stereo.focal_baseline_m_px));
     if (!(least_mm[i] <= own_mm)) least_mm[i] = own_mm;
   }
   DetectionLevelSummary& summary = detection.level_of_detection->summary;

@@ -48,11 +48,11 @@ PooledEvidence pool_lost(const Image<float>& lost) {
 
 /// A change with its drift, its noise and the evidence of each pixel that follows from them.
 struct WeighedChange {
-  WeighedChange(const DisparityChange& change, double disparity_by_depth)
+  WeighedChange(const DisparityChange& change, const StereoScale& stereo)
       : drift(fit_drift(change)),
         drift_px(drift.px()),
         unreliable(unreliable_pixels(change)),
-        noise(noise_by_class(change, unreliable, drift_px, drift.variance_px2(), disparity_by_depth)),
+        noise(noise_by_class(change, unreliable, drift_px, drift.variance_px2(), stereo)),
         evidence(evidence_of(change, drift_px, noise.deviation_px)) {}
 
   Drift drift;
@@ -64,9 +64,9 @@ struct WeighedChange {
 
 // Depth before is corrected for drift, as if the camera had been as warm as afterwards, so that heights are
 // those of objects and not of drift.
-void fill_depth(const DisparityChange& change, const Image<float>& drift_px, double disparity_m_px,
+void fill_depth(const DisparityChange& change, const Image<float>& drift_px, const StereoScale& stereo,
                 Comparison& comparison) {
-  const auto product = static_cast<float>(disparity_m_px);
+  const auto product = static_cast<float>(stereo.focal_baseline_m_px);
   for (std::size_t i = 0; i < drift_px.size(); ++i) {
     if (change.before_px[i] > 0.0F) comparison.initial_m[i] = product / (change.before_px[i] + drift_px[i]);
     if (change.after_px[i] > 0.0F) comparison.final_m[i] = product / change.after_px[i];
@@ -125,8 +125,8 @@ UsualSlopes usual_slopes(std::size_t frames) {
   return frames < 2 ? slopes_of_single_frames : slopes_of_means;
 }
 
-CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_depth) {
-  const WeighedChange weighed(change, disparity_by_depth);
+CalibratedPeaks peaks_of(const DisparityChange& change, const StereoScale& stereo) {
+  const WeighedChange weighed(change, stereo);
   CalibratedPeaks peaks;
   for (const int window_px : windows_px) {
     const auto of_window = peaks_of(pool(weighed.evidence, change.judged, window_px), weighed.unreliable);
@@ -140,21 +140,18 @@ CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_dept
 }
 
 CalibratedComparison compare_calibrated(const DepthStatistics& initial, const DepthStatistics& final,
-                                        double unit_m, double disparity_m_px,
-                                        const CalibratedOptions& options) {
-  const double disparity_by_depth = disparity_m_px / unit_m;
-  const DisparityChange change = disparity_change(initial, final, disparity_by_depth);
-  return compare_calibrated(change, disparity_by_depth, disparity_m_px, usual_slopes(change.frames), options);
+                                        const StereoScale& stereo, const CalibratedOptions& options) {
+  const DisparityChange change = disparity_change(initial, final, stereo);
+  return compare_calibrated(change, stereo, usual_slopes(change.frames), options);
 }
 
-CalibratedComparison compare_calibrated(const DisparityChange& change, double disparity_by_depth,
-                                        double disparity_m_px, const UsualSlopes& slopes,
-                                        const CalibratedOptions& options) {
-  const WeighedChange weighed(change, disparity_by_depth);
+CalibratedComparison compare_calibrated(const DisparityChange& change, const StereoScale& stereo,
+                                        const UsualSlopes& slopes, const CalibratedOptions& options) {
+  const WeighedChange weighed(change, stereo);
   CalibratedComparison result{Comparison(change.judged.width(), change.judged.height()), {}, {}};
   Comparison& comparison = result.comparison;
   comparison.evidence_is_rarity = true;
-  fill_depth(change, weighed.drift_px, disparity_m_px, comparison);
+  fill_depth(change, weighed.drift_px, stereo, comparison);
   const double false_findings = options.false_findings / tests;
   Outlines outlines(weighed.unreliable, tests, comparison);
   std::vector<Scale> scales;
@@ -167,7 +164,7 @@ CalibratedComparison compare_calibrated(const DisparityChange& change, double di
                change.lost);
   const Scale& finest = finest_reachable(scales);
   result.level_of_detection_mm = level_of_detection_mm(weighed.unreliable, weighed.noise.deviation_px,
-                                                       comparison.final_m, finest, disparity_m_px);
+                                                       comparison.final_m, finest, stereo);
   clear_left_out(change.left_out, result);
   result.levels = {
       judged_share(result.level_of_detection_mm),

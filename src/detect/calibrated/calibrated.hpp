@@ -9,6 +9,7 @@
 #include "detect/calibrated/level_of_detection.hpp"
 #include "detect/calibrated/unreliable_pixels.hpp"
 #include "detect/regions/comparison.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "views/disparity_change.hpp"
 
 namespace rva {
@@ -55,27 +56,21 @@ struct CalibratedPeaks {
 };
 
 /// Returns the peaks from which the tails of a comparison are learnt.
-/// @param disparity_by_depth as for disparity_change()
-[[nodiscard]] CalibratedPeaks peaks_of(const DisparityChange& change, double disparity_by_depth);
+[[nodiscard]] CalibratedPeaks peaks_of(const DisparityChange& change, const StereoScale& stereo);
 
 /// Compares means in disparity (docs/calibrated.md): subtracts the drift, divides by the noise of each pixel,
 /// pools windows of 7, 15 and 31 pixels, and marks nearer and farther pixels above the threshold that
 /// `false_findings` locations of an unchanged inspection exceed on average.
 /// @param initial, final statistics before and after, of one size and depth unit
-/// @param unit_m         metres of one depth unit
-/// @param disparity_m_px focal length times baseline; any value if it is not known, since only drift_px and
-///                       fixed_px depend on it
+/// @param stereo any focal length times baseline if it is not known: only drift_px and fixed_px depend on it
 [[nodiscard]] CalibratedComparison compare_calibrated(const DepthStatistics& initial,
-                                                      const DepthStatistics& final, double unit_m,
-                                                      double disparity_m_px,
+                                                      const DepthStatistics& final, const StereoScale& stereo,
                                                       const CalibratedOptions& options);
 
 /// Compares as above, given the change in disparity.
-/// @param disparity_by_depth as for disparity_change()
-/// @param slopes             usual slopes of changes of this kind
+/// @param slopes usual slopes of changes of this kind
 [[nodiscard]] CalibratedComparison compare_calibrated(const DisparityChange& change,
-                                                      double disparity_by_depth, double disparity_m_px,
-                                                      const UsualSlopes& slopes,
+                                                      const StereoScale& stereo, const UsualSlopes& slopes,
                                                       const CalibratedOptions& options);
 
 }  // namespace rva

@@ -54,13 +54,15 @@ const Scale& finest_reachable(std::span<const Scale> scales) {
 
 // Equation 29 of docs/math.md.
 Image<float> level_of_detection_mm(const Mask& unreliable, const Image<float>& deviation_px,
-                                   const Image<float>& depth_m, const Scale& scale, double disparity_m_px) {
+                                   const Image<float>& depth_m, const Scale& scale,
+                                   const StereoScale& stereo) {
   Image<float> level_mm(depth_m.width(), depth_m.height(), unknown);
   // No height can compensate for evidence that a pixel cannot provide, so the level is unknown there.
   const auto mm_per_px_at_1m = [&](double threshold) {
     const double deviations = needed_deviations(scale, threshold);
-    return deviations > most_deviations ? unknown
-                                        : static_cast<float>(mm_per_m * deviations / disparity_m_px);
+    return deviations > most_deviations
+               ? unknown
+               : static_cast<float>(mm_per_m * deviations / stereo.focal_baseline_m_px);
   };
   const float reliable_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.reliable);
   const float unreliable_mm_per_px_at_1m = mm_per_px_at_1m(scale.thresholds.unreliable);

@@ -8,6 +8,7 @@
 
 #include "depth/image.hpp"
 #include "detect/calibrated/scale.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 
@@ -27,14 +28,12 @@ inline constexpr double nine_of_ten_deviations = 1.2816;
 /// like this one, millimetres along z; NaN where nothing could be judged. The object is assumed to appear in
 /// the depth image as wide as the window of the scale. A matcher with windows of its own shows hardly
 /// anything smaller than its window, and some smaller objects not at all (docs/calibrated.md).
-/// @param unreliable         as returned by unreliable_pixels()
+/// @param unreliable   as returned by unreliable_pixels()
 /// @param deviation_px   standard deviation of the disparity change of an unchanged pixel; 0 where not judged
-/// @param depth_m        depth after, metres; 0 where not measured
-/// @param disparity_m_px focal length times baseline: the product of a disparity in pixels and the depth
-///                       in metres
+/// @param depth_m      depth after, metres; 0 where not measured
 [[nodiscard]] Image<float> level_of_detection_mm(const Mask& unreliable, const Image<float>& deviation_px,
                                                  const Image<float>& depth_m, const Scale& scale,
-                                                 double disparity_m_px);
+                                                 const StereoScale& stereo);
 
 struct DetectionLevels {
   double from_m = 0.0;

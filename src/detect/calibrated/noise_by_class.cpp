@@ -108,7 +108,7 @@ std::vector<float> gather(const DisparityChange& change, const Image<float>& dri
 // Equations 3, 8 and 9 of docs/math.md.
 NoiseByClass noise_by_class(const DisparityChange& change, const Mask& unreliable,
                             const Image<float>& drift_px, const Image<float>& drift_variance_px2,
-                            double disparity_by_depth) {
+                            const StereoScale& stereo) {
   NoiseByClass noise{Image<float>(change.judged.width(), change.judged.height()), std::nullopt, 0.0};
   const Image<std::uint8_t> classes = classes_of(change, unreliable);
   std::vector<NoiseClass> noise_classes(class_count);
@@ -126,8 +126,9 @@ NoiseByClass noise_by_class(const DisparityChange& change, const Mask& unreliabl
     time_variances_px2[k] = static_cast<float>(noise_class.time_variance_px2);
   }
   explain(noise_classes, noise);
-  // Variance of a uniform distribution one depth unit wide; a unit is d^2 / disparity_by_depth in disparity.
-  const auto rounding = static_cast<float>(1.0 / (12.0 * disparity_by_depth * disparity_by_depth));
+  // Variance of a uniform distribution one depth unit wide; at disparity d, a unit is d^2 / product_units_px.
+  const double product_units_px = stereo.focal_baseline_units_px();
+  const auto rounding = static_cast<float>(1.0 / (12.0 * product_units_px * product_units_px));
   const auto fourth = [](float number) { return number * number * number * number; };
   for (std::size_t i = 0; i < change.judged.size(); ++i) {
     const float rounding_px2 = rounding * (fourth(change.before_px[i]) + fourth(change.after_px[i]));

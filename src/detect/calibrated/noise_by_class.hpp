@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "geometry/stereo_scale.hpp"
 #include "views/disparity_change.hpp"
 
 namespace rva {
@@ -26,11 +27,10 @@ struct NoiseByClass {
 ///
 /// Effective frames and the fixed part follow from a straight line through the classes: variance = fixed^2 +
 /// deviation over time^2 / frames.
-/// @param unreliable               as returned by unreliable_pixels()
+/// @param unreliable                   as returned by unreliable_pixels()
 /// @param drift_px, drift_variance_px2 drift and its variance at every pixel
-/// @param disparity_by_depth           as for disparity_change()
 [[nodiscard]] NoiseByClass noise_by_class(const DisparityChange& change, const Mask& unreliable,
                                           const Image<float>& drift_px,
-                                          const Image<float>& drift_variance_px2, double disparity_by_depth);
+                                          const Image<float>& drift_variance_px2, const StereoScale& stereo);
 
 }  // namespace rva

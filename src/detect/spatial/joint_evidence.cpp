@@ -37,12 +37,12 @@ double unsupported_factor(InfraredCompared compared) {
 }
 
 // True also for depth that appeared or went missing.
-bool moved_by_a_pixel(const Finding& finding, double disparity_m_px) {
+bool moved_by_a_pixel(const Finding& finding, const StereoScale& stereo) {
   if (!finding.height_mm || !finding.position_m) return true;
   constexpr double m_per_mm = 0.001;
   const double after_m = finding.position_m->z();
   const double before_m = after_m + m_per_mm * *finding.height_mm;
-  return before_m <= 0.0 || std::abs(disparity_m_px / after_m - disparity_m_px / before_m) >= 1.0;
+  return before_m <= 0.0 || std::abs(stereo.disparity_px(after_m) - stereo.disparity_px(before_m)) >= 1.0;
 }
 
 bool is_unsupported(const Finding& finding, const InfraredComparison& infrared, double least_score) {
@@ -51,7 +51,7 @@ bool is_unsupported(const Finding& finding, const InfraredComparison& infrared, 
       std::ranges::count_if(finding.pixels, [&](std::uint32_t i) { return infrared.judged[i] != 0; });
   if (2 * static_cast<std::size_t>(judged) <= finding.pixels.size()) return false;
   return *finding.score < least_score ||
-         (infrared.compared == InfraredCompared::still && moved_by_a_pixel(finding, infrared.disparity_m_px));
+         (infrared.compared == InfraredCompared::still && moved_by_a_pixel(finding, infrared.stereo));
 }
 
 // Numbers findings in their order from 1, and updates their references to each other.

@@ -6,6 +6,7 @@
 #include "depth/image.hpp"
 #include "detect/findings/detection.hpp"
 #include "detect/findings/findings.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 
@@ -31,7 +32,7 @@ enum class InfraredCompared { appearance, surfaces, still };
 struct InfraredComparison {
   const Mask& judged;  ///< set where they were compared
   InfraredCompared compared;
-  double disparity_m_px;  ///< focal length times baseline
+  StereoScale stereo;
 };
 
 /// Drops findings without evidence in infrared images, if these were compared over most of the finding,

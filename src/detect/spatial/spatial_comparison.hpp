@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "detect/calibrated/calibrated.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "views/depth_view.hpp"
 #include "views/fused_change.hpp"
 #include "views/registration.hpp"
@@ -14,7 +15,7 @@ namespace rva {
 struct SpatialChange {
   DisparityChange change;
   UsualSlopes slopes;
-  double disparity_m_px = 0.0;  ///< focal length times baseline of the final camera
+  StereoScale stereo;  ///< of the final camera
 };
 
 /// Usual slopes of registered views, and of single captures that are a degree or two off, as measured
@@ -37,13 +38,11 @@ enum class KnownMotion {
 
 /// Compares captures pixel by pixel, where each final one has an initial one of the same pose.
 /// @param changes        at least one, all of `camera`; the result is in the view of the first one
-/// @param disparity_m_px focal length times baseline
 [[nodiscard]] SpatialChange change_from_same_places(std::vector<PlacedChange> changes,
-                                                    const Intrinsics& camera, double disparity_m_px);
+                                                    const Intrinsics& camera, const StereoScale& stereo);
 
 /// Judges a change as the `calibrated` method does.
-/// @param unit_m metres of one depth unit
-[[nodiscard]] CalibratedComparison compare_spatial(const SpatialChange& change, double unit_m,
+[[nodiscard]] CalibratedComparison compare_spatial(const SpatialChange& change,
                                                    const CalibratedOptions& options);
 
 }  // namespace rva

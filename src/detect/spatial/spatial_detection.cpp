@@ -17,6 +17,7 @@
 #include "detect/regions/left_out.hpp"
 #include "detect/spatial/spatial_comparison.hpp"
 #include "detect/spatial/surface_support.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "views/fused_view.hpp"
 #include "views/view_check.hpp"
 
@@ -58,9 +59,7 @@ struct Seen {
   DepthStatistics statistics;
   bool marks_no_depth_by_zero = true;
 
-  [[nodiscard]] DepthView view() const {
-    return depth_view(statistics, info.depth, info.depth_unit_m, disparity_m_px(info));
-  }
+  [[nodiscard]] DepthView view() const { return depth_view(statistics, info.depth, stereo_scale(info)); }
 };
 
 class Run {
@@ -155,8 +154,7 @@ class Run {
     SpatialChange change = change_from_elsewhere(before, after, registration, options_.known);
     leave_out_regions(initial, final, change, registration.initial_from_final);
     placed_.final_view = after;
-    CalibratedComparison calibrated =
-        compare_spatial(change, final.front().info.depth_unit_m, allowed(registration.initial_from_final));
+    CalibratedComparison calibrated = compare_spatial(change, allowed(registration.initial_from_final));
     return {std::move(calibrated), std::move(registration)};
   }
 
@@ -164,7 +162,7 @@ class Run {
   Compared from_the_same_places(const std::vector<Seen>& initial, const std::vector<Seen>& final,
                                 const std::vector<std::size_t>& returns) {
     const CaptureInfo& first = final.front().info;
-    const double disparity_by_depth = disparity_m_px(first) / first.depth_unit_m;
+    const StereoScale stereo = stereo_scale(first);
     // With lens distortion, poses cannot be checked: planes in space are not planes in disparity.
     const std::optional<DepthView> first_view =
         first.depth.distortion == Distortion::none ? std::optional(final.front().view()) : std::nullopt;
@@ -176,7 +174,7 @@ class Run {
     for (std::size_t k = 0; k < final.size(); ++k) {
       const Seen& before = initial[returns[k]];
       placed_.first_from_final.push_back(k == 0 ? Transform::Identity() : placed(final[k]));
-      changes.push_back({disparity_change(before.statistics, final[k].statistics, disparity_by_depth),
+      changes.push_back({disparity_change(before.statistics, final[k].statistics, stereo),
                          placed_.first_from_final.back()});
       if (!before.marks_no_depth_by_zero || !final[k].marks_no_depth_by_zero)
         forget_losses(changes.back().change);
@@ -189,10 +187,9 @@ class Run {
     registration.agreeing = registration.overlap = 1.0;
     registration.initial_from_final =
         known_transform(initial.front().info, first).value_or(Transform::Identity());
-    SpatialChange change = change_from_same_places(std::move(changes), first.depth, disparity_m_px(first));
+    SpatialChange change = change_from_same_places(std::move(changes), first.depth, stereo);
     leave_out_regions(initial, final, change, registration.initial_from_final);
-    CalibratedComparison calibrated =
-        compare_spatial(change, first.depth_unit_m, allowed(registration.initial_from_final));
+    CalibratedComparison calibrated = compare_spatial(change, allowed(registration.initial_from_final));
     return {std::move(calibrated), std::move(registration)};
   }
 
@@ -202,7 +199,7 @@ class Run {
     if (left_out_.empty()) return;
     Image<float> final_m = change.change.after_px;
     for (float& value : final_m.pixels())
-      value = value > 0.0F ? static_cast<float>(change.disparity_m_px) / value : 0.0F;
+      value = value > 0.0F ? static_cast<float>(change.stereo.focal_baseline_m_px) / value : 0.0F;
     detection_.left_out = carry_over(left_out_, initial.front().info.depth, final.front().info.depth, final_m,
                                      initial_from_final);
     leave_out(change.change, detection_.left_out);

@@ -44,7 +44,7 @@ std::optional<JudgedChange> still_change_between(const Capture& initial, const C
     return std::nullopt;
   }
   const ReferenceSurface surface =
-      reference_surface(final_view.camera, final_view.disparity_px, final_view.disparity_m_px);
+      reference_surface(final_view.camera, final_view.disparity_px, final_view.stereo);
   PairedChange pair = still_change(surface, before, after);
   AppearanceChange change{std::move(pair.contrast), std::move(pair.deviations), std::move(pair.judged)};
   drop_faint(change);
@@ -52,7 +52,7 @@ std::optional<JudgedChange> still_change_between(const Capture& initial, const C
   if (light == Light::projector && has_pair(initial) && has_pair(final)) {
     std::array<StereoView, 1> pair_before = pair_of(initial, level, before);
     std::array<StereoView, 1> pair_after = pair_of(final, level, after);
-    moved = surface_change(surface, final_view.disparity_m_px, pair_before, pair_after);
+    moved = surface_change(surface, final_view.stereo, pair_before, pair_after);
   }
   return with_tail(std::move(change), tail_of_still_pair, std::move(moved));
 }

@@ -45,9 +45,9 @@ ReferenceSurface surface_of(const Image<float>& depth_m, const Image<float>& oth
   Image<float> disparity_px(depth_m.width(), depth_m.height());
   for (std::size_t i = 0; i < depth_m.size(); ++i) {
     const float here_m = depth_m[i] > 0.0F ? depth_m[i] : otherwise_m[i];
-    if (here_m > 0.0F) disparity_px[i] = static_cast<float>(view.disparity_m_px) / here_m;
+    if (here_m > 0.0F) disparity_px[i] = static_cast<float>(view.stereo.focal_baseline_m_px) / here_m;
   }
-  return reference_surface(view.camera, disparity_px, view.disparity_m_px);
+  return reference_surface(view.camera, disparity_px, view.stereo);
 }
 
 bool is_measured(const Comparison& comparison, std::size_t i) {
@@ -166,7 +166,7 @@ void keep_supported(const Captures& initial, const Captures& final, const Placed
   std::vector<StereoView> after = pairs_of(final, placed.first_from_final, Transform::Identity());
   const SurfaceObjection objection = surface_objection(
       surface_of(comparison.initial_m, comparison.final_m, view),
-      surface_of(comparison.final_m, comparison.initial_m, view), view.disparity_m_px, before, after);
+      surface_of(comparison.final_m, comparison.initial_m, view), view.stereo, before, after);
   const auto shown_by_depth = static_cast<float>(-std::log10(false_findings));
   const std::size_t captures = std::min(initial.size(), final.size());
   const auto rarer = static_cast<float>(std::log10(rarity_of_support(captures, initial_from_final)));

@@ -18,6 +18,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "detect/appearance/color_means.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva {
 namespace {
@@ -98,9 +99,9 @@ std::unique_ptr<Capture> capture_of(const std::vector<Wall>& walls, std::uint64_
 }
 
 DepthView view() {
-  constexpr double disparity_m_px = 12.5;
-  constexpr auto disparity_px = static_cast<float>(disparity_m_px / wall_m);
-  return {depth_camera, disparity_m_px, Image<float>(depth_camera.width, depth_camera.height, disparity_px),
+  constexpr StereoScale stereo{.focal_baseline_m_px = 12.5};
+  constexpr auto disparity_px = static_cast<float>(stereo.disparity_px(wall_m));
+  return {depth_camera, stereo, Image<float>(depth_camera.width, depth_camera.height, disparity_px),
           Image<float>(depth_camera.width, depth_camera.height)};
 }
 

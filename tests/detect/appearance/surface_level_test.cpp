@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/stereo_scale.hpp"
+
 namespace rva {
 namespace {
 
-constexpr double disparity_m_px = 20.0;
+constexpr StereoScale stereo{.focal_baseline_m_px = 20.0};
 constexpr double false_findings = 0.05;
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -24,7 +26,7 @@ struct Levels {
     detection.level_of_detection->least_mm(1, 0) = 1.0F;
   }
 
-  void lower() { lower_level_of_detection(light, false_findings, disparity_m_px, detection); }
+  void lower() { lower_level_of_detection(light, false_findings, stereo, detection); }
   [[nodiscard]] float at(int u) const { return detection.level_of_detection->least_mm(u, 0); }
 
   JudgedChange light{.change = {}, .tail = FalseAlarmTail(40.0, 2.0, 40.0)};

@@ -6,6 +6,7 @@
 
 #include "detect/findings/findings.hpp"
 #include "detect/regions/regions.hpp"
+#include "geometry/stereo_scale.hpp"
 #include "tests/detect/calibrated/noisy_captures.hpp"
 
 namespace rva {
@@ -15,7 +16,7 @@ using test::NoisyCapture;
 
 CalibratedComparison compare(const DepthStatistics& before, const DepthStatistics& after,
                              const CalibratedOptions& options = {}) {
-  return compare_calibrated(before, after, test::unit_m, test::disparity_m_px, options);
+  return compare_calibrated(before, after, test::stereo, options);
 }
 
 Intrinsics camera() {
@@ -180,9 +181,9 @@ TEST(Calibrated, FindsWhatItsLevelPromises) {
   const NoisyCapture empty;
   const CalibratedComparison clean = compare(empty.take(1), empty.take(2));
   const double level_m = clean.level_of_detection_mm(212, 120) / 1000.0;
-  const double depth_m = test::disparity_m_px / 25.0;
+  const double depth_m = test::stereo.depth_m(25.0);
   const auto found_at = [&](double height_m) {
-    const double lift_px = test::disparity_m_px / (depth_m - height_m) - 25.0;
+    const double lift_px = test::stereo.disparity_px(depth_m - height_m) - 25.0;
     int found = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       const NoisyCapture changed = with_thing(empty, lift_px, 9);
@@ -199,8 +200,9 @@ TEST(Calibrated, BaselineOnlyScalesDisparity) {
   const DepthStatistics before = empty.take(1);
   const DepthStatistics after = with_thing(empty, 0.3, 9).take(2);
   const CalibratedComparison one = compare(before, after);
-  const CalibratedComparison other =
-      compare_calibrated(before, after, test::unit_m, 2.0 * test::disparity_m_px, {});
+  StereoScale twice = test::stereo;
+  twice.focal_baseline_m_px *= 2.0;
+  const CalibratedComparison other = compare_calibrated(before, after, twice, {});
   EXPECT_EQ(one.comparison.changed, other.comparison.changed);
   EXPECT_NEAR(one.level_of_detection_mm(50, 50), other.level_of_detection_mm(50, 50), 1e-4);
 }

@@ -10,8 +10,6 @@
 namespace rva {
 namespace {
 
-constexpr double disparity_by_depth = test::disparity_m_px / test::unit_m;
-
 double median_px(const NoiseByClass& noise, int first_column, int end_column) {
   std::vector<float> values;
   for (int v = 20; v < 220; ++v) {
@@ -22,8 +20,8 @@ double median_px(const NoiseByClass& noise, int first_column, int end_column) {
 
 NoiseByClass noise_of(const DepthStatistics& before, const DepthStatistics& after) {
   const Image<float> none(before.width(), before.height());
-  return noise_by_class(disparity_change(before, after, disparity_by_depth),
-                        Mask(before.width(), before.height()), none, none, disparity_by_depth);
+  return noise_by_class(disparity_change(before, after, test::stereo), Mask(before.width(), before.height()),
+                        none, none, test::stereo);
 }
 
 TEST(NoiseByClass, IsThatOfTheDifferenceOfMeans) {
@@ -47,7 +45,7 @@ TEST(NoiseByClass, FramesOfWhiteNoiseAreAllIndependent) {
         for (int u = 0; u < capture.width; ++u) {
           const double noise_px = u < capture.width / 2 ? 0.05 : 0.15;
           depth(u, v) = static_cast<std::uint16_t>(
-              std::lround(test::disparity_m_px / (25.0 + noise_px * random.normal()) / test::unit_m));
+              std::lround(test::stereo.depth_m(25.0 + noise_px * random.normal()) / test::stereo.unit_m));
         }
       }
       statistics.add(depth);
@@ -71,7 +69,7 @@ TEST(NoiseByClass, ChangesInTheMinorityDoNotRaiseIt) {
 
 TEST(NoiseByClass, UnreliablePixelsHaveANoiseOfTheirOwn) {
   test::NoisyCapture capture;
-  const DisparityChange still = disparity_change(capture.take(1), capture.take(2), disparity_by_depth);
+  const DisparityChange still = disparity_change(capture.take(1), capture.take(2), test::stereo);
   DisparityChange change = still;
   Mask unreliable(capture.width, capture.height);
   for (int v = 0; v < capture.height; ++v) {
@@ -81,7 +79,7 @@ TEST(NoiseByClass, UnreliablePixelsHaveANoiseOfTheirOwn) {
     }
   }
   const Image<float> none(capture.width, capture.height);
-  const NoiseByClass noise = noise_by_class(change, unreliable, none, none, disparity_by_depth);
+  const NoiseByClass noise = noise_by_class(change, unreliable, none, none, test::stereo);
   EXPECT_NEAR(median_px(noise, 20, 90) / median_px(noise, 120, 400), 4.0, 0.8);
 }
 

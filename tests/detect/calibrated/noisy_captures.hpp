@@ -7,11 +7,11 @@
 
 #include "core/random.hpp"
 #include "depth/depth_statistics.hpp"
+#include "geometry/stereo_scale.hpp"
 
 namespace rva::test {
 
-inline constexpr double disparity_m_px = 21.25;
-inline constexpr double unit_m = 0.0001;
+inline constexpr StereoScale stereo{.focal_baseline_m_px = 21.25, .unit_m = 0.0001};
 
 struct NoisyCapture {
   int width = 424;
@@ -29,8 +29,8 @@ struct NoisyCapture {
         for (int u = 0; u < width; ++u) {
           const double disparity = disparity_px(u, v);
           if (disparity <= 0.0) continue;
-          const double depth_m = disparity_m_px / (disparity + noise_px * random.normal());
-          depth(u, v) = static_cast<std::uint16_t>(std::lround(depth_m / unit_m));
+          const double depth_m = stereo.depth_m(disparity + noise_px * random.normal());
+          depth(u, v) = static_cast<std::uint16_t>(std::lround(depth_m / stereo.unit_m));
         }
       }
       statistics.add(depth);

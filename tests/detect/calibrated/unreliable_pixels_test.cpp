@@ -9,15 +9,13 @@
 namespace rva {
 namespace {
 
-constexpr double disparity_by_depth = test::disparity_m_px / test::unit_m;
-
 test::NoisyCapture with_hole(test::NoisyCapture capture) {
   capture.disparity_px = [](int u, int v) { return u >= 200 && u < 210 && v >= 100 && v < 110 ? 0.0 : 25.0; };
   return capture;
 }
 
 Mask unsure_of(const DepthStatistics& before, const DepthStatistics& after) {
-  return unreliable_pixels(disparity_change(before, after, disparity_by_depth));
+  return unreliable_pixels(disparity_change(before, after, test::stereo));
 }
 
 double share_set(const Mask& mask) {

@@ -6,13 +6,15 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "geometry/stereo_scale.hpp"
+
 namespace rva {
 namespace {
 
 constexpr int width = 40;
 constexpr int height = 30;
 constexpr double allowed = 0.025;
-constexpr double disparity_m_px = 32.0;
+constexpr StereoScale stereo{.focal_baseline_m_px = 32.0};
 // What depth alone expects less often than a fiftieth of what is allowed.
 const double reliable = std::log10(50.0 / allowed) + 0.1;
 const double usual = -std::log10(allowed) + 0.1;
@@ -42,7 +44,7 @@ Detection detection_of(std::vector<Finding> findings) {
 TEST(JointEvidence, WhatInfraredImagesContradictIsDroppedUnlessDepthIsSure) {
   Detection detection =
       detection_of({finding(1, {at(5, 5), at(6, 5)}, reliable), finding(2, {at(20, 5)}, usual)});
-  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, stereo}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.findings.front().pixels.front(), at(5, 5));
   EXPECT_EQ(detection.changed[at(20, 5)], 0);
@@ -52,7 +54,7 @@ TEST(JointEvidence, WhatInfraredImagesContradictIsDroppedUnlessDepthIsSure) {
 TEST(JointEvidence, WhereSurfacesWereComparedDepthAloneMustBeSurer) {
   const double surest = std::log10(1e4 / allowed) + 0.1;
   Detection detection = detection_of({finding(1, {at(5, 5)}, surest), finding(2, {at(20, 5)}, reliable)});
-  drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, stereo}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.findings.front().pixels.front(), at(5, 5));
 }
@@ -73,7 +75,7 @@ TEST(JointEvidence, ImagesOfAStillCameraThatDoNotDifferContradictWhatMovedByAPix
   lost.height_mm.reset();
   Detection detection = detection_of({raised(1, {at(5, 5)}, 9.0), raised(2, {at(10, 5)}, -9.0),
                                       raised(3, {at(20, 5)}, 7.0), raised(4, {at(25, 5)}, -7.0), seen, lost});
-  drop_unsupported({judged_everywhere(), InfraredCompared::still, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::still, stereo}, allowed, detection);
   ASSERT_EQ(detection.findings.findings.size(), 3U);
   EXPECT_EQ(detection.findings.findings[0].pixels.front(), at(20, 5));
   EXPECT_EQ(detection.findings.findings[1].pixels.front(), at(25, 5));
@@ -82,7 +84,7 @@ TEST(JointEvidence, ImagesOfAStillCameraThatDoNotDifferContradictWhatMovedByAPix
 
 TEST(JointEvidence, ACameraThatMovedMayHaveDotsElsewhere) {
   Detection detection = detection_of({raised(1, {at(5, 5)}, 20.0)});
-  drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::surfaces, stereo}, allowed, detection);
   EXPECT_EQ(detection.findings.findings.size(), 1U);
 }
 
@@ -105,7 +107,7 @@ TEST(JointEvidence, WhatHasEvidenceStays) {
   Finding supported = finding(1, {at(5, 5)}, usual);
   supported.evidence.appearance = true;
   Detection detection = detection_of({supported});
-  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, stereo}, allowed, detection);
   EXPECT_EQ(detection.findings.findings.size(), 1U);
 }
 
@@ -113,7 +115,7 @@ TEST(JointEvidence, WhereInfraredImagesWereNotComparedDepthDecides) {
   Mask judged = judged_everywhere();
   judged[at(5, 5)] = 0;
   Detection detection = detection_of({finding(1, {at(5, 5), at(6, 5)}, usual)});
-  drop_unsupported({judged, InfraredCompared::appearance, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged, InfraredCompared::appearance, stereo}, allowed, detection);
   EXPECT_EQ(detection.findings.findings.size(), 1U) << "half of it is not most of it";
 }
 
@@ -140,7 +142,7 @@ TEST(JointEvidence, NumbersStayWithoutGapsAndReferToWhatIsLeft) {
   Finding source = finding(2, {at(15, 5)}, reliable);
   source.kind = ChangeKind::removed;
   Detection detection = detection_of({finding(1, {at(20, 5)}, usual), source, stays, loses});
-  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, disparity_m_px}, allowed, detection);
+  drop_unsupported({judged_everywhere(), InfraredCompared::appearance, stereo}, allowed, detection);
   const std::vector<Finding>& left = detection.findings.findings;
   ASSERT_EQ(left.size(), 3U);
   for (std::size_t k = 0; k < left.size(); ++k) EXPECT_EQ(left[k].id, static_cast<int>(k) + 1);

@@ -68,11 +68,12 @@ PlacedCaptures placed(const Captures& initial, const Captures& final, const Imag
   placed.first_from_initial.assign(initial.size(), Transform::Identity());
   placed.first_from_final.assign(final.size(), Transform::Identity());
   const CaptureInfo& info = final.front()->info();
-  placed.final_view = {info.depth, disparity_m_px(info), Image<float>(final_m.width(), final_m.height()),
+  placed.final_view = {info.depth, stereo_scale(info), Image<float>(final_m.width(), final_m.height()),
                        Image<float>(final_m.width(), final_m.height())};
   for (std::size_t i = 0; i < final_m.size(); ++i) {
     if (final_m[i] > 0.0F)
-      placed.final_view.disparity_px[i] = static_cast<float>(disparity_m_px(info)) / final_m[i];
+      placed.final_view.disparity_px[i] =
+          static_cast<float>(stereo_scale(info).focal_baseline_m_px) / final_m[i];
   }
   return placed;
 }
