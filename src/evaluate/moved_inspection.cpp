@@ -19,6 +19,7 @@
 #include "evaluate/judgement.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "sim/sensor/camera_models.hpp"
 
 namespace fs = std::filesystem;
@@ -77,13 +78,11 @@ MovedRegistration error_of(std::string method, int captures, const Transform& of
   return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), {}, {}};
 }
 
-// Holds the error, a small motion in the initial camera's frame, against the covariance. The result is empty
+// Compares the error, a small motion in the initial camera's frame, with the covariance. The result is empty
 // where the images show that the camera came back exactly, because no covariance is stated then.
 std::optional<double> normalised(const Registration& found, const Transform& off) {
   if (found.covariance.isZero()) return std::nullopt;
-  const Eigen::AngleAxisd turn(off.linear());
-  Eigen::Matrix<double, 6, 1> error;
-  error << turn.angle() * turn.axis(), off.translation();
+  const Twist error = log_of(off);
   return error.dot(found.covariance.ldlt().solve(error));
 }
 

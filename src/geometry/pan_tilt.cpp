@@ -11,8 +11,8 @@ Transform turned(const JointAxis& joint, double angle_deg) {
 }
 
 // The twist of a frame that turns about an axis, with both given in that frame.
-Eigen::Matrix<double, 6, 1> twist_about(const JointAxis& joint) {
-  Eigen::Matrix<double, 6, 1> twist;
+Twist twist_about(const JointAxis& joint) {
+  Twist twist;
   twist << joint.axis, joint.at_m.cross(joint.axis);
   return twist;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "geometry/rigid_motion.hpp"
 #include "geometry/transform.hpp"
 
 namespace rva {
@@ -41,8 +42,8 @@ struct PanTiltChain {
 /// The camera's motion in its own frame per radian of each joint: the rotation vector (rad/rad), then the
 /// translation of the camera's origin (m/rad).
 struct JointTwists {
-  Eigen::Matrix<double, 6, 1> pan;
-  Eigen::Matrix<double, 6, 1> tilt;
+  Twist pan;
+  Twist tilt;
 };
 [[nodiscard]] JointTwists joint_twists(const PanTiltChain& chain, const PanTilt& joints);
 

@@ -43,8 +43,7 @@ PanTiltChain changed(PanTiltChain chain, const GeometryChange& change) {
   const Eigen::Vector3d turn = change.tail<3>();
   chain.bracket_from_camera.translation() += change.segment<3>(2);
   chain.bracket_from_camera.linear() =
-      (transform_of((CameraMotion() << turn, Eigen::Vector3d::Zero()).finished()) * chain.bracket_from_camera)
-          .linear();
+      (exp_of((Twist() << turn, Eigen::Vector3d::Zero()).finished()) * chain.bracket_from_camera).linear();
   return chain;
 }
 
@@ -133,7 +132,7 @@ class Estimation {
         Eigen::VectorXd other = unknowns_;
         other[k] += difference;
         motions.block<6, 1>(6 * static_cast<Eigen::Index>(view), k) =
-            motion_between(here, pose(other, view)) / difference;
+            log_of(here.inverse() * pose(other, view)) / difference;
       }
     }
     return motions;

@@ -18,30 +18,17 @@ constexpr int window_px = 8;  // side of a patch, about that of the matcher's wi
 constexpr double residual_px = 0.15;
 constexpr double erring_together = 100.0;
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-// Transforms a motion in the frame `from` to the frame `to`.
-Matrix6 adjoint(const Transform& to_from) {
-  const Eigen::Matrix3d turn = to_from.linear();
-  Matrix6 result = Matrix6::Zero();
-  result.topLeftCorner<3, 3>() = turn;
-  result.bottomRightCorner<3, 3>() = turn;
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-    result.block<3, 1>(3, axis) = to_from.translation().cross(turn.col(axis));
-  return result;
-}
-
 void add(const NormalEquations& pair, const ViewNumbers& numbers, const Transform& first_from_second,
          PoseEquations& sum) {
   const double by_variance = 1.0 / (residual_px * residual_px * erring_together);
   const auto first = static_cast<Eigen::Index>(6 * numbers.first);
   const auto second = static_cast<Eigen::Index>(6 * numbers.second);
-  const Matrix6 information = by_variance * pair.information.topLeftCorner<6, 6>();
-  const CameraMotion gradient = by_variance * pair.gradient.head<6>();
+  const TwistMatrix information = by_variance * pair.information.topLeftCorner<6, 6>();
+  const Twist gradient = by_variance * pair.gradient.head<6>();
   // The step of the alignment is the second camera's motion in the first's frame, minus the first
   // camera's motion.
-  const Matrix6 seen = adjoint(first_from_second);
-  const Matrix6 mixed = -information * seen;
+  const TwistMatrix seen = adjoint(first_from_second);
+  const TwistMatrix mixed = -information * seen;
   sum.information.block<6, 6>(first, first) += information;
   sum.information.block<6, 6>(second, second) += seen.transpose() * information * seen;
   sum.information.block<6, 6>(first, second) += mixed;
@@ -58,22 +45,6 @@ void add(const NormalEquations& pair, const ViewNumbers& numbers, const Transfor
 }
 
 }  // namespace
-
-Transform transform_of(const CameraMotion& motion) {
-  const Eigen::Vector3d rotation = motion.head<3>();
-  const double angle = rotation.norm();
-  Transform result(Eigen::Translation3d(Eigen::Vector3d(motion.tail<3>())));
-  if (angle > 0.0) result.rotate(Eigen::AngleAxisd(angle, rotation / angle));
-  return result;
-}
-
-CameraMotion motion_between(const Transform& first, const Transform& second) {
-  const Transform between = first.inverse() * second;
-  const Eigen::AngleAxisd turn(between.linear());
-  CameraMotion motion;
-  motion << turn.angle() * turn.axis(), between.translation();
-  return motion;
-}
 
 OverlappingViews::OverlappingViews(std::span<const MapView> views) {
   for (const MapView& view : views) {

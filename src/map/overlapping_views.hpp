@@ -8,21 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "geometry/rigid_motion.hpp"
 #include "geometry/transform.hpp"
 #include "map/map_view.hpp"
 #include "views/normal_equations.hpp"
 #include "views/planar_patches.hpp"
 
 namespace rva {
-
-/// A small motion of a view's camera in its own frame: rotation vector (rad), then translation (m). The moved
-/// pose is world_from_camera * transform_of(motion).
-using CameraMotion = Eigen::Matrix<double, 6, 1>;
-
-/// The motion as a transform: the rotation, followed by the translation (not the exponential map of SE(3)).
-[[nodiscard]] Transform transform_of(const CameraMotion& motion);
-/// The motion that takes the first pose to the second.
-[[nodiscard]] CameraMotion motion_between(const Transform& first, const Transform& second);
 
 /// A pair of views by their indices; `first` is the lower one.
 struct ViewNumbers {
@@ -43,8 +35,9 @@ struct ViewResiduals {
   [[nodiscard]] double residual_px() const { return std::sqrt(squares / std::max(1.0, agreeing)); }
 };
 
-/// The normal equations of all pairs for small motions of all cameras: six rows per camera, with residuals
-/// divided by their deviation.
+/// The normal equations of all pairs for small motions of all cameras: a twist for each camera in its own
+/// frame, six rows, with residuals divided by their deviation. The moved pose is
+/// world_from_camera * exp_of(twist).
 struct PoseEquations {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;  ///< of half the weighted sum of squares

@@ -16,8 +16,6 @@ namespace {
 constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double m_per_mm = 1e-3;
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
 // The schedule of {step_px, every, reach_px}: from a reach for the error of worn servos down to four
 // deviations of a matcher's fixed pattern.
 constexpr std::array<PosesDescent, 9> descent{{{8, 4, 6.0},
@@ -31,13 +29,13 @@ constexpr std::array<PosesDescent, 9> descent{{{8, 4, 6.0},
                                                {4, 2, 0.6}}};
 
 // The information (inverse covariance) of a camera's motion away from its pose by the joints.
-Matrix6 prior_information(const PanTiltChain& chain, const PanTilt& joints,
-                          const RefinementOptions& options) {
+TwistMatrix prior_information(const PanTiltChain& chain, const PanTilt& joints,
+                              const RefinementOptions& options) {
   const auto [pan, tilt] = joint_twists(chain, joints);
   const double servo_rad = rad_per_deg * options.servo_error_deg;
   const double turn_rad = rad_per_deg * options.turn_error_deg;
   const double place_m = m_per_mm * options.place_error_mm;
-  Matrix6 covariance = servo_rad * servo_rad * (pan * pan.transpose() + tilt * tilt.transpose());
+  TwistMatrix covariance = servo_rad * servo_rad * (pan * pan.transpose() + tilt * tilt.transpose());
   covariance.diagonal().head<3>().array() += turn_rad * turn_rad;
   covariance.diagonal().tail<3>().array() += place_m * place_m;
   return covariance.inverse();
@@ -68,17 +66,17 @@ class Refinement {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(6 * i);
       sum.information.block<6, 6>(at, at) += prior_[i];
-      sum.gradient.segment<6>(at) += prior_[i] * motion_between(by_joints_[i], poses_[i]);
+      sum.gradient.segment<6>(at) += prior_[i] * log_of(by_joints_[i].inverse() * poses_[i]);
     }
     const Eigen::VectorXd motions = -sum.information.ldlt().solve(sum.gradient);
     for (std::size_t i = 0; i < poses_.size(); ++i)
-      poses_[i] = poses_[i] * transform_of(motions.segment<6>(static_cast<Eigen::Index>(6 * i)));
+      poses_[i] = poses_[i] * exp_of(motions.segment<6>(static_cast<Eigen::Index>(6 * i)));
   }
 
   [[nodiscard]] std::vector<RefinedPose> results(const PoseEquations& sum) const {
     std::vector<RefinedPose> results;
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      const CameraMotion moved = motion_between(by_joints_[i], poses_[i]);
+      const Twist moved = log_of(by_joints_[i].inverse() * poses_[i]);
       const ViewResiduals& residuals = sum.views[i];
       RefinedPose pose{poses_[i],
                        moved.tail<3>().norm() / m_per_mm,
@@ -105,7 +103,7 @@ class Refinement {
 
   OverlappingViews by_surfaces_;
   std::vector<Transform> by_joints_;
-  std::vector<Matrix6> prior_;
+  std::vector<TwistMatrix> prior_;
   std::vector<Transform> poses_;
   std::vector<ViewNumbers> pairs_;
 };

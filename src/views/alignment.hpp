@@ -17,8 +17,8 @@ struct Alignment {
 /// Prior information on the offset, which is about 0.1 px, for residuals of 0.15 px.
 inline constexpr double offset_prior = (0.15 * 0.15) / (0.1 * 0.1);
 
-/// Rotation vector (rad), translation (m) and offset (px). The transform becomes Translation(translation) *
-/// exp(rotation) * initial_from_final; the offset is added.
+/// A twist in the initial camera's frame (rad, m), then the offset (px). The transform becomes
+/// exp_of(twist) * initial_from_final (geometry/rigid_motion.hpp); the offset is added.
 using AlignmentStep = Eigen::Matrix<double, 7, 1>;
 using AlignmentInformation = Eigen::Matrix<double, 7, 7>;
 

@@ -94,7 +94,7 @@ std::vector<Candidate> candidates_at(const RegistrationGuess& guess) {
 }
 
 // Describes a direction as seen by an observer looking along the camera.
-std::string_view name_of_direction(const Eigen::Matrix<double, 6, 1>& direction) {
+std::string_view name_of_direction(const Twist& direction) {
   constexpr std::array<std::string_view, 6> names{
       "a turn up or down",     "a turn left or right", "a turn about the line of sight",
       "a shift left or right", "a shift up or down",   "a shift along the line of sight"};

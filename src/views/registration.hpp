@@ -14,7 +14,7 @@ struct Registration {
   Transform initial_from_final = Transform::Identity();
   /// Covariance of a small rotation vector (rad) and translation (m) in the initial camera's frame, in
   /// this order.
-  PoseCovariance covariance = PoseCovariance::Zero();
+  TwistMatrix covariance = TwistMatrix::Zero();
   double offset_px = 0.0;  ///< disparity of the initial view relative to the final one, due to temperature
   double agreeing = 0.0;   ///< share of the compared samples that lie on a surface of the other view
   double overlap = 0.0;    ///< share of the samples that could be compared

@@ -107,10 +107,10 @@ RegistrationUncertainty uncertainty(const ViewPair& views, const Alignment& alig
   held(6, 6) += offset_prior;
   // Both views sample the same surfaces, so each residual occurs twice, which doubles the scatter.
   const AlignmentInformation scatter = 2.0 * (of_final.scatter() + of_initial.scatter());
-  const PoseCovariance covariance = covariance_of(unit.asDiagonal() * held * unit.asDiagonal(),
-                                                  unit.asDiagonal() * scatter * unit.asDiagonal())
-                                        .topLeftCorner<6, 6>();
-  const Eigen::SelfAdjointEigenSolver<PoseCovariance> directions(covariance);
+  const TwistMatrix covariance = covariance_of(unit.asDiagonal() * held * unit.asDiagonal(),
+                                               unit.asDiagonal() * scatter * unit.asDiagonal())
+                                     .topLeftCorner<6, 6>();
+  const Eigen::SelfAdjointEigenSolver<TwistMatrix> directions(covariance);
   result.worst_m = std::sqrt(std::max(0.0, directions.eigenvalues()[5]));
   result.worst = directions.eigenvectors().col(5);
   const auto metres_to_radians = unit.head<6>().asDiagonal();

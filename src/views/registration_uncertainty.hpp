@@ -1,21 +1,20 @@
 // Uncertainty of an alignment of two views.
 #pragma once
 
+#include "geometry/rigid_motion.hpp"
 #include "views/normal_equations.hpp"
 
 namespace rva {
 
-/// Covariance of a small rotation vector (rad) and translation (m) in the initial camera's frame, in
-/// this order.
-using PoseCovariance = Eigen::Matrix<double, 6, 6>;
-
 struct RegistrationUncertainty {
-  PoseCovariance covariance = PoseCovariance::Zero();
+  /// Of the twist in the initial camera's frame by which the true pose differs: it is
+  /// exp_of(twist) * initial_from_final.
+  TwistMatrix covariance = TwistMatrix::Zero();
   double distance_m = 1.0;  ///< median depth of the final view
   /// Standard deviation along the least constrained direction, metres at that distance.
   double worst_m = 0.0;
   /// That direction: a unit vector of rotation (times the distance) and translation.
-  Eigen::Matrix<double, 6, 1> worst = Eigen::Matrix<double, 6, 1>::Zero();
+  Twist worst = Twist::Zero();
 };
 
 /// Residuals of one surface are correlated, because the error of matching depends on the orientation of the

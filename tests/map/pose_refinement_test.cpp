@@ -33,14 +33,6 @@ PoseError worst(const std::vector<RefinedPose>& poses, const std::vector<BoxBayV
   return worst;
 }
 
-TEST(CameraMotions, AreTakenBackAndForth) {
-  CameraMotion motion;
-  motion << 0.01, -0.2, 0.03, 0.4, -0.5, 0.6;
-  const Transform first = foot_from_camera({}, {20.0, -30.0});
-  EXPECT_TRUE(motion_between(first, first * transform_of(motion)).isApprox(motion, 1e-12));
-  EXPECT_LT(motion_between(first, first * transform_of(CameraMotion::Zero())).norm(), 1e-12);
-}
-
 TEST(OverlappingViews, GradientIsThatOfTheWeightedSquares) {
   const std::vector<MapView> views =
       seen({{{0, -20}, {}, 0.0, 1}, {{15, -22}, {}, 0.0, 2}, {{-15, -20}, {}, 0.0, 3}});
@@ -53,11 +45,11 @@ TEST(OverlappingViews, GradientIsThatOfTheWeightedSquares) {
   const PosesDescent far{4, 2, 50.0};
   const PoseEquations here = overlapping.equations(poses, pairs, far);
   for (Eigen::Index k = 0; k < 18; ++k) {
-    CameraMotion motion = CameraMotion::Zero();
+    Twist motion = Twist::Zero();
     motion[k % 6] = 2e-4;
     std::vector<Transform> moved = poses;
     Transform& pose = moved[static_cast<std::size_t>(k / 6)];
-    pose = pose * transform_of(motion);
+    pose = pose * exp_of(motion);
     const PoseEquations there = overlapping.equations(moved, pairs, far);
     const Eigen::VectorXd grown = there.gradient - here.gradient;
     const Eigen::VectorXd expected = here.information.col(k) * 2e-4;
