@@ -70,14 +70,15 @@ ReadinessItem depth_item(const Watched& watched, const ReadinessOptions& options
 }
 
 ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& options) {
-  const DisparityChange change = disparity_change(watched.first, watched.second, stereo_scale(watched.info));
+  const StereoScale stereo = stereo_scale(watched.info);
+  const DisparityChange change = disparity_change(watched.first, watched.second, stereo);
   const Drift drift = fit_drift(change);
   const int u = watched.info.depth.width / 2;
   const int v = watched.info.depth.height / 2;
   const double drift_px = drift.px()(u, v);
   const double deviation_px = std::sqrt(drift.variance_px2()(u, v));
   // Depth changes by its square times the change of disparity, divided by focal length times baseline.
-  const double at_one_metre_mm = 1000.0 * std::abs(drift_px) / product;
+  const double at_one_metre_mm = 1000.0 * std::abs(drift_px) / stereo.focal_baseline_m_px;
   const std::string seen = fmt::format("depth at one metre moved by {:.2f} mm in {:.0f} seconds",
                                        at_one_metre_mm, watched.duration_s);
   constexpr double reliable = 3.0;
