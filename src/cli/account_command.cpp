@@ -85,7 +85,7 @@ void add_data_flag(CLI::App& command, AccountArguments& arguments) {
 
 }  // namespace
 
-void add_account_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_account_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("account", "manages the accounts of the console");
   command.require_subcommand(1);
   const auto arguments = std::make_shared<AccountArguments>();

@@ -164,7 +164,7 @@ void calibrate_robot(const CalibrateArguments& arguments) {
 
 }  // namespace
 
-void add_calibrate_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_calibrate_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "calibrate", "finds where the robot's joints and camera are, from views at known joint angles");
   const auto arguments = std::make_shared<CalibrateArguments>();

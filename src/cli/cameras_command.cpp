@@ -69,7 +69,7 @@ void list(bool json) {
 
 }  // namespace
 
-void add_cameras_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_cameras_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("cameras", "lists the cameras that are plugged in");
   const auto json = std::make_shared<bool>(false);
   command.add_flag("--json", *json, "print JSON instead of text");

@@ -142,7 +142,7 @@ void evaluate_recorded(const EvaluateArguments& arguments) {
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_evaluate_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "evaluate", "measures on simulated inspections how reliably the methods detect");
   const auto arguments = std::make_shared<EvaluateArguments>();

@@ -55,7 +55,7 @@ void export_capture(const ExportArguments& arguments) {
 
 }  // namespace
 
-void add_export_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_export_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("export", "writes a capture as other programs read it");
   const auto arguments = std::make_shared<ExportArguments>();
   command.add_option("CAPTURE", arguments->capture, "a capture")->required();

@@ -166,7 +166,7 @@ void show(const InfoArguments& arguments) {
 
 }  // namespace
 
-void add_info_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_info_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "info", "reports what a capture contains, and reads all of it to check that it is sound");
   const auto arguments = std::make_shared<InfoArguments>();

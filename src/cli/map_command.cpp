@@ -189,7 +189,7 @@ void map_bay(const MapArguments& arguments) {
 
 }  // namespace
 
-void add_map_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_map_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("map", "drives the waypoints and builds a 3D map of the bay");
   const auto arguments = std::make_shared<MapArguments>();
   command.add_option("--camera", arguments->camera, "sim:SCENE or realsense[:SERIAL]")

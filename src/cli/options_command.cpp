@@ -48,7 +48,7 @@ void print_options() {
 
 }  // namespace
 
-void add_options_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_options_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "options", "prints every numeric option with default, unit and range, as Markdown");
   command.callback(print_options);

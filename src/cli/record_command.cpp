@@ -130,7 +130,7 @@ void record_dithered(const RecordArguments& arguments) {
 
 }  // namespace
 
-void add_record_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_record_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("record", "records a capture from a camera");
   const auto arguments = std::make_shared<RecordArguments>();
   command.add_option("--camera", arguments->camera, "sim:SCENE, replay:PATH or realsense[:SERIAL]")

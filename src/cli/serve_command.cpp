@@ -68,7 +68,7 @@ void serve(ServeArguments arguments) {
 
 }  // namespace
 
-void add_serve_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_serve_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("serve", "the operator console, in a browser");
   const auto arguments = std::make_shared<ServeArguments>();
   command.add_option("--camera", arguments->camera, "sim:SCENE, replay:PATH or realsense[:SERIAL]")

@@ -120,7 +120,7 @@ void simulate(const CLI::App& command, SimulateArguments arguments) {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& program, Outcome& /*outcome*/) {
+void add_simulate_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("simulate", "renders a capture of a scene, with ground truth");
   const auto arguments = std::make_shared<SimulateArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (docs/scenes.md)")->required();
