@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/hidden_input.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
@@ -25,10 +26,7 @@ struct AccountArguments {
 
 // Passwords are not taken from the command line, where others can read them.
 std::string read_password() {
-  if (::isatty(STDIN_FILENO) == 1) {
-    const char* const typed = ::getpass("Password: ");
-    return typed == nullptr ? "" : typed;
-  }
+  if (::isatty(STDIN_FILENO) == 1) return read_hidden_line("Password: ");
   std::string line;
   std::getline(std::cin, line);
   return line;
