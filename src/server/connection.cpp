@@ -52,23 +52,35 @@ asio::awaitable<std::optional<Person>> person_now(const std::string& token, Shar
       asio::use_awaitable);
 }
 
-/// Sets a flag when it is destroyed, on every way out of a coroutine, so that others learn that this
-/// coroutine no longer uses the socket.
-class Until {
+/// The coroutines beside the reader that use a connection's socket. The socket must stay until they have
+/// ended.
+class SocketUsers {
  public:
-  Until(bool& flag, bool at_end) : flag_(flag), at_end_(at_end) {}
-  ~Until() { flag_ = at_end_; }
-  Until(const Until&) = delete;
-  Until& operator=(const Until&) = delete;
+  explicit SocketUsers(asio::any_io_executor executor)
+      : executor_(std::move(executor)), ended_(executor_, asio::steady_timer::time_point::max()) {}
+  SocketUsers(const SocketUsers&) = delete;
+  SocketUsers& operator=(const SocketUsers&) = delete;
+
+  void start(asio::awaitable<void> user) {
+    ++running_;
+    asio::co_spawn(executor_, std::move(user), [this](const std::exception_ptr& /*failure*/) {
+      if (--running_ == 0) ended_.cancel();
+    });
+  }
+
+  asio::awaitable<void> wait() {
+    ErrorCode cancelled;
+    while (running_ > 0) co_await ended_.async_wait(noting(cancelled));
+  }
 
  private:
-  bool& flag_;
-  bool at_end_;
+  asio::any_io_executor executor_;
+  asio::steady_timer ended_;  ///< never expires; cancelled when the last user has ended
+  int running_ = 0;
 };
 
 template <typename Socket>
 asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member> member) {
-  const Until written(member->written, true);
   ErrorCode failure;
   while (!member->ended && !failure) {
     const std::optional<Message> message = member->conversation.next(now_s());
@@ -109,17 +121,15 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
 template <typename Socket>
 asio::awaitable<void> watch_rights(Socket& socket, std::shared_ptr<LiveHub::Member> member, std::string token,
                                    SharedState& shared) {
-  const Until watched(member->watched, false);
-  asio::steady_timer pause(co_await asio::this_coro::executor);
-  for (int tenths = 0; !member->ended; tenths = (tenths + 1) % 10) {
-    ErrorCode ignored;
-    pause.expires_after(std::chrono::milliseconds(100));
-    co_await pause.async_wait(noting(ignored));
-    if (tenths != 0 || member->ended) continue;
+  while (!member->ended) {
+    ErrorCode woken;
+    member->next_check.expires_after(std::chrono::seconds(1));
+    co_await member->next_check.async_wait(noting(woken));
+    if (member->ended) co_return;
     const std::optional<Person> person = co_await person_now(token, shared);
     if (!person) {
       beast::get_lowest_layer(socket).close();
-      break;
+      co_return;
     }
     member->conversation.set_role(person->role);
   }
@@ -140,12 +150,11 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   co_await socket.async_accept(request, noting(failure));
   if (failure) co_return;
   const std::shared_ptr<LiveHub::Member> member = shared.hub.join(std::move(person));
-  member->watched = true;
-  const auto executor = co_await asio::this_coro::executor;
-  asio::co_spawn(executor, write_all(socket, member), asio::detached);
-  asio::co_spawn(executor, watch_rights(socket, member, session_token(request), shared), asio::detached);
+  SocketUsers users(co_await asio::this_coro::executor);
+  users.start(write_all(socket, member));
+  users.start(watch_rights(socket, member, session_token(request), shared));
   const std::string complaint = co_await read_all(socket, *member);
-  member->ended = true;
+  member->end();
   shared.hub.leave(member);
   if (!complaint.empty()) {
     shared.complaints.add("a console was refused: " + complaint, now_s());
@@ -154,12 +163,7 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
                                 noting(failure));
   }
   beast::get_lowest_layer(socket).close();
-  asio::steady_timer pause(co_await asio::this_coro::executor);
-  while (!member->written || member->watched) {
-    member->wake();
-    pause.expires_after(std::chrono::milliseconds(5));
-    co_await pause.async_wait(noting(failure));
-  }
+  co_await users.wait();
 }
 
 /// The response to a request that could not be read; empty if the client has disconnected.

@@ -16,18 +16,22 @@ class LiveHub {
  public:
   LiveHub(asio::io_context& context, const ServerParts& parts);
 
-  /// A conversation, and the timer on which its sender waits. wake() cancels the timer when there may be
-  /// something to send.
+  /// A conversation, and the timers on which its sender and the check of the person's rights wait. wake()
+  /// cancels the sender's timer when there may be something to send.
   struct Member {
     Member(asio::io_context& context, const ServerParts& parts, LivePictures& pictures, Person person)
-        : conversation(parts, pictures, std::move(person)), alarm(context) {}
+        : conversation(parts, pictures, std::move(person)), alarm(context), next_check(context) {}
     Conversation conversation;
     asio::steady_timer alarm;
-    bool ended = false;    ///< nothing more is to be sent
-    bool written = false;  ///< the sender has ended
-    bool watched = false;  ///< the person's rights are still being checked
+    asio::steady_timer next_check;
+    bool ended = false;  ///< nothing more is to be sent
 
     void wake() { alarm.cancel(); }
+    void end() {
+      ended = true;
+      alarm.cancel();
+      next_check.cancel();
+    }
   };
 
   [[nodiscard]] std::shared_ptr<Member> join(Person person);
