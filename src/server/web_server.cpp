@@ -143,6 +143,8 @@ class WebServer::Implementation {
     for (OpenConnection& connection : shared_.open) connection.close();
   }
 
+  // Polls, since the handler of an asio::signal_set would replace the one of note_interrupts(): long work on
+  // other threads would no longer notice a signal, and a second signal would no longer end the process.
   asio::awaitable<void> watch_signals() {
     asio::steady_timer timer(context_);
     while (!stopping_) {
