@@ -35,7 +35,7 @@ struct Sample {
   }
 
   [[nodiscard]] NoiseBin figures(double from_m, double to_m, bool stereo) {
-    NoiseBin bin{from_m, to_m, std_mm.size(), 0.0, 0.0, std::nullopt};
+    NoiseBin bin{.from_m = from_m, .to_m = to_m, .pixels = std_mm.size(), .subpixel_rms_px = {}};
     if (std_mm.empty()) return bin;
     bin.median_std_mm = quantile(std_mm, 0.5);
     bin.p95_std_mm = quantile(std_mm, 0.95);

@@ -104,7 +104,7 @@ std::vector<Target> visible_targets(const SimulatedCamera& camera) {
   std::vector<Target> targets;
   for (std::size_t object = 0; object < objects.size(); ++object) {
     if (objects[object].role != Role::debris) continue;
-    Target target{objects[object].kind, 0, 0.0, 0.0, {}};
+    Target target{.kind = objects[object].kind, .pixels = {}};
     for (std::size_t i = 0; i < view.labels.size(); ++i) {
       if (view.labels[i] != Scene::label_of(object)) continue;
       target.pixels.push_back(static_cast<std::uint32_t>(i));

@@ -40,9 +40,11 @@ Sides take_sides(const MovedStudyOptions& options, const MovedWing& wing, const 
                  std::uint64_t seed, const fs::path& room) {
   Scene unchanged = wing.before;
   unchanged.stand = wing.after.stand;
-  const RobotSideOptions before{options.captures.back(), options.frames,
-                                options.how == CameraReturn::rest ? half_a_step_deg : 0.0, options.lamp,
-                                options.color};
+  const RobotSideOptions before{.captures = options.captures.back(),
+                                .frames = options.frames,
+                                .rest_error_deg = options.how == CameraReturn::rest ? half_a_step_deg : 0.0,
+                                .lamp = options.lamp,
+                                .color = options.color};
   RobotSideOptions after = before;
   if (options.how == CameraReturn::rest)
     after.baseline =
@@ -75,7 +77,11 @@ double turn_deg(const Transform& motion) {
 }
 
 MovedRegistration error_of(std::string method, int captures, const Transform& off) {
-  return {std::move(method), captures, 1000.0 * off.translation().norm(), turn_deg(off), {}, {}};
+  return {.method = std::move(method),
+          .captures = captures,
+          .error_mm = 1000.0 * off.translation().norm(),
+          .error_deg = turn_deg(off),
+          .doubt = {}};
 }
 
 // Compares the error, a small motion in the initial camera's frame, with the covariance. The result is empty
@@ -89,7 +95,7 @@ std::optional<double> normalised(const Registration& found, const Transform& off
 void note_error(const Compared& compared, const Transform& final_from_initial, int captures,
                 MovedInspection& inspection) {
   if (!compared.refused.empty())
-    inspection.registrations.push_back({"auto", captures, 0.0, 0.0, compared.refused, {}});
+    inspection.registrations.push_back({.method = "auto", .captures = captures, .doubt = compared.refused});
   if (!compared.registration) return;
   const Transform& found = compared.registration->initial_from_final;
   inspection.registrations.push_back(error_of("auto", captures, final_from_initial * found));
@@ -98,14 +104,14 @@ void note_error(const Compared& compared, const Transform& final_from_initial, i
 
 MovedResult result_of(std::string method, int captures, double setting, std::size_t false_when_clean,
                       const Judgement& judgement) {
-  return {std::move(method),
-          captures,
-          setting,
-          false_when_clean,
-          judgement.false_findings,
-          judgement.work_findings,
-          judgement.trace_findings,
-          judgement.found};
+  return {.method = std::move(method),
+          .captures = captures,
+          .setting = setting,
+          .false_when_clean = false_when_clean,
+          .false_with_debris = judgement.false_findings,
+          .work_findings = judgement.work_findings,
+          .trace_findings = judgement.trace_findings,
+          .found = judgement.found};
 }
 
 /// The first depth image of a side, as the thesis takes it.

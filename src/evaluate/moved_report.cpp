@@ -207,15 +207,22 @@ MovedInspection inspection_from(const nlohmann::json& json) {
     inspection.targets.push_back(std::move(target));
   }
   for (const nlohmann::json& of : json.value("registrations", nlohmann::json::array())) {
-    inspection.registrations.push_back(
-        {of.at("method"), of.at("captures"), of.at("error_mm"), of.at("error_deg"), of.at("doubt"), {}});
+    inspection.registrations.push_back({.method = of.at("method"),
+                                        .captures = of.at("captures"),
+                                        .error_mm = of.at("error_mm"),
+                                        .error_deg = of.at("error_deg"),
+                                        .doubt = of.at("doubt")});
     if (of.contains("normalised")) inspection.registrations.back().normalised = of.at("normalised");
   }
   for (const nlohmann::json& of : json.at("results")) {
-    inspection.results.push_back({of.at("method"), of.at("captures"), of.at("setting"),
-                                  of.at("false_when_clean"), of.at("false_with_debris"),
-                                  of.value("work_findings", std::size_t{0}),
-                                  of.value("trace_findings", std::size_t{0}), of.at("found")});
+    inspection.results.push_back({.method = of.at("method"),
+                                  .captures = of.at("captures"),
+                                  .setting = of.at("setting"),
+                                  .false_when_clean = of.at("false_when_clean"),
+                                  .false_with_debris = of.at("false_with_debris"),
+                                  .work_findings = of.value("work_findings", std::size_t{0}),
+                                  .trace_findings = of.value("trace_findings", std::size_t{0}),
+                                  .found = of.at("found")});
     if (inspection.results.back().found.size() != inspection.targets.size())
       throw nlohmann::json::other_error::create(0, "found and targets differ in number", &of);
   }
@@ -295,8 +302,12 @@ std::vector<CollarDetection> collar_detection(const std::vector<MovedInspection>
   for (std::size_t k = 0; k < inspections.front().results.size(); ++k) {
     const MovedResult& result = inspections.front().results[k];
     for (std::size_t i = 0; i + 1 < edges_m.size(); ++i) {
-      CollarDetection one{
-          result.method, result.captures, result.setting, edges_m[i], edges_m[i + 1], 0, 0, {}};
+      CollarDetection one{.method = result.method,
+                          .captures = result.captures,
+                          .setting = result.setting,
+                          .from_m = edges_m[i],
+                          .to_m = edges_m[i + 1],
+                          .sizes = {}};
       const std::vector<DetectionTrial> trials = trials_of(inspections, k, one.from_m, one.to_m);
       one.collars = trials.size();
       one.found = static_cast<std::size_t>(std::ranges::count_if(trials, &DetectionTrial::found));

@@ -34,7 +34,11 @@ void note_registration(const RecordedScene& scene, const SidesDetection& found, 
 }
 
 RecordedResult compare(const RecordedScene& scene, int captures, double allowed) {
-  RecordedResult result{captures, allowed, {}, 0, std::vector<bool>(scene.targets.size(), false), {}};
+  RecordedResult result{.captures = captures,
+                        .allowed = allowed,
+                        .method = {},
+                        .found = std::vector<bool>(scene.targets.size(), false),
+                        .refused = {}};
   DetectOptions options;
   options.static_camera.calibrated.false_findings = allowed;
   try {

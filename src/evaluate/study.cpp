@@ -112,8 +112,12 @@ SimulatedInspection inspect(const StudyOptions& options, const std::optional<Sce
       };
       const std::vector<Finding> when_clean = find(detector, before, unchanged);
       const Judgement judgement = judged(find(detector, before, changed));
-      inspection.results.push_back({frames, detector, when_clean.size(), judgement.false_findings,
-                                    judgement.found, judged(when_clean).found});
+      inspection.results.push_back({.frames = frames,
+                                    .detector = detector,
+                                    .false_when_clean = when_clean.size(),
+                                    .false_with_debris = judgement.false_findings,
+                                    .found = judgement.found,
+                                    .found_when_clean = judged(when_clean).found});
     }
   }
   return inspection;

@@ -59,15 +59,15 @@ Stage stage_of(const Inspection& inspection) {
 
 InspectionSummary summary_of(const Inspection& inspection) {
   const auto settled = std::ranges::count_if(inspection.findings, is_settled);
-  return {inspection.id,
-          inspection.order,
-          inspection.created_at,
-          stage_of(inspection),
-          inspection.findings.size(),
-          inspection.findings.size() - static_cast<std::size_t>(settled),
-          inspection.initial,
-          inspection.final,
-          inspection.comparison};
+  return {.id = inspection.id,
+          .order = inspection.order,
+          .created_at = inspection.created_at,
+          .stage = stage_of(inspection),
+          .findings = inspection.findings.size(),
+          .undecided = inspection.findings.size() - static_cast<std::size_t>(settled),
+          .initial = inspection.initial,
+          .final = inspection.final,
+          .comparison = inspection.comparison};
 }
 
 }  // namespace rva

@@ -21,14 +21,14 @@ namespace {
 constexpr std::size_t frames_between_noise = 10;
 
 CaptureProgress progress_at(const SideCapture& side, std::size_t waypoint) {
-  return {waypoint / side.captures_each,
-          side.waypoints.size() / side.captures_each,
-          waypoint % side.captures_each,
-          side.captures_each,
-          0,
-          side.frames,
-          0,
-          side.baseline.empty() ? 1 : static_cast<std::size_t>(side.pose_return.approaches)};
+  return {.view = waypoint / side.captures_each,
+          .views = side.waypoints.size() / side.captures_each,
+          .capture = waypoint % side.captures_each,
+          .captures = side.captures_each,
+          .frame = 0,
+          .frames = side.frames,
+          .approach = 0,
+          .approaches = side.baseline.empty() ? 1 : static_cast<std::size_t>(side.pose_return.approaches)};
 }
 
 /// Reports each frame, and measures the noise of those of one capture. Frames that are used to

@@ -160,9 +160,11 @@ class Estimation {
       constexpr double little = 0.5;  // share of the prior deviation
       const auto at = static_cast<Eigen::Index>(i);
       const double unit = kinds.at(i).is_turn ? rad_per_deg : m_per_mm;
-      calibration.numbers.push_back({std::string(kinds.at(i).name), kinds.at(i).is_turn ? "deg" : "mm",
-                                     unknowns_[at] / unit, deviations[at] / unit,
-                                     deviations[at] < little * prior_deviations_[at]});
+      calibration.numbers.push_back({.name = std::string(kinds.at(i).name),
+                                     .unit = kinds.at(i).is_turn ? "deg" : "mm",
+                                     .change = unknowns_[at] / unit,
+                                     .deviation = deviations[at] / unit,
+                                     .held = deviations[at] < little * prior_deviations_[at]});
     }
     for (std::size_t i = 0; i < joints_.size(); ++i)
       calibration.views.push_back({joint_error(unknowns_, i), before.views[i], after.views[i]});

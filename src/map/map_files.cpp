@@ -123,8 +123,11 @@ MapFiles map_files(const fs::path& ply) {
     throw UsageError(printable(ply), "is not a file name for a map", "give one that ends in .ply");
   fs::path stem = ply;
   stem.replace_extension();
-  return {ply, stem.native() + ".pcd", stem.native() + ".json", stem.native() + ".views",
-          stem.native() + ".commit"};
+  return {.ply = ply,
+          .pcd = stem.native() + ".pcd",
+          .poses = stem.native() + ".json",
+          .views = stem.native() + ".views",
+          .commit = stem.native() + ".commit"};
 }
 
 void require_replaceable(const MapFiles& files, bool overwrite) {

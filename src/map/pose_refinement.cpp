@@ -78,13 +78,13 @@ class Refinement {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const Twist moved = log_of(by_joints_[i].inverse() * poses_[i]);
       const ViewResiduals& residuals = sum.views[i];
-      RefinedPose pose{poses_[i],
-                       moved.tail<3>().norm() / m_per_mm,
-                       moved.head<3>().norm() / rad_per_deg,
-                       residuals.neighbours,
-                       residuals.share(),
-                       residuals.residual_px(),
-                       {}};
+      RefinedPose pose{.foot_from_camera = poses_[i],
+                       .moved_mm = moved.tail<3>().norm() / m_per_mm,
+                       .turned_deg = moved.head<3>().norm() / rad_per_deg,
+                       .neighbours = residuals.neighbours,
+                       .agreeing = residuals.share(),
+                       .residual_px = residuals.residual_px(),
+                       .doubt = {}};
       pose.doubt = doubt_of(pose);
       if (!pose.doubt.empty()) pose.foot_from_camera = by_joints_[i];
       results.push_back(pose);

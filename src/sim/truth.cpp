@@ -27,7 +27,7 @@ struct Seen {
 
   void add(int u, int v) {
     if (pixels++ == 0) {
-      *this = {1, u, v, u, v};
+      *this = {.pixels = 1, .u0 = u, .v0 = v, .u1 = u, .v1 = v};
       return;
     }
     u0 = std::min(u0, u);

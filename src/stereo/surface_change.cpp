@@ -46,7 +46,10 @@ Ratio ratio_of(std::span<const float> before, std::span<const float> after, std:
   // The minimum of the sum of two parabolas whose minima are one label apart.
   const float rises = of_before.rise + of_after.rise;
   const float rise = rises > 0.0F ? of_before.rise * of_after.rise / rises : 0.0F;
-  return {std::max(minimum_of(both).cost - own, 0.0F), own, of_after.label - of_before.label, rise};
+  return {.objection = std::max(minimum_of(both).cost - own, 0.0F),
+          .residual = own,
+          .nearer_labels = of_after.label - of_before.label,
+          .rise = rise};
 }
 
 /// The quantities of Ratio at each pixel.

@@ -45,8 +45,10 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
   query.bind(2, comparison);
   query.bind(3, finding);
   if (!query.executeStep()) return std::nullopt;
-  return Decision{verdict_from_name(query.getColumn(0).getString()).value_or(Verdict::second_look),
-                  query.getColumn(1), query.getColumn(2), query.getColumn(3)};
+  return Decision{.verdict = verdict_from_name(query.getColumn(0).getString()).value_or(Verdict::second_look),
+                  .note = query.getColumn(1),
+                  .person = query.getColumn(2),
+                  .decided_at = query.getColumn(3)};
 }
 
 Finding finding_of(SQLite::Statement& row) {

@@ -56,7 +56,8 @@ std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int
     ComparedView view;
     view.view = query.getColumn(0);
     view.method = query.getColumn(1).getString();
-    view.coverage = {query.getColumn(2), query.getColumn(3), query.getColumn(4), std::nullopt};
+    view.coverage = {
+        .compared = query.getColumn(2), .unseen = query.getColumn(3), .invalid = query.getColumn(4)};
     if (!query.getColumn(7).isNull()) view.coverage.left_out = query.getColumn(7).getDouble();
     view.judged = query.getColumn(5);
     view.warnings = nlohmann::json::parse(query.getColumn(6).getString()).get<std::vector<std::string>>();
@@ -109,7 +110,10 @@ std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64
   if (!query.executeStep()) return std::nullopt;
   Inspection inspection;
   inspection.id = id;
-  inspection.order = {query.getColumn(0), query.getColumn(1), query.getColumn(2), query.getColumn(3)};
+  inspection.order = {.aircraft = query.getColumn(0),
+                      .zone = query.getColumn(1),
+                      .work_order = query.getColumn(2),
+                      .person = query.getColumn(3)};
   inspection.created_at = query.getColumn(4).getString();
   inspection.dither = query.getColumn(5);
   inspection.views = views_of(database, id);

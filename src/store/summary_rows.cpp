@@ -33,8 +33,10 @@ order by i.id desc
 
 std::optional<TakenSide> side_from(SQLite::Statement& row, int first) {
   if (row.getColumn(first).isNull()) return std::nullopt;
-  return TakenSide{row.getColumn(first), row.getColumn(first + 1), row.getColumn(first + 2),
-                   row.getColumn(first + 3)};
+  return TakenSide{.taken_at = row.getColumn(first),
+                   .person = row.getColumn(first + 1),
+                   .base = row.getColumn(first + 2),
+                   .round = row.getColumn(first + 3)};
 }
 
 Stage stage_from(const InspectionSummary& summary, bool compared_whole) {
@@ -51,7 +53,10 @@ std::vector<InspectionSummary> summaries_of(SQLite::Database& database) {
   while (row.executeStep()) {
     InspectionSummary summary;
     summary.id = row.getColumn(0);
-    summary.order = {row.getColumn(1), row.getColumn(2), row.getColumn(3), row.getColumn(4)};
+    summary.order = {.aircraft = row.getColumn(1),
+                     .zone = row.getColumn(2),
+                     .work_order = row.getColumn(3),
+                     .person = row.getColumn(4)};
     summary.created_at = row.getColumn(5).getString();
     summary.initial = side_from(row, 6);
     summary.final = side_from(row, 10);

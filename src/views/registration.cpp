@@ -148,12 +148,12 @@ Registration search(const Planes& planes, const RegistrationGuess& guess, int ev
   const Alignment& best = candidates.front().alignment;
   const NormalEquations sum = normal_equations(fine, best, last_reach_px);
   const RegistrationUncertainty uncertain = uncertainty(fine, best, last_reach_px);
-  Registration result{best.initial_from_final,
-                      uncertain.covariance,
-                      best.offset_px,
-                      sum.agreeing / std::max(1.0, sum.compared),
-                      sum.compared / std::max(1.0, sum.samples),
-                      {}};
+  Registration result{.initial_from_final = best.initial_from_final,
+                      .covariance = uncertain.covariance,
+                      .offset_px = best.offset_px,
+                      .agreeing = sum.agreeing / std::max(1.0, sum.compared),
+                      .overlap = sum.compared / std::max(1.0, sum.samples),
+                      .doubt = {}};
   result.doubt = doubt_of(result, uncertain, candidates);
   return result;
 }
@@ -162,9 +162,10 @@ Registration search(const Planes& planes, const RegistrationGuess& guess, int ev
 
 Registration register_views(const DepthView& initial, const DepthView& final,
                             const RegistrationGuess& guess) {
-  const Planes planes{
-      PlanarPatches(initial, coarse_step_px, window_px), PlanarPatches(final, coarse_step_px, window_px),
-      PlanarPatches(initial, fine_step_px, window_px), PlanarPatches(final, fine_step_px, window_px)};
+  const Planes planes{.initial_coarse = PlanarPatches(initial, coarse_step_px, window_px),
+                      .final_coarse = PlanarPatches(final, coarse_step_px, window_px),
+                      .initial_fine = PlanarPatches(initial, fine_step_px, window_px),
+                      .final_fine = PlanarPatches(final, fine_step_px, window_px)};
   Registration result = search(planes, guess, 4);
   // Few samples usually suffice; a doubtful result is searched again with more.
   return result.trusted() ? result : search(planes, guess, 2);

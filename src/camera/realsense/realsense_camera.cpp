@@ -60,12 +60,10 @@ CaptureInfo describe(const rs2::pipeline_profile& profile, const rs2::sensor& de
   // The camera stores it as a float: rounding restores the decimal value.
   info.depth_unit_m =
       std::round(1e7 * static_cast<double>(depth_sensor.get_option(RS2_OPTION_DEPTH_UNITS))) / 1e7;
-  CameraInfo camera{text_of(device, RS2_CAMERA_INFO_NAME),
-                    text_of(device, RS2_CAMERA_INFO_SERIAL_NUMBER),
-                    {},
-                    text_of(device, RS2_CAMERA_INFO_FIRMWARE_VERSION),
-                    text_of(device, RS2_CAMERA_INFO_USB_TYPE_DESCRIPTOR),
-                    {}};
+  CameraInfo camera{.model = text_of(device, RS2_CAMERA_INFO_NAME),
+                    .serial = text_of(device, RS2_CAMERA_INFO_SERIAL_NUMBER),
+                    .firmware = text_of(device, RS2_CAMERA_INFO_FIRMWARE_VERSION),
+                    .usb = text_of(device, RS2_CAMERA_INFO_USB_TYPE_DESCRIPTOR)};
   if (depth_sensor.supports(RS2_OPTION_STEREO_BASELINE))
     camera.baseline_m = 0.001 * static_cast<double>(depth_sensor.get_option(RS2_OPTION_STEREO_BASELINE));
   for (const rs2::sensor& sensor : device.query_sensors())
@@ -99,9 +97,10 @@ void note_slow_port(CaptureInfo& info, int rate_hz, const RealSenseOptions& opti
 std::vector<FoundCamera> cameras_of(const rs2::context& context) {
   std::vector<FoundCamera> found;
   for (const rs2::device& device : context.query_devices()) {
-    found.push_back({text_of(device, RS2_CAMERA_INFO_NAME), text_of(device, RS2_CAMERA_INFO_SERIAL_NUMBER),
-                     text_of(device, RS2_CAMERA_INFO_FIRMWARE_VERSION),
-                     text_of(device, RS2_CAMERA_INFO_USB_TYPE_DESCRIPTOR)});
+    found.push_back({.model = text_of(device, RS2_CAMERA_INFO_NAME),
+                     .serial = text_of(device, RS2_CAMERA_INFO_SERIAL_NUMBER),
+                     .firmware = text_of(device, RS2_CAMERA_INFO_FIRMWARE_VERSION),
+                     .usb = text_of(device, RS2_CAMERA_INFO_USB_TYPE_DESCRIPTOR)});
   }
   if (const auto there = plugged_in_realsense(); found.empty() && !there.empty()) {
     throw Error(printable(there.front().product), "is plugged in, but may not be opened by this user",

@@ -41,14 +41,12 @@ ColorImage to_color_image(const rs2::video_frame& frame) { return copy_rows<Rgb>
 GrayImage to_gray_image(const rs2::video_frame& frame) { return copy_rows<std::uint8_t>(frame); }
 
 Intrinsics to_intrinsics(const rs2_intrinsics& intrinsics) {
-  Intrinsics camera{intrinsics.width,
-                    intrinsics.height,
-                    intrinsics.fx,
-                    intrinsics.fy,
-                    intrinsics.ppx,
-                    intrinsics.ppy,
-                    {},
-                    {}};
+  Intrinsics camera{.width = intrinsics.width,
+                    .height = intrinsics.height,
+                    .fx = intrinsics.fx,
+                    .fy = intrinsics.fy,
+                    .cx = intrinsics.ppx,
+                    .cy = intrinsics.ppy};
   std::ranges::copy(intrinsics.coeffs, camera.coefficients.begin());
   const bool straight = std::ranges::all_of(camera.coefficients, [](double k) { return k == 0.0; });
   camera.distortion = straight ? Distortion::none : to_distortion(intrinsics.model);

@@ -71,10 +71,11 @@ Pose parse_pose(const JsonObject& object) {
 }
 
 CameraInfo parse_camera(const JsonObject& object) {
-  CameraInfo camera{
-      object.optional_string("model").value_or(""), object.optional_string("serial").value_or(""),
-      object.optional_number("baseline_m"),         object.optional_string("firmware").value_or(""),
-      object.optional_string("usb").value_or(""),   {}};
+  CameraInfo camera{.model = object.optional_string("model").value_or(""),
+                    .serial = object.optional_string("serial").value_or(""),
+                    .baseline_m = object.optional_number("baseline_m"),
+                    .firmware = object.optional_string("firmware").value_or(""),
+                    .usb = object.optional_string("usb").value_or("")};
   const auto settings = object.optional_object("settings");
   if (!settings) return camera;
   for (const std::string& imager : settings->keys()) {

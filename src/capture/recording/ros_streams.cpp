@@ -36,7 +36,10 @@ std::string_view namespace_of(std::string_view topic) { return topic.substr(0, t
 
 RecordedStream stream_of(const std::string& topic) {
   const std::string beginning(namespace_of(topic));
-  return {beginning, beginning, topic, beginning + "camera_info"};
+  return {.sensor = beginning,
+          .name = beginning,
+          .ros_images = topic,
+          .ros_camera_info = beginning + "camera_info"};
 }
 
 /// A topic of images, with the encoding of the first one.

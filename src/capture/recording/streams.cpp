@@ -60,12 +60,10 @@ std::optional<double> number_of(const KeyValues& values, const char* key) {
 CameraInfo camera_of(const Recording& recording, const RecordedStream& depth,
                      const std::optional<RecordedStream>& color) {
   const KeyValues device = recording.info("/device_0/info");
-  CameraInfo camera{text_of(device, "Name"),
-                    text_of(device, "Serial Number"),
-                    {},
-                    text_of(device, "Firmware Version"),
-                    text_of(device, "Usb Type Descriptor"),
-                    {}};
+  CameraInfo camera{.model = text_of(device, "Name"),
+                    .serial = text_of(device, "Serial Number"),
+                    .firmware = text_of(device, "Firmware Version"),
+                    .usb = text_of(device, "Usb Type Descriptor")};
   const auto add_settings = [&](const RecordedStream& stream) {
     std::map<std::string, double> settings = recording.settings(stream.sensor);
     if (settings.empty()) return;

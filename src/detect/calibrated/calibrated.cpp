@@ -88,9 +88,10 @@ Coverage coverage_of(const DisparityChange& change) {
       ++(change.before_px[i] > 0.0F ? compared : unseen);
   }
   const std::size_t counted = compared + unseen + omitted;
-  return {share(compared, change.judged), share(unseen, change.judged),
-          share(change.judged.size() - counted, change.judged), std::nullopt,
-          change.left_out.empty() ? std::nullopt : std::optional(share(omitted, change.judged))};
+  return {.compared = share(compared, change.judged),
+          .unseen = share(unseen, change.judged),
+          .invalid = share(change.judged.size() - counted, change.judged),
+          .left_out = change.left_out.empty() ? std::nullopt : std::optional(share(omitted, change.judged))};
 }
 
 // Share of the compared pixels that could not be judged. The margin is excluded, as it is the same in
@@ -166,13 +167,13 @@ CalibratedComparison compare_calibrated(const DisparityChange& change, const Ste
   result.level_of_detection_mm = level_of_detection_mm(weighed.unreliable, weighed.noise.deviation_px,
                                                        comparison.final_m, finest, stereo);
   clear_left_out(change.left_out, result);
-  result.levels = {
-      judged_share(result.level_of_detection_mm),
-      finest.evidence.window_px,
-      static_cast<double>(weighed.drift_px(change.judged.width() / 2, change.judged.height() / 2)),
-      weighed.noise.fixed_px,
-      weighed.noise.effective_frames,
-      levels_by_distance(result.level_of_detection_mm, comparison.final_m)};
+  result.levels = {.judged = judged_share(result.level_of_detection_mm),
+                   .window_px = finest.evidence.window_px,
+                   .drift_px = static_cast<double>(
+                       weighed.drift_px(change.judged.width() / 2, change.judged.height() / 2)),
+                   .fixed_px = weighed.noise.fixed_px,
+                   .effective_frames = weighed.noise.effective_frames,
+                   .by_distance = levels_by_distance(result.level_of_detection_mm, comparison.final_m)};
   comparison.coverage = coverage_of(change);
   comparison.blind = blind_share(change, result.level_of_detection_mm);
   return result;

@@ -61,7 +61,11 @@ Size size_of(const Finding& finding, double distance_m, int width, const Intrins
   const std::optional<double> height_mm =
       finding.height_mm ? std::optional(std::abs(*finding.height_mm)) : std::nullopt;
   const double area_mm2 = static_cast<double>(finding.pixels.size()) * pixel_mm.prod();
-  return {area_mm2, sides_mm[1], sides_mm[0], pixel_mm.mean(), height_mm};
+  return {.area_mm2 = area_mm2,
+          .length_mm = sides_mm[1],
+          .breadth_mm = sides_mm[0],
+          .pixel_mm = pixel_mm.mean(),
+          .height_mm = height_mm};
 }
 
 /// Difference of two sides as a multiple of what is tolerated: equal up to 1.

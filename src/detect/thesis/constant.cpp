@@ -41,9 +41,11 @@ Comparison compare_constant(const DepthImage& initial, const DepthImage& final, 
   const auto share = [&](Pixel kind) {
     return static_cast<double>(counts.at(static_cast<std::size_t>(kind))) / static_cast<double>(final.size());
   };
-  result.coverage = {share(Pixel::compared), share(Pixel::unseen), share(Pixel::not_measured),
-                     share(Pixel::beyond_clip),
-                     left_out.empty() ? std::nullopt : std::optional(share(Pixel::left_out))};
+  result.coverage = {.compared = share(Pixel::compared),
+                     .unseen = share(Pixel::unseen),
+                     .invalid = share(Pixel::not_measured),
+                     .beyond_clip = share(Pixel::beyond_clip),
+                     .left_out = left_out.empty() ? std::nullopt : std::optional(share(Pixel::left_out))};
   return result;
 }
 

@@ -70,8 +70,10 @@ Comparison compare_gaussian(const DepthStatistics& initial, const DepthStatistic
   const auto share = [&](Pixel kind) {
     return static_cast<double>(count(kind)) / static_cast<double>(final.size());
   };
-  result.coverage = {share(Pixel::compared), share(Pixel::unseen), share(Pixel::not_seen), std::nullopt,
-                     left_out.empty() ? std::nullopt : std::optional(share(Pixel::left_out))};
+  result.coverage = {.compared = share(Pixel::compared),
+                     .unseen = share(Pixel::unseen),
+                     .invalid = share(Pixel::not_seen),
+                     .left_out = left_out.empty() ? std::nullopt : std::optional(share(Pixel::left_out))};
   result.blind =
       static_cast<double>(blind) / static_cast<double>(std::max<std::size_t>(count(Pixel::compared), 1));
   return result;
