@@ -47,26 +47,25 @@ PanTiltChain changed(PanTiltChain chain, const GeometryChange& change) {
   return chain;
 }
 
-// The schedule of {step_px, every, reach_px}: it begins with a reach for a bracket measured by hand, and ends
-// as the one for poses.
-constexpr std::array<PosesDescent, 18> descent{{{8, 4, 24.0},
-                                                {8, 4, 20.0},
-                                                {8, 4, 16.0},
-                                                {8, 4, 12.0},
-                                                {8, 4, 10.0},
-                                                {8, 4, 8.0},
-                                                {8, 4, 6.0},
-                                                {8, 4, 4.0},
-                                                {8, 4, 3.0},
-                                                {8, 4, 2.0},
-                                                {8, 4, 2.0},
-                                                {4, 4, 1.5},
-                                                {4, 2, 1.2},
-                                                {4, 2, 0.9},
-                                                {4, 2, 0.7},
-                                                {4, 2, 0.6},
-                                                {4, 2, 0.6},
-                                                {4, 2, 0.6}}};
+// The schedule begins with a reach for a bracket measured by hand, and ends as the one for poses.
+constexpr std::array<PosesDescent, 18> descent{{{.step_px = 8, .every = 4, .reach_px = 24.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 20.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 16.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 12.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 10.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 8.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 6.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 4.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 3.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 2.0},
+                                                {.step_px = 8, .every = 4, .reach_px = 2.0},
+                                                {.step_px = 4, .every = 4, .reach_px = 1.5},
+                                                {.step_px = 4, .every = 2, .reach_px = 1.2},
+                                                {.step_px = 4, .every = 2, .reach_px = 0.9},
+                                                {.step_px = 4, .every = 2, .reach_px = 0.7},
+                                                {.step_px = 4, .every = 2, .reach_px = 0.6},
+                                                {.step_px = 4, .every = 2, .reach_px = 0.6},
+                                                {.step_px = 4, .every = 2, .reach_px = 0.6}}};
 
 class Estimation {
  public:

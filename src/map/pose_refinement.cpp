@@ -16,17 +16,17 @@ namespace {
 constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double m_per_mm = 1e-3;
 
-// The schedule of {step_px, every, reach_px}: from a reach for the error of worn servos down to four
-// deviations of a matcher's fixed pattern.
-constexpr std::array<PosesDescent, 9> descent{{{8, 4, 6.0},
-                                               {8, 4, 4.0},
-                                               {8, 4, 3.0},
-                                               {8, 4, 2.0},
-                                               {4, 4, 1.5},
-                                               {4, 2, 1.2},
-                                               {4, 2, 0.9},
-                                               {4, 2, 0.7},
-                                               {4, 2, 0.6}}};
+// The schedule goes from a reach for the error of worn servos down to four deviations of a matcher's fixed
+// pattern.
+constexpr std::array<PosesDescent, 9> descent{{{.step_px = 8, .every = 4, .reach_px = 6.0},
+                                               {.step_px = 8, .every = 4, .reach_px = 4.0},
+                                               {.step_px = 8, .every = 4, .reach_px = 3.0},
+                                               {.step_px = 8, .every = 4, .reach_px = 2.0},
+                                               {.step_px = 4, .every = 4, .reach_px = 1.5},
+                                               {.step_px = 4, .every = 2, .reach_px = 1.2},
+                                               {.step_px = 4, .every = 2, .reach_px = 0.9},
+                                               {.step_px = 4, .every = 2, .reach_px = 0.7},
+                                               {.step_px = 4, .every = 2, .reach_px = 0.6}}};
 
 // The information (inverse covariance) of a camera's motion away from its pose by the joints.
 TwistMatrix prior_information(const PanTiltChain& chain, const PanTilt& joints,

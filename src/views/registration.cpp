@@ -38,6 +38,7 @@ struct Descent {
   int steps = 1;
   double first_reach_px = 1.0;
   double last_reach_px = 1.0;
+  std::size_t kept = 1;  ///< number of candidates kept afterwards
 };
 
 struct Candidate {
@@ -77,12 +78,11 @@ void keep_best(std::size_t count, std::vector<Candidate>& candidates) {
   candidates = std::move(kept);
 }
 
-void descend(const ViewPair& views, const Descent& descent, std::size_t kept,
-             std::vector<Candidate>& candidates) {
+void descend(const ViewPair& views, const Descent& descent, std::vector<Candidate>& candidates) {
   parallel_bands(static_cast<int>(candidates.size()), [&](int first, int end) {
     for (int i = first; i < end; ++i) descend(views, descent, candidates[static_cast<std::size_t>(i)]);
   });
-  keep_best(kept, candidates);
+  keep_best(descent.kept, candidates);
 }
 
 std::vector<Candidate> candidates_at(const RegistrationGuess& guess) {
@@ -138,13 +138,14 @@ Registration search(const Planes& planes, const RegistrationGuess& guess, int ev
   std::vector<Candidate> candidates = candidates_at(guess);
   const ViewPair coarse(planes.initial_coarse, planes.final_coarse, every);
   if (!guess.nearby) {
-    descend(coarse, {8, 24.0, 4.0}, 100, candidates);
-    descend(coarse, {5, 4.0, 2.0}, 40, candidates);
+    descend(coarse, {.steps = 8, .first_reach_px = 24.0, .last_reach_px = 4.0, .kept = 100}, candidates);
+    descend(coarse, {.steps = 5, .first_reach_px = 4.0, .last_reach_px = 2.0, .kept = 40}, candidates);
   }
-  descend(coarse, {6, 4.0, 1.0}, 8, candidates);
-  descend(ViewPair(planes.initial_coarse, planes.final_coarse, every / 2), {8, 3.0, 1.0}, 3, candidates);
+  descend(coarse, {.steps = 6, .first_reach_px = 4.0, .last_reach_px = 1.0, .kept = 8}, candidates);
+  const ViewPair denser(planes.initial_coarse, planes.final_coarse, every / 2);
+  descend(denser, {.steps = 8, .first_reach_px = 3.0, .last_reach_px = 1.0, .kept = 3}, candidates);
   const ViewPair fine(planes.initial_fine, planes.final_fine, 2);
-  descend(fine, {6, 1.5, last_reach_px}, 3, candidates);
+  descend(fine, {.steps = 6, .first_reach_px = 1.5, .last_reach_px = last_reach_px, .kept = 3}, candidates);
   const Alignment& best = candidates.front().alignment;
   const NormalEquations sum = normal_equations(fine, best, last_reach_px);
   const RegistrationUncertainty uncertain = uncertainty(fine, best, last_reach_px);
