@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,24 +16,18 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
-#include "depth/image_file.hpp"
 #include "detect/detect.hpp"
-#include "detect/findings/drawing.hpp"
 #include "detect/regions/ignored_regions.hpp"
+#include "detect/result_folder.hpp"
 
 namespace rva::cli {
 namespace {
 
-constexpr std::array methods{DetectionMethod::automatic, DetectionMethod::constant,
-                             DetectionMethod::gaussian,  DetectionMethod::calibrated,
-                             DetectionMethod::spatial,   DetectionMethod::octree};
-
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const DetectionMethod method : methods) names.emplace_back(name_of(method));
+  for (const DetectionMethod method : detection_methods()) names.emplace_back(name_of(method));
   return names;
 }
 
@@ -51,35 +46,6 @@ struct DetectArguments {
   bool json = false;
   bool fail_on_detection = false;
 };
-
-// overlay.png is drawn on a colour image; without one, the result does not have this file.
-std::optional<ColorImage> color_to_draw_on(const Capture& final, std::vector<std::string>& warnings) {
-  if (final.color_frames() == 0) {
-    warnings.emplace_back("the final capture has no colour image, so there is no overlay.png");
-    return std::nullopt;
-  }
-  try {
-    return final.color(0);
-  } catch (const Error& error) {
-    warnings.push_back(fmt::format("there is no overlay.png: {}", error.what()));
-    return std::nullopt;
-  }
-}
-
-void write_color_overlay(const Capture& final, const ColorImage& color, const Detection& detection,
-                         const OutputFolder& out, std::vector<std::string>& warnings) {
-  const CaptureInfo& info = final.info();
-  if (!detection.findings.findings.empty() && !(info.color && info.color_from_depth))
-    warnings.emplace_back(
-        "the final capture does not state the pose of its colour imager relative to its depth imager: boxes "
-        "in overlay.png are only approximate; depth_overlay.png shows them exactly");
-  const Overlay overlay = draw_on_color(color, detection.findings.findings, detection.final_m, info);
-  if (overlay.outside > 0) {
-    warnings.push_back(fmt::format(
-        "{} finding(s) lie outside the colour camera's view; depth_overlay.png shows them", overlay.outside));
-  }
-  write_file(out.path("overlay.png"), encode_png(overlay.picture));
-}
 
 void print_levels(const DetectionLevelSummary& summary) {
   print(
@@ -127,26 +93,15 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   print("{}\n", arguments.out);
 }
 
-// Flags of methods other than the given one.
-std::vector<std::string> flags_of_others(DetectionMethod method) {
-  if (method == DetectionMethod::octree)
-    return {"--threshold", "--clip", "--sigmas", "--frames", "--false-findings"};
-  std::vector<std::string> flags{"--threshold", "--clip", "--sigmas"};
-  if (method == DetectionMethod::constant) flags = {"--sigmas", "--frames", "--false-findings"};
-  if (method == DetectionMethod::gaussian) flags = {"--threshold", "--clip", "--false-findings"};
-  OctreeOptions::describe(OctreeOptions{}, [&](const auto& /*value*/, const OptionField& field) {
-    flags.push_back(fmt::format("--{}", field.name));
-  });
-  return flags;
-}
-
 // Warnings of options that belong to other methods, which the user expects to have an effect.
 std::vector<std::string> options_without_effect(const CLI::App& command, DetectionMethod method) {
+  const std::vector<std::string> used = options_of(method);
   std::vector<std::string> warnings;
-  for (const std::string& flag : flags_of_others(method)) {
-    if (command.get_option(flag)->count() == 0) continue;
-    warnings.push_back(fmt::format("{} has no effect with --method {}", flag, name_of(method)));
-  }
+  DetectOptions::describe(DetectOptions{}, [&](const auto& /*value*/, const OptionField& field) {
+    const std::string flag = fmt::format("--{}", field.name);
+    if (std::ranges::find(used, field.name) == used.end() && command.get_option(flag)->count() > 0)
+      warnings.push_back(fmt::format("{} has no effect with --method {}", flag, name_of(method)));
+  });
   return warnings;
 }
 
@@ -220,42 +175,22 @@ Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
 int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_sides(arguments);
   check_options(arguments.detection);
-  OutputFolder out(
-      arguments.out,
-      {"detections.json", "changes.png", "overlay.png", "depth_overlay.png", "level_of_detection.png",
-       "level_of_detection.json", "registration.json", "changed_points.png"},
-      arguments.overwrite ? Existing::replace : Existing::refuse);
+  OutputFolder out(arguments.out, result_files(), arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
   DetectOptions options = arguments.detection;
   options.method = detection_method_from_name(arguments.method).value();
-  const auto [detection, registration] = detect(sides.initial, sides.final, options, terminal_progress(),
-                                                left_out(arguments, sides.initial.front()->info()));
-  const DetectionMethod used = detection_method_from_name(detection.findings.method).value();
-  std::vector<std::string> warnings = options_without_effect(command, used);
-  warnings.insert(warnings.end(), detection.warnings.begin(), detection.warnings.end());
-
-  const std::string json = to_json(detection.findings);
-  write_file(out.path("changes.png"), encode_png(detection.changed));
-  write_file(out.path("depth_overlay.png"),
-             encode_png(draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out)));
-  if (const auto color = color_to_draw_on(*sides.final.front(), warnings)) {
-    write_color_overlay(*sides.final.front(), *color, detection, out, warnings);
-    if (used == DetectionMethod::octree)
-      write_file(out.path("changed_points.png"),
-                 encode_png(draw_changed_points(*color, detection.changed, detection.final_m,
-                                                sides.final.front()->info())));
-  }
-  if (registration) write_file(out.path("registration.json"), to_json(*registration));
-  if (const auto& level = detection.level_of_detection) {
-    write_file(out.path("level_of_detection.png"), encode_png(draw_level_of_detection(level->least_mm)));
-    write_file(out.path("level_of_detection.json"), to_json(level->summary));
-  }
-  write_file(out.path("detections.json"), json);
+  const SidesDetection result = detect(sides.initial, sides.final, options, terminal_progress(),
+                                       left_out(arguments, sides.initial.front()->info()));
+  const Detection& detection = result.detection;
+  std::vector<std::string> warnings =
+      options_without_effect(command, detection_method_from_name(detection.findings.method).value());
+  std::ranges::copy(detection.warnings, std::back_inserter(warnings));
+  std::ranges::move(write_result(result, *sides.final.front(), out.path("")), std::back_inserter(warnings));
   out.commit();
   for (const std::string& warning : warnings) fmt::print(stderr, "rva: warning: {}\n", warning);
 
   if (arguments.json) {
-    print("{}", json);
+    print("{}", to_json(detection.findings));
   } else {
     print_for_a_person(arguments, detection);
   }

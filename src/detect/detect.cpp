@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <memory>
 #include <numbers>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -21,22 +19,6 @@
 
 namespace rva {
 namespace {
-
-struct MethodName {
-  DetectionMethod method;
-  std::string_view name;
-};
-
-constexpr std::array method_names{
-    MethodName{DetectionMethod::automatic, "auto"},    MethodName{DetectionMethod::constant, "constant"},
-    MethodName{DetectionMethod::gaussian, "gaussian"}, MethodName{DetectionMethod::calibrated, "calibrated"},
-    MethodName{DetectionMethod::spatial, "spatial"},   MethodName{DetectionMethod::octree, "octree"}};
-
-StaticMethod static_method(DetectionMethod method) {
-  if (method == DetectionMethod::constant) return StaticMethod::constant;
-  if (method == DetectionMethod::gaussian) return StaticMethod::gaussian;
-  return StaticMethod::calibrated;
-}
 
 bool is_of_the_thesis(DetectionMethod method) {
   return method == DetectionMethod::constant || method == DetectionMethod::gaussian ||
@@ -117,21 +99,10 @@ class Run {
   }
 
   SidesDetection run_method() {
-    switch (options_.method) {
-      case DetectionMethod::automatic:
-        return automatic();
-      case DetectionMethod::constant:
-      case DetectionMethod::gaussian:
-      case DetectionMethod::calibrated:
-        return by_name();
-      case DetectionMethod::spatial:
-        warn_of_other_camera();
-        return spatial();
-      case DetectionMethod::octree:
-        warn_of_other_camera();
-        return octree();
-    }
-    throw std::logic_error("a method without an implementation");
+    if (is_static(options_.method)) return by_name();
+    if (options_.method == DetectionMethod::automatic) return automatic();
+    warn_of_other_camera();
+    return options_.method == DetectionMethod::octree ? octree() : spatial();
   }
 
   [[nodiscard]] const CaptureInfo& initial_info() const { return initial_.front()->info(); }
@@ -228,14 +199,14 @@ class Run {
   StaticDetection compare_pixels(const Capture& initial, double share = 1.0) {
     StaticDetectionOptions options = options_.static_camera;
     options.calibrated.false_findings *= share;
-    options.method = static_method(options_.method);
+    options.method = is_static(options_.method) ? options_.method : DetectionMethod::calibrated;
     return detect_static(initial, *final_.front(), options, progress_, left_out_);
   }
 
   SidesDetection spatial(KnownMotion known = KnownMotion::moved) {
     const StaticDetectionOptions& shared = options_.static_camera;
     const ComparedImages images = comparable_images(initial_, final_, warnings_);
-    SpatialDetectionOptions options{shared.frames, shared.calibrated, shared.regions, known};
+    SpatialDetectionOptions options{shared.use, shared.calibrated, shared.regions, known};
     if (images.any()) options.share = share_of_depth;
     options.pairs = have_pairs(initial_, final_);
     SpatialDetection found = detect_spatial(initial_, final_, options, progress_, left_out_);
@@ -323,15 +294,6 @@ SidesDetection detect_in_one_unit(const Captures& initial, const Captures& final
 }
 
 }  // namespace
-
-std::string_view name_of(DetectionMethod method) {
-  return std::ranges::find(method_names, method, &MethodName::method)->name;
-}
-
-std::optional<DetectionMethod> detection_method_from_name(std::string_view name) {
-  const auto* const found = std::ranges::find(method_names, name, &MethodName::name);
-  return found == method_names.end() ? std::nullopt : std::optional(found->method);
-}
 
 SidesDetection detect(const Captures& initial, const Captures& final, const DetectOptions& options,
                       const Progress& progress, const Mask& left_out) {

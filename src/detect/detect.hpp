@@ -3,29 +3,18 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "core/options.hpp"
 #include "core/progress.hpp"
 #include "depth/image.hpp"
 #include "detect/findings/detection.hpp"
+#include "detect/method.hpp"
 #include "detect/spatial/spatial_detection.hpp"
 #include "detect/static_detection.hpp"
 #include "detect/thesis/octree_detection.hpp"
 #include "views/registration.hpp"
 
 namespace rva {
-
-enum class DetectionMethod {
-  automatic,   ///< calibrated if the camera stood still, spatial if it moved
-  constant,    ///< static camera: algorithm 2 of the thesis
-  gaussian,    ///< static camera: algorithm 3 of the thesis
-  calibrated,  ///< static camera: against a noise model learnt from the captures
-  spatial,     ///< moved camera: by comparing free space
-  octree,      ///< moved camera: the pipeline of the thesis
-};
-[[nodiscard]] std::string_view name_of(DetectionMethod method);
-[[nodiscard]] std::optional<DetectionMethod> detection_method_from_name(std::string_view name);
 
 struct DetectOptions {
   DetectionMethod method = DetectionMethod::automatic;

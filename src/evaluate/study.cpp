@@ -5,9 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "detect/calibrated/calibrated.hpp"
-#include "detect/thesis/constant.hpp"
-#include "detect/thesis/gaussian.hpp"
+#include "detect/static_method.hpp"
 #include "scene/traces.hpp"
 
 namespace rva {
@@ -22,36 +20,48 @@ class Take {
  public:
   Take(Scene scene, const StereoSensorOptions& sensor, std::uint64_t seed)
       : camera_(std::move(scene), sensor, seed, ColorFrames::none),
-        statistics_(camera_.info().depth.width, camera_.info().depth.height) {}
+        statistics_(camera_.info().depth.width, camera_.info().depth.height),
+        first_(statistics_) {}
 
   void up_to(int frames) {
     while (statistics_.frames() < static_cast<std::size_t>(frames)) {
-      DepthImage depth = camera_.wait_for_frame()->depth;
+      const DepthImage depth = camera_.wait_for_frame()->depth;
       statistics_.add(depth);
-      if (first_.empty()) first_ = std::move(depth);
+      if (first_.frames() == 0) first_.add(depth);
     }
   }
 
   [[nodiscard]] const SimulatedCamera& camera() const { return camera_; }
   [[nodiscard]] const DepthStatistics& statistics() const { return statistics_; }
-  [[nodiscard]] const DepthImage& first() const { return first_; }
+  [[nodiscard]] const DepthStatistics& first() const { return first_; }
 
  private:
   SimulatedCamera camera_;
   DepthStatistics statistics_;
-  DepthImage first_;
+  DepthStatistics first_;  // of the first frame alone
 };
 
+// The number of a detector is the setting that decides how much a method finds.
+StaticDetectionOptions options_of(const Detector& detector) {
+  StaticDetectionOptions options;
+  options.method = detection_method_from_name(detector.method).value();
+  options.constant.threshold_m = options.gaussian.sigmas = options.calibrated.false_findings =
+      detector.setting;
+  return options;
+}
+
 Comparison compare(const Detector& detector, const Take& before, const Take& after) {
-  const CaptureInfo info = after.camera().info();
-  if (detector.method == "constant")
-    return compare_constant(before.first(), after.first(), info.depth_unit_m,
-                            {.threshold_m = detector.setting});
-  if (detector.method == "gaussian")
-    return compare_gaussian(before.statistics(), after.statistics(), info.depth_unit_m,
-                            {.sigmas = detector.setting});
-  return compare_calibrated(before.statistics(), after.statistics(), stereo_scale(info),
-                            {.false_findings = detector.setting})
+  const StaticDetectionOptions options = options_of(detector);
+  const StaticMethod& method = static_method(options.method);
+  const auto statistics_of = [&](const Take& take) -> const DepthStatistics& {
+    return method.first_frame_only ? take.first() : take.statistics();
+  };
+  return method
+      .compare({.initial = statistics_of(before),
+                .final = statistics_of(after),
+                .info = after.camera().info(),
+                .left_out = {}},
+               options)
       .comparison;
 }
 

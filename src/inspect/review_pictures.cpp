@@ -1,15 +1,19 @@
 #include "inspect/review_pictures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/parallel.hpp"
 #include "core/quantile.hpp"
 #include "depth/colorize.hpp"
+#include "depth/image_file.hpp"
 #include "depth/mat_view.hpp"
 
 namespace rva {
@@ -158,6 +162,18 @@ ColorImage draw_not_inspected(const Detection& detection) {
   return picture;
 }
 
+struct PictureFile {
+  std::string_view name;
+  ColorImage ReviewPictures::*picture;
+};
+
+constexpr std::array picture_files{PictureFile{"initial_color.png", &ReviewPictures::initial_color},
+                                   PictureFile{"final_color.png", &ReviewPictures::final_color},
+                                   PictureFile{"initial_depth.png", &ReviewPictures::initial_depth},
+                                   PictureFile{"final_depth.png", &ReviewPictures::final_depth},
+                                   PictureFile{"changed.png", &ReviewPictures::changed},
+                                   PictureFile{"not_inspected.png", &ReviewPictures::not_inspected}};
+
 }  // namespace
 
 ColorImage seen_from(const ColorImage& image, const Intrinsics& camera, const Transform& camera_from_view,
@@ -172,6 +188,19 @@ ColorImage draw_depth(const Capture& capture) {
 
 ColorImage draw_color(const Capture& capture) {
   return color_in_view(capture, Transform::Identity(), capture.info().depth, metres(capture));
+}
+
+std::vector<std::string> review_picture_files() {
+  std::vector<std::string> names;
+  for (const PictureFile& file : picture_files) names.emplace_back(file.name);
+  return names;
+}
+
+void write_review(const ReviewPictures& pictures, const std::filesystem::path& folder) {
+  for (const PictureFile& file : picture_files) {
+    const ColorImage& picture = pictures.*file.picture;
+    if (!picture.empty()) write_file(folder / file.name, encode_png(picture));
+  }
 }
 
 ReviewPictures draw_review(const Capture& initial, const Capture& final, const Detection& detection) {

@@ -1,6 +1,10 @@
 // Pictures for the review of findings: before and after the work in one view, aligned pixel by pixel.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "capture/capture.hpp"
 #include "depth/image.hpp"
 #include "detect/findings/detection.hpp"
@@ -19,6 +23,11 @@ struct ReviewPictures {
   ColorImage changed;        ///< black where nothing changed; the greater the change, the brighter
   ColorImage not_inspected;  ///< black where a change could have been found, striped elsewhere
 };
+
+/// Names of the files of the pictures.
+[[nodiscard]] std::vector<std::string> review_picture_files();
+/// Writes those that are not empty. @param folder exists @throws Error when one cannot be written
+void write_review(const ReviewPictures& pictures, const std::filesystem::path& folder);
 
 /// Draws the pictures of a view from its comparison.
 /// @param initial, final the first captures of the two sides that were compared

@@ -9,12 +9,10 @@
 #include <system_error>
 #include <utility>
 
-#include "core/file.hpp"
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
-#include "depth/image_file.hpp"
 #include "detect/detect.hpp"
-#include "detect/findings/drawing.hpp"
+#include "detect/result_folder.hpp"
 #include "inspect/inspection_map.hpp"
 #include "inspect/review_pictures.hpp"
 #include "map/point_files.hpp"
@@ -26,7 +24,9 @@ namespace {
 struct ViewResult {
   Captures initial;
   Captures final;
-  Detection detection;
+  SidesDetection changes;
+
+  [[nodiscard]] const Detection& detection() const { return changes.detection; }
 };
 
 ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view,
@@ -39,34 +39,18 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
   const Mask left_out = ignored == inspection.ignored.end()
                             ? Mask()
                             : mask_of({ignored->second, {}}, camera.width, camera.height);
-  result.detection = detect(result.initial, result.final, {}, progress, left_out).detection;
+  result.changes = detect(result.initial, result.final, {}, progress, left_out);
   return result;
-}
-
-void write_picture(const std::filesystem::path& file, const ColorImage& picture) {
-  if (!picture.empty()) write_file(file, encode_png(picture));
 }
 
 // @return the picture ReviewPictures::changed
 ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
-  const Detection& detection = result.detection;
-  std::error_code ignored;  // write_file() reports the error
+  std::error_code ignored;  // write_result() reports the error
   std::filesystem::create_directories(folder, ignored);
-  write_file(folder / "detections.json", to_json(detection.findings));
-  write_file(folder / "changes.png", encode_png(detection.changed));
-  write_picture(folder / "depth_overlay.png",
-                draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out));
-  if (const auto& level = detection.level_of_detection) {
-    write_picture(folder / "level_of_detection.png", draw_level_of_detection(level->least_mm));
-    write_file(folder / "level_of_detection.json", to_json(level->summary));
-  }
-  ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), detection);
-  write_picture(folder / "initial_color.png", pictures.initial_color);
-  write_picture(folder / "final_color.png", pictures.final_color);
-  write_picture(folder / "initial_depth.png", pictures.initial_depth);
-  write_picture(folder / "final_depth.png", pictures.final_depth);
-  write_picture(folder / "changed.png", pictures.changed);
-  write_picture(folder / "not_inspected.png", pictures.not_inspected);
+  // Its warnings are of pictures that the review does not show: it has those of ReviewPictures.
+  static_cast<void>(write_result(result.changes, *result.final.front(), folder));
+  ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), result.detection());
+  write_review(pictures, folder);
   return std::move(pictures.changed);
 }
 
@@ -84,7 +68,7 @@ ComparedView summary_of(const Detection& detection, int view) {
 std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const PanTiltChain& chain) {
   const Transform foot_from_final = map_from_camera(result.final.front()->info(), chain);
   std::vector<ReviewedFinding> findings;
-  for (const Finding& finding : result.detection.findings.findings) {
+  for (const Finding& finding : result.detection().findings.findings) {
     ReviewedFinding reviewed;
     reviewed.view = view;
     reviewed.finding = finding;
@@ -114,9 +98,9 @@ void name_moved_things(std::vector<ReviewedFinding>& findings) {
 }  // namespace
 
 std::vector<std::string> view_result_files() {
-  return {"detections.json",         "changes.png",       "depth_overlay.png", "level_of_detection.png",
-          "level_of_detection.json", "initial_color.png", "final_color.png",   "initial_depth.png",
-          "final_depth.png",         "changed.png",       "not_inspected.png"};
+  std::vector<std::string> files = result_files();
+  std::ranges::copy(review_picture_files(), std::back_inserter(files));
+  return files;
 }
 
 std::vector<std::string> comparison_files() {
@@ -167,9 +151,9 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     const ViewResult result = compare(folder, inspection, view, views);
     const ColorImage changed = write(result, InspectionFolder::result_in(out.path(""), view));
     const CaptureInfo& info = result.final.front()->info();
-    std::ranges::move(changed_points(result.detection, changed, info.depth, map_from_camera(info, chain)),
+    std::ranges::move(changed_points(result.detection(), changed, info.depth, map_from_camera(info, chain)),
                       std::back_inserter(points));
-    compared.views.push_back(summary_of(result.detection, view));
+    compared.views.push_back(summary_of(result.detection(), view));
     std::ranges::move(findings_of(result, view, chain), std::back_inserter(findings));
   }
   write_inspection_map(out.path("map.ply"), folder, inspection, moved, chain);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -8,6 +7,7 @@
 #include "core/file.hpp"
 #include "depth/image_file.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
+#include "detect/result_folder.hpp"
 #include "inspect/review_pictures.hpp"
 #include "map/view_capture.hpp"
 #include "server/api.hpp"
@@ -17,10 +17,12 @@
 namespace rva {
 namespace {
 
-/// The files of a view's result that may be requested.
-constexpr std::array pictures{"initial_color.png",      "final_color.png", "initial_depth.png",
-                              "final_depth.png",        "changed.png",     "not_inspected.png",
-                              "level_of_detection.png", "changes.png"};
+// Whether a picture of a view's result may be requested: those of the review, and two of the detection.
+bool is_picture(std::string_view name) {
+  const std::vector<std::string> review = review_picture_files();
+  return std::ranges::find(review, name) != review.end() || name == result_file::level_picture ||
+         name == result_file::changes;
+}
 
 ApiError not_there() { return {404, "not-found", "picture", "does not exist", "take both captures first"}; }
 
@@ -57,7 +59,7 @@ Json json_of(const std::optional<MeasuredPoint>& point) {
 ApiResponse Api::get_picture(const Call& call) const {
   const std::string& name = call.path_parts.at(2);
   const int view = view_number(call.path_parts.at(1));
-  if (std::ranges::find(pictures, name) == pictures.end()) throw not_there();
+  if (!is_picture(name)) throw not_there();
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
   if (!inspection.comparison) throw not_there();
   const InspectionFolder folder = parts_.inspector.folder(inspection.id);
@@ -69,7 +71,7 @@ ApiResponse Api::get_baseline_picture(const Call& call) const {
   const int view = view_number(call.path_parts.at(1));
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
   if (!inspection.initial || view >= static_cast<int>(inspection.views.size())) throw not_there();
-  if (name == "level_of_detection.png" || name == "depth_overlay.png") {
+  if (name == result_file::level_picture || name == result_file::depth_overlay) {
     const InspectionFolder folder = parts_.inspector.folder(inspection.id);
     return file_answer(folder, folder.baseline_check() / view_name(static_cast<std::size_t>(view)) / name,
                        "image/png");

@@ -30,8 +30,8 @@ std::vector<DepthImage> wall(int frames, bool with_box, unsigned seed) {
 TEST(Detection, FindsWhatWasLeft) {
   const MemoryCapture before = test::capture_of(wall(20, false, 1));
   const MemoryCapture after = test::capture_of(wall(20, true, 2));
-  for (const StaticMethod method :
-       {StaticMethod::constant, StaticMethod::gaussian, StaticMethod::calibrated}) {
+  for (const DetectionMethod method :
+       {DetectionMethod::constant, DetectionMethod::gaussian, DetectionMethod::calibrated}) {
     StaticDetectionOptions options;
     options.method = method;
     options.constant.threshold_m = 0.02;
@@ -55,7 +55,7 @@ TEST(Detection, UsesTheFirstFramesOnly) {
   for (DepthImage& frame : wall(10, false, 6)) frames.push_back(std::move(frame));
   const MemoryCapture before = test::capture_of(wall(10, false, 7));
   StaticDetectionOptions options;
-  options.frames = 10;
+  options.use.frames = 10;
   const Detection detection = detect_static(before, test::capture_of(frames), options, {}).detection;
   EXPECT_EQ(detection.findings.findings.size(), 1U);
   EXPECT_EQ(detection.findings.final_frames, 10U);
@@ -63,7 +63,7 @@ TEST(Detection, UsesTheFirstFramesOnly) {
 
 TEST(Detection, SaysWhenFramesAreMissing) {
   StaticDetectionOptions options;
-  options.frames = 10;
+  options.use.frames = 10;
   const MemoryCapture capture = test::capture_of(wall(6, false, 8));
   const Detection detection = detect_static(capture, capture, options, {}).detection;
   EXPECT_EQ(detection.findings.initial_frames, 6U);
@@ -94,9 +94,9 @@ TEST(Detection, WarnsWhenLittleCouldBeCompared) {
 TEST(Detection, OneFrameHasNoDeviation) {
   const MemoryCapture one = test::capture_of(wall(1, false, 9));
   StaticDetectionOptions options;
-  options.method = StaticMethod::gaussian;
+  options.method = DetectionMethod::gaussian;
   EXPECT_THROW(static_cast<void>(detect_static(one, one, options, {}).detection), Error);
-  options.method = StaticMethod::constant;
+  options.method = DetectionMethod::constant;
   EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {}).detection));
 }
 
@@ -107,7 +107,7 @@ TEST(Detection, OnlyCalibratedKnowsWhatItCouldHaveFound) {
   ASSERT_TRUE(calibrated.level_of_detection);
   EXPECT_LT(*calibrated.findings.findings.at(0).p_value, 0.05);
   StaticDetectionOptions options;
-  options.method = StaticMethod::gaussian;
+  options.method = DetectionMethod::gaussian;
   const Detection gaussian = detect_static(before, after, options, {}).detection;
   EXPECT_FALSE(gaussian.level_of_detection);
   EXPECT_FALSE(gaussian.findings.findings.at(0).p_value);

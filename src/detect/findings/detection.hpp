@@ -15,6 +15,16 @@
 
 namespace rva {
 
+struct FrameOptions {
+  int frames = 0;
+
+  static void describe(auto&& self, auto&& visit) {
+    visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
+                                   "all but constant: frames of each capture to use, from the first; 0 "
+                                   "for all"});
+  }
+};
+
 /// What the inspection could have found, from methods that estimate it.
 struct LevelOfDetection {
   Image<float> least_mm;  ///< least detectable height, mm; NaN where nothing could be judged

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/options.hpp"
 #include "detect/regions/comparison.hpp"
 #include "detect/regions/regions.hpp"
 #include "geometry/intrinsics.hpp"
@@ -65,10 +66,20 @@ struct Runtime {
   double total_ms = 0.0;
 };
 
+/// Options by their names in JSON, with the values that were used.
+using Parameters = std::vector<std::pair<std::string, std::variant<int, double>>>;
+
+/// Adds all options of a struct.
+template <typename Options>
+void state(const Options& options, Parameters& parameters) {
+  Options::describe(options, [&](const auto& value, const OptionField& field) {
+    parameters.emplace_back(json_name(field), value);
+  });
+}
+
 struct Findings {
   std::string method;
-  /// Every option that affected the result, by its name in JSON.
-  std::vector<std::pair<std::string, std::variant<int, double>>> parameters;
+  Parameters parameters;  ///< every option that affected the result
   std::size_t initial_frames = 0;
   std::size_t final_frames = 0;
   Transform final_from_initial = Transform::Identity();

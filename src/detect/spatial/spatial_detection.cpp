@@ -97,7 +97,8 @@ class Run {
     findings().method = "spatial";
     findings().coverage = comparison.coverage;
     findings().final_from_initial = registration.initial_from_final.inverse();
-    state_parameters();
+    state(options_.calibrated, findings().parameters);
+    state(options_.regions, findings().parameters);
     detection_.level_of_detection =
         LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
     detection_.changed = std::move(comparison.changed);
@@ -112,7 +113,7 @@ class Run {
     assert(!captures.empty());
     std::vector<Seen> seen;
     for (const auto& capture : captures) {
-      const std::size_t used = frames_to_use(*capture, options_.frames, side, detection_.warnings);
+      const std::size_t used = frames_to_use(*capture, options_.use.frames, side, detection_.warnings);
       frames += used;
       seen.push_back({capture->info(), rva::statistics_of(*capture, used, progress_, findings().runtime),
                       capture->marks_no_depth_by_zero()});
@@ -203,14 +204,6 @@ class Run {
     detection_.left_out = carry_over(left_out_, initial.front().info.depth, final.front().info.depth, final_m,
                                      initial_from_final);
     leave_out(change.change, detection_.left_out);
-  }
-
-  void state_parameters() {
-    const auto state = [&](const auto& value, const OptionField& field) {
-      findings().parameters.emplace_back(json_name(field), value);
-    };
-    CalibratedOptions::describe(options_.calibrated, state);
-    RegionOptions::describe(options_.regions, state);
   }
 
   [[nodiscard]] CalibratedOptions allowed(const Transform& initial_from_final) const {

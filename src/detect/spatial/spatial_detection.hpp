@@ -17,7 +17,7 @@
 namespace rva {
 
 struct SpatialDetectionOptions {
-  int frames = 0;
+  FrameOptions use;
   CalibratedOptions calibrated;
   RegionOptions regions;
   KnownMotion known = KnownMotion::moved;
@@ -29,8 +29,7 @@ struct SpatialDetectionOptions {
   bool pairs = false;
 
   static void describe(auto&& self, auto&& visit) {
-    visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
-                                   "frames of each capture to use; 0 for all"});
+    FrameOptions::describe(self.use, visit);
     CalibratedOptions::describe(self.calibrated, visit);
     RegionOptions::describe(self.regions, visit);
   }

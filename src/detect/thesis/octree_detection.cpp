@@ -86,11 +86,8 @@ Detection detect_by_octree(const Capture& initial, const Capture& final, const O
   Findings& findings = detection.findings;
   findings.method = "octree";
   findings.initial_frames = findings.final_frames = 1;
-  const auto state = [&](const auto& value, const OptionField& field) {
-    findings.parameters.emplace_back(json_name(field), value);
-  };
-  OctreeOptions::describe(options, state);
-  RegionOptions::describe(regions, state);
+  state(options, findings.parameters);
+  state(regions, findings.parameters);
 
   const Stopwatch start;
   const DepthImage before = initial.depth(0);
