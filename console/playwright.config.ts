@@ -2,6 +2,11 @@ import { defineConfig } from '@playwright/test';
 
 export default defineConfig({
   testDir: 'tests',
+  // Pure code does not need a browser or a server.
+  projects: [
+    { name: 'unit', testMatch: 'unit/*.spec.ts' },
+    { name: 'browser', testMatch: '*.spec.ts', testIgnore: 'unit/**' },
+  ],
   workers: 1,
   timeout: 120_000,
   expect: { timeout: 20_000 },

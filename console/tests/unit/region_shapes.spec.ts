@@ -1,10 +1,8 @@
 // Regions as polygons: how much they cover, what lies in them, and how they are changed. Without a browser.
 import { expect, test } from '@playwright/test';
-import { boundsOf, contains, coveredShare, isNear, middleRectangle, moved, rectangle, regionAt, resized } from '../src/regions/shapes';
-import { percent } from '../src/regions/region_words';
-import { movedFrom, movedTo } from '../src/review/moves';
-import { groupsOf } from '../src/review/groups';
-import type { Finding, Inspection, Polygon } from '../src/types';
+import { boundsOf, contains, coveredShare, isNear, middleRectangle, moved, rectangle, regionAt, resized } from '../../src/regions/shapes';
+import { percent } from '../../src/regions/region_words';
+import type { Polygon } from '../../src/types';
 
 const size = { width: 80, height: 40 };
 const square: Polygon = [[9.5, 9.5], [19.5, 9.5], [19.5, 19.5], [9.5, 19.5]];
@@ -86,17 +84,4 @@ test.describe('a region', () => {
     expect(boundsOf(resized(square, size, 500, 500))).toEqual({ left: 9.5, top: 9.5, right: 79.5, bottom: 39.5 });
     expect(resized([[5, 5], [5, 9], [5, 20]], size, 8, 0), 'without a width').toEqual([[5, 5], [5, 9], [5, 20]]);
   });
-});
-
-test('an object that was moved is followed by the numbers of the list, through what is joined', () => {
-  const finding = (number: number, same_as: number, more: Partial<Finding> = {}): Finding => ({
-    number, same_as, view: 0, kind: 'added', bbox: [0, 0, 1, 1], centroid: [0, 0], ...more,
-  });
-  const findings = [finding(1, 1), finding(2, 1, { view: 1, moved_from: 4 }), finding(3, 3, { kind: 'removed' }), finding(4, 3, { kind: 'removed', view: 1 }), finding(5, 5)];
-  const groups = groupsOf({ findings } as Inspection);
-  const [added, removed, other] = [groups[0]!, groups[1]!, groups[2]!];
-  expect(movedFrom(groups, added)?.label).toBe(2);
-  expect(movedTo(groups, removed).map(({ label }) => label)).toEqual([1]);
-  for (const group of [removed, other]) expect(movedFrom(groups, group)).toBeUndefined();
-  for (const group of [added, other]) expect(movedTo(groups, group)).toEqual([]);
 });

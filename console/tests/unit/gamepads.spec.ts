@@ -1,10 +1,10 @@
 // Controllers as they are: worn, stuck, several, without the standard mapping. Without a browser.
 import { expect, test } from '@playwright/test';
-import { Controllers, type PadSettings } from '../src/drive/controllers';
-import { nameOf, type Pad } from '../src/drive/gamepads';
-import { isTaughtMapping, type TaughtMapping } from '../src/drive/pad_mapping';
-import { StickRest } from '../src/drive/stick_rest';
-import { Teaching } from '../src/drive/teaching';
+import { Controllers, type PadSettings } from '../../src/drive/controllers';
+import { nameOf, type Pad } from '../../src/drive/gamepads';
+import { isTaughtMapping, type TaughtMapping } from '../../src/drive/pad_mapping';
+import { StickRest } from '../../src/drive/stick_rest';
+import { Teaching } from '../../src/drive/teaching';
 
 const dead_zone = 0.15;
 const period_ms = 50;

@@ -1,0 +1,44 @@
+// Findings of one object in several views, joined, and objects that were moved.
+import { expect, test } from '@playwright/test';
+import { decisionOf, groupsOf } from '../../src/review/groups';
+import { movedFrom, movedTo } from '../../src/review/moves';
+import type { Decision, Inspection } from '../../src/types';
+import { finding } from './findings';
+
+function groups(...findings: Inspection['findings']) {
+  return groupsOf({ findings } as Inspection);
+}
+
+test('there are no groups without findings', () => {
+  expect(groups()).toEqual([]);
+});
+
+test('findings of one object are one group, whose first finding leads', () => {
+  const [first, second] = groups(finding(1), finding(2), finding(3, { same_as: 1, view: 1 }));
+  expect([first!.label, second!.label], 'numbered from 1 without gaps').toEqual([1, 2]);
+  expect(first!.lead.number).toBe(1);
+  expect(first!.all.map(({ number }) => number)).toEqual([1, 3]);
+  expect(second!.all.map(({ number }) => number)).toEqual([2]);
+});
+
+test('the decision on a group is that on the finding that leads it', () => {
+  const decision: Decision = { verdict: 'false-alarm', note: '', person: 'Ann', decided_at: '2025-01-01T12:00:00Z' };
+  const [decided, open] = groups(finding(1, { decision }), finding(2), finding(3, { same_as: 2, decision }));
+  expect(decisionOf(decided!)).toBe(decision);
+  expect(decisionOf(open!)).toBeUndefined();
+});
+
+test('an object that was moved is followed by the numbers of the list, through what is joined', () => {
+  const all = groups(
+    finding(1),
+    finding(2, { same_as: 1, view: 1, moved_from: 4 }),
+    finding(3, { kind: 'removed' }),
+    finding(4, { same_as: 3, kind: 'removed', view: 1 }),
+    finding(5),
+  );
+  const [added, removed, other] = [all[0]!, all[1]!, all[2]!];
+  expect(movedFrom(all, added)?.label).toBe(2);
+  expect(movedTo(all, removed).map(({ label }) => label)).toEqual([1]);
+  for (const group of [removed, other]) expect(movedFrom(all, group)).toBeUndefined();
+  for (const group of [added, other]) expect(movedTo(all, group)).toEqual([]);
+});

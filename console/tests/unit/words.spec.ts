@@ -1,0 +1,42 @@
+// Phrases about inspections and findings.
+import { expect, test } from '@playwright/test';
+import { millimetres, signOf, suspicion, titleOf, whatChanged, whereAndHow } from '../../src/inspection/words';
+import type { InspectionSummary } from '../../src/types';
+import { finding } from './findings';
+
+const summary: InspectionSummary = {
+  id: 7, aircraft: 'N123AB', zone: 'Left wing, bay 3', work_order: '', person: 'Ann', created_at: '2025-01-01T12:00:00Z',
+  stage: 'baseline', findings_count: 0, undecided_count: 0,
+};
+
+test('a title has what was stated, or the number', () => {
+  expect(titleOf(summary)).toBe('N123AB · Left wing, bay 3');
+  expect(titleOf({ ...summary, work_order: 'WO-4711' })).toBe('N123AB · Left wing, bay 3 · WO-4711');
+  expect(titleOf({ ...summary, aircraft: '', zone: '' })).toBe('Inspection 7');
+});
+
+test('lengths below 10 mm have a decimal place', () => {
+  expect([0.04, 3.14, 10, 123.6].map(millimetres)).toEqual(['0.0 mm', '3.1 mm', '10 mm', '124 mm']);
+});
+
+test('suspicion follows the p-value', () => {
+  const level = (p_value: number) => suspicion(finding(1, { p_value })).level;
+  expect([0, 9e-7, 1e-6, 9e-4, 1e-3, 1].map(level)).toEqual([3, 3, 2, 2, 1, 1]);
+  expect(suspicion(finding(1)), 'of a method without p-values').toEqual({ level: 2, says: 'Changed' });
+});
+
+test('every kind has a phrase and a sign', () => {
+  for (const kind of ['added', 'removed', 'appearance'] as const) {
+    expect(whatChanged(finding(1, { kind }))).not.toBe('');
+    expect(signOf(kind)).toHaveLength(1);
+  }
+});
+
+test('a finding is described by what is known about it', () => {
+  expect(whereAndHow(finding(1))).toBe('');
+  expect(whereAndHow(finding(1, { size_mm: [12.4, 8.25], position_m: [0, 0, 0.456], height_mm: -3.2 }))).toBe(
+    '12 mm × 8.3 mm, 0.46 m away, surface 3.2 mm nearer than before',
+  );
+  expect(whereAndHow(finding(1, { kind: 'removed', height_mm: 14 }))).toBe('surface 14 mm farther than before');
+  expect(whereAndHow(finding(1, { kind: 'appearance' }))).toBe('brighter or darker than before; not visible in depth');
+});
