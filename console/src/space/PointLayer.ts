@@ -1,43 +1,12 @@
 // The map's points, coloured by colour, by height, or with the changes.
 import { BufferAttribute, BufferGeometry, Color, Points, PointsMaterial, Vector3 } from 'three';
 import { PLYLoader } from 'three/examples/jsm/loaders/PLYLoader.js';
+import { middle, reach_m, shuffled } from './point_sample';
 
 export type Coloring = 'color' | 'height' | 'change';
 
 /** While the view turns, no more points than this are drawn; at rest, all. */
 const most_while_moving = 400_000;
-
-// A pseudo-random order, so that the first points are a fair sample of all.
-function shuffled(count: number): Uint32Array {
-  const order = Uint32Array.from({ length: count }, (_, i) => i);
-  let state = 1;
-  for (let i = count - 1; i > 0; --i) {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    const k = state % (i + 1);
-    const swap = order[i]!;
-    order[i] = order[k]!;
-    order[k] = swap;
-  }
-  return order;
-}
-
-// The quantile of a random sample of a few thousand values, on which outliers have no influence.
-function quantile(values: Float32Array, share: number): number {
-  return values.sort()[Math.floor(share * (values.length - 1))] ?? 0;
-}
-
-const enough = 5000;
-
-function middle(xyz: Float32Array, axis: number): number {
-  const values = Float32Array.from({ length: Math.min(enough, xyz.length / 3) }, (_, i) => xyz[3 * i + axis]!);
-  return (quantile(values, 0.05) + quantile(values, 0.95)) / 2;
-}
-
-function reach(xyz: Float32Array, center: Vector3): number {
-  const point = new Vector3();
-  const distances = Float32Array.from({ length: Math.min(enough, xyz.length / 3) }, (_, i) => point.fromArray(xyz, 3 * i).distanceTo(center));
-  return Math.max(0.05, quantile(distances, 0.95));
-}
 
 export class PointLayer {
   readonly points: Points<BufferGeometry, PointsMaterial>;
@@ -64,7 +33,7 @@ export class PointLayer {
     ordered.setAttribute('color', this.original);
     ordered.computeBoundingSphere();
     this.center.set(middle(xyz, 0), middle(xyz, 1), middle(xyz, 2));
-    this.radius_m = reach(xyz, this.center);
+    this.radius_m = reach_m(xyz, this.center.toArray());
     this.points = new Points(ordered, new PointsMaterial({ size: size_m, vertexColors: true }));
     geometry.dispose();
   }
