@@ -1,16 +1,85 @@
-// What the server says (docs/api.md).
+// Generated from schema/api.json by `npm run types`.
+
+/** The version of the protocol between console and server. A console of another version is refused. */
+export type Protocol = 1;
 
 export type Stream = 'color' | 'depth' | 'infrared';
+
 export type Role = 'viewer' | 'operator' | 'inspector';
+
 export type SideName = 'initial' | 'final';
+
 export type Stage = 'baseline' | 'work' | 'review' | 'done';
+
 export type Verdict = 'debris-removed' | 'installed-work' | 'false-alarm' | 'second-look';
+
+export type FindingKind = 'added' | 'removed' | 'appearance';
+
+export type Evidence = 'depth' | 'appearance';
+
+export type TaskKind = 'readiness' | 'capture' | 'check' | 'comparison';
+
+export type TaskEnd = 'running' | 'done' | 'cancelled' | 'failed';
+
+export type ErrorCode =
+  | 'bad-request'
+  | 'sign-in-required'
+  | 'wrong-password'
+  | 'not-allowed'
+  | 'wrong-origin'
+  | 'not-found'
+  | 'method-not-allowed'
+  | 'not-json'
+  | 'wrong-host'
+  | 'refused'
+  | 'somebody-drives'
+  | 'not-driving'
+  | 'too-large'
+  | 'too-many'
+  | 'internal'
+  | 'unavailable';
+
+/** Date and time, ISO 8601. */
+export type Moment = string;
+
+/** [x, y, z] in metres. */
 export type Point3 = [number, number, number];
 
+/** [least, greatest]. */
+export type Range = [number, number];
+
+/** [width, height]. */
+export type Extent = [number, number];
+
+/** [u, v] in pixels of the baseline's depth image; the centre of its first pixel is (0, 0). */
+export type Corner = [number, number];
+
+/** The last corner is joined with the first. */
+export type Polygon = Corner[];
+
+/** [u, v, width, height] in pixels. */
+export type Box = [number, number, number, number];
+
+/** The answer to a request that returns nothing. */
+export type Empty = Record<string, never>;
+
+export interface ErrorDetail {
+  code: ErrorCode;
+  /** For people. */
+  message: string;
+}
+
+export interface ErrorAnswer {
+  error: ErrorDetail;
+}
+
 export interface Session {
-  protocol: number;
+  protocol: Protocol;
+  /** Whether there are accounts. */
   sign_in_needed: boolean;
+  /** Of the account; empty if there are no accounts. */
   name?: string;
+  /** Missing until somebody has signed in. */
   role?: Role;
 }
 
@@ -19,145 +88,71 @@ export interface Joints {
   tilt_deg: number;
 }
 
-/** [u, v] in pixels of the baseline's depth image; the centre of its first pixel is (0, 0). */
-export type Corner = [number, number];
-/** At least three corners; the last is joined with the first. */
-export type Polygon = Corner[];
-
 export interface View extends Joints {
-  /** What a person leaves out of the comparison. */
+  /** Regions left out of the comparison; missing if there are none. */
   ignore?: Polygon[];
 }
 
-export interface RobotStatus extends Partial<Joints> {
-  driving: boolean;
-  armed: boolean;
-  lent: boolean;
-  at_limit: boolean;
-  problem?: string;
-  limits: { pan_deg: [number, number]; tilt_deg: [number, number] };
-}
-
-export interface CameraStatus {
-  rate_hz: number;
-  lost: number;
-  problem?: string;
-  streams: Stream[];
-  model?: string;
-  width?: number;
-  height?: number;
-}
-
-export interface Levels {
-  judged: number;
-  window_px: number;
-  by_distance: { from_m: number; to_m: number; median_mm: number; p90_mm: number }[];
-}
-
-/** One half of each view's baseline compared with the other half. */
-export interface BaselineCheck {
-  captures: number;
-  views: { view: number; false_findings?: number; level_of_detection?: Levels; problem?: string }[];
-}
-
-export interface TaskStatus {
-  number: number;
-  kind: 'readiness' | 'capture' | 'check' | 'comparison';
-  end: 'running' | 'done' | 'cancelled' | 'failed';
-  inspection?: number;
-  side: SideName;
-  view: number;
-  views: number;
-  capture: number;
-  captures: number;
-  frame: number;
-  frames: number;
-  approach: number;
-  approaches: number;
-  done: number;
-  total: number;
-  waiting?: string;
-  problem?: string;
-  noise?: { frames: number; measured: number; median_std_mm: number; findable: Levels };
-}
-
-export interface Readiness {
-  ready: boolean;
-  checked_at: string;
-  items: { name: string; ready: boolean; says: string }[];
-}
-
-export interface Status {
-  type: 'status';
-  camera: CameraStatus;
-  robot?: RobotStatus;
-  task: TaskStatus;
-  readiness?: Readiness;
-  consoles: number;
-  simulation: boolean;
-}
-
-export interface Lease {
-  type: 'lease';
-  yours: boolean;
-  holder?: string;
-}
-
-export interface Refused {
-  type: 'refused';
-  code: string;
-  message: string;
-}
-
-export interface PictureHead {
-  stream: Stream;
-  number: number;
-  width: number;
-  height: number;
-  taken_ms: number;
-  scale_m?: [number, number];
-}
-
 export interface TakenSide {
-  taken_at: string;
+  taken_at: Moment;
   person: string;
+  /** Identifies the position of the robot's foot. */
   base: string;
+  round: number;
 }
 
 export interface Decision {
   verdict: Verdict;
   note: string;
   person: string;
-  decided_at: string;
+  decided_at: Moment;
 }
 
-export type FindingKind = 'added' | 'removed' | 'appearance';
-
 export interface Finding {
+  /** From the most suspicious to the least. */
   number: number;
   view: number;
+  /** The most suspicious finding of the same object in all views, which may be this one. */
   same_as: number;
   kind: FindingKind;
-  /** What speaks for it: depth, infrared or colour images that look different, or both. */
-  evidence?: ('depth' | 'appearance')[];
-  bbox: [number, number, number, number];
-  centroid: [number, number];
+  bbox: Box;
+  /** In pixels, as `bbox`. */
+  centroid: Corner;
+  /** In the frame of the view's camera. */
   position_m?: Point3;
+  /** In the frame of the robot's foot, as the map. */
   in_foot_m?: Point3;
-  size_mm?: [number, number];
+  /** Of the box, at the distance of the finding. */
+  size_mm?: Extent;
+  /** Change of depth. */
   height_mm?: number;
   score?: number;
   p_value?: number;
-  /** Number of the removed finding that has about the size of this one: the object may have been moved. */
+  /** Which images show the change. */
+  evidence: Evidence[];
+  /** The removed finding of about the same size: the object may have been moved. */
   moved_from?: number;
   decision?: Decision;
 }
 
+/** Shares of the depth image, 0 to 1. */
+export interface Coverage {
+  /** Measured before and after. */
+  compared: number;
+  /** Measured after only. */
+  unseen: number;
+  /** Not measured after. */
+  invalid: number;
+  /** Left out by the user; missing if nothing was. */
+  left_out?: number;
+}
+
 export interface ComparedView {
   view: number;
+  /** As of `rva detect --method`. */
   method: string;
-  /** Shares of the depth image; `left_out` is there when a person left something out. */
-  coverage: { compared: number; unseen: number; invalid: number; left_out?: number };
+  coverage: Coverage;
+  /** Share of the depth image in which a change could have been found, 0 to 1. */
   judged: number;
   warnings: string[];
 }
@@ -168,30 +163,320 @@ export interface InspectionSummary {
   zone: string;
   work_order: string;
   person: string;
-  created_at: string;
+  created_at: Moment;
   stage: Stage;
   findings_count: number;
   undecided_count: number;
   initial?: TakenSide;
   final?: TakenSide;
+  /** Number of the valid comparison. */
   comparison?: number;
-  compared_at?: string;
+  compared_at?: Moment;
+}
+
+export interface InspectionList {
+  /** Newest first. */
+  inspections: InspectionSummary[];
+}
+
+export interface BegunFinal {
+  /** Whether the robot was put back since the baseline. */
+  replaced: boolean;
 }
 
 export interface Inspection extends InspectionSummary {
   views: View[];
   compared: ComparedView[];
+  /** Most suspicious first. */
   findings: Finding[];
-  /** Of a final capture that was interrupted: what was said of the robot then. */
-  final_begun?: { replaced: boolean };
+  /** A round of the final side that is not complete. */
+  final_begun?: BegunFinal;
+}
+
+export interface LevelsAtDistance {
+  from_m: number;
+  to_m: number;
+  median_mm: number;
+  /** Nine tenths of the pixels have this level or a smaller one. */
+  p90_mm: number;
+  /** In a baseline check only. */
+  pixels?: number;
+}
+
+/** Levels of detection, docs/calibrated.md. */
+export interface Levels {
+  /** Share of the depth image that has a level, 0 to 1. */
+  judged: number;
+  /** Width in the image of the objects to which the levels apply. */
+  window_px: number;
+  /** Near to far. */
+  by_distance: LevelsAtDistance[];
+}
+
+export interface RecordedLevels extends Levels {
+  format: 'rva-level-of-detection';
+  version: 1;
+  drift_px: number;
+  fixed_px: number;
+  /** Missing if it could not be estimated. */
+  effective_frames?: number;
+}
+
+/** With `problem`, or with the result of the comparison. */
+export interface CheckedView {
+  view: number;
+  false_findings?: number;
+  level_of_detection?: RecordedLevels;
+  /** Why the view cannot be compared. */
+  problem?: string;
+}
+
+/** The first half of each view's baseline captures compared with the second half. */
+export interface BaselineCheck {
+  format: 'rva-baseline-check';
+  version: 1;
+  /** Of each half. */
+  captures: number;
+  views: CheckedView[];
 }
 
 export interface MeasuredPoint {
+  /** In the frame of the camera. */
   position_m: Point3;
+  /** From the camera. */
   distance_m: number;
 }
 
 export interface Measurement {
+  /** In the order of the request; null where depth is not measured. */
   points: (MeasuredPoint | null)[];
+  /** Between two points that are both measured. */
   length_mm?: number;
+}
+
+export interface SignInRequest {
+  name: string;
+  password: string;
+}
+
+export interface Order {
+  aircraft: string;
+  zone: string;
+  work_order: string;
+  person: string;
+}
+
+export interface ViewsRequest {
+  views: Joints[];
+}
+
+export interface RegionsRequest {
+  view: number;
+  /** Replaces the regions of the view. */
+  ignore: Polygon[];
+}
+
+export interface CaptureRequest {
+  side: SideName;
+  person: string;
+  /** Whether the robot was put back since the baseline. */
+  replaced: boolean;
+}
+
+export interface DecisionRequest {
+  /** The comparison of which the finding is; refused if another one is valid by now. */
+  comparison: number;
+  verdict: Verdict;
+  note: string;
+  person: string;
+}
+
+/** In pixels of the live picture; the centre of the first pixel is (0, 0). */
+export interface Pixel {
+  u: number;
+  v: number;
+}
+
+export interface MeasureRequest {
+  stream: Stream;
+  points: Pixel[];
+}
+
+export interface SimulationRequest {
+  /** Whether the simulated work is done. */
+  done: boolean;
+}
+
+export interface Hello {
+  type: 'hello';
+  protocol: Protocol;
+  /** Random and secret; identifies the console. */
+  client: string;
+  name: string;
+}
+
+export interface Watch {
+  type: 'watch';
+  stream: Stream | 'none';
+}
+
+/** The last picture is shown, and another may be sent. */
+export interface Shown {
+  type: 'shown';
+}
+
+export interface Drive {
+  type: 'drive';
+  /** Deflection of the sticks, -1 to 1; positive is to the left. */
+  pan: number;
+  /** -1 to 1; positive is up. */
+  tilt: number;
+  /** By the console's own clock. */
+  stamp_ms: number;
+}
+
+export interface LeaseRequest {
+  type: 'lease';
+  action: 'take' | 'take-over' | 'release';
+  /** Not needed to release. */
+  name?: string;
+}
+
+export interface Stop {
+  type: 'stop';
+}
+
+export type ClientMessage = Hello | Watch | Shown | Drive | LeaseRequest | Stop;
+
+export interface CameraStatus {
+  /** Frames a second. */
+  rate_hz: number;
+  /** Frames lost. */
+  lost: number;
+  problem?: string;
+  streams: Stream[];
+  /** Missing, as width and height, before the first frame. */
+  model?: string;
+  /** Of the depth image, in pixels. */
+  width?: number;
+  /** In pixels. */
+  height?: number;
+}
+
+export interface JointLimits {
+  pan_deg: Range;
+  tilt_deg: Range;
+}
+
+export interface RobotStatus {
+  driving: boolean;
+  /** False after a stop, until all sticks are released. */
+  armed: boolean;
+  /** Moved automatically, for captures. */
+  lent: boolean;
+  at_limit: boolean;
+  /** Missing, as `tilt_deg`, while the servos do not answer. */
+  pan_deg?: number;
+  tilt_deg?: number;
+  problem?: string;
+  limits: JointLimits;
+}
+
+export interface Noise {
+  frames: number;
+  /** Share of the depth image that is measured, 0 to 1. */
+  measured: number;
+  /** Median over the pixels of the standard deviation over time; 0 if unknown. */
+  median_std_mm: number;
+  findable: Levels;
+}
+
+export interface TaskStatus {
+  /** From 1 since the program started; 0: there was no task yet. */
+  number: number;
+  kind: TaskKind;
+  end: TaskEnd;
+  /** Missing if the task does not belong to an inspection. */
+  inspection?: number;
+  side: SideName;
+  /** Under way, from 0, as `capture` and `frame`. */
+  view: number;
+  views: number;
+  capture: number;
+  /** Of each view. */
+  captures: number;
+  frame: number;
+  /** Of each capture. */
+  frames: number;
+  /** To the baseline's pose, from 0. */
+  approach: number;
+  /** At most. */
+  approaches: number;
+  /** Steps of `total`, for tasks other than captures. */
+  done: number;
+  total: number;
+  /** Why the task waits for a device. */
+  waiting?: string;
+  /** Why the task failed. */
+  problem?: string;
+  /** Of the view under way, or of the last one. */
+  noise?: Noise;
+}
+
+export interface ReadinessItem {
+  name: string;
+  ready: boolean;
+  /** What was measured and, if it is not enough, what to do. */
+  says: string;
+}
+
+export interface Readiness {
+  /** Whether all items are. */
+  ready: boolean;
+  checked_at: Moment;
+  items: ReadinessItem[];
+}
+
+export interface Status {
+  type: 'status';
+  camera: CameraStatus;
+  /** Missing if there is no robot. */
+  robot?: RobotStatus;
+  task: TaskStatus;
+  readiness?: Readiness;
+  /** How many are connected. */
+  consoles: number;
+  /** Whether the bay is simulated. */
+  simulation: boolean;
+}
+
+export interface Lease {
+  type: 'lease';
+  yours: boolean;
+  /** The name of whoever drives; missing if nobody does. */
+  holder?: string;
+}
+
+/** The refusal of a message. */
+export interface Refused {
+  type: 'refused';
+  code: ErrorCode;
+  message: string;
+}
+
+export type ServerMessage = Status | Lease | Refused;
+
+/** The description of a picture at the beginning of a binary message. */
+export interface PictureHead {
+  stream: Stream;
+  /** Of the frame. */
+  number: number;
+  /** In pixels. */
+  width: number;
+  /** In pixels. */
+  height: number;
+  /** Since 1970, by the clock of the robot's computer. */
+  taken_ms: number;
+  /** Depths of the first and the last colour; of depth pictures only. */
+  scale_m?: Range;
 }

@@ -5,7 +5,7 @@ import { begin, expect, test } from './served';
 import type { Corner, Inspection } from '../src/types';
 
 const capture_ms = 90_000;
-const baseline = { taken_at: '2025-01-01T10:00:00Z', person: 'Ann', base: 'b1' };
+const baseline = { taken_at: '2025-01-01T10:00:00Z', person: 'Ann', base: 'b1', round: 1 };
 const ahead = { pan_deg: 0, tilt_deg: -20 };
 
 test('what is drawn over is not compared, outlasts a reload and counts as left out', async ({ console: page }) => {

@@ -44,6 +44,18 @@ class Documentation(unittest.TestCase):
                 self.assertTrue((ROOT / target).exists(), f'{page.name}: {target}')
         self.assertGreater(named, 20)
 
+    def test_the_api_page_names_definitions_of_its_schema(self):
+        page = (ROOT / 'docs' / 'api.md').read_text()
+        definitions = json.loads((ROOT / 'console' / 'schema' / 'api.json').read_text())['$defs']
+        named = set(re.findall(r'`([A-Z][a-z]\w*)`', page))
+        self.assertGreater(len(named), 10)
+        self.assertLessEqual(named, set(definitions))
+        for name, definition in definitions.items():
+            if name.endswith('Request'):
+                self.assertIn(name, named)
+        for code in definitions['ErrorCode']['enum']:
+            self.assertIn(f'`{code}`', page)
+
     def test_recorded_inspection_boxes_the_tools(self):
         folder = ROOT / 'data' / 'bin-tools'
         with tempfile.TemporaryDirectory() as name:

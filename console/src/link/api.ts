@@ -1,15 +1,26 @@
 // The server's HTTP API.
 import type {
   BaselineCheck,
+  CaptureRequest,
+  DecisionRequest,
+  Empty,
+  ErrorAnswer,
   Inspection,
-  InspectionSummary,
+  InspectionList,
   Joints,
   Measurement,
+  MeasureRequest,
+  Order,
+  Pixel,
   Polygon,
+  RegionsRequest,
   Session,
   SideName,
+  SignInRequest,
+  SimulationRequest,
   Stream,
   Verdict,
+  ViewsRequest,
 } from '../types';
 import { clientId } from './client';
 
@@ -37,41 +48,42 @@ async function call<T>(method: string, path: string, body?: unknown): Promise<T>
   }
   const answer: unknown = await response.json().catch(() => ({}));
   if (response.ok) return answer as T;
-  const error = (answer as { error?: { code: string; message: string } }).error;
+  const { error } = answer as Partial<ErrorAnswer>;
   throw new Refusal(response.status, error?.code ?? 'unknown', error?.message ?? response.statusText);
 }
 
-export interface Order {
-  aircraft: string;
-  zone: string;
-  work_order: string;
-  person: string;
+/** A request that needs no body. */
+function post<T>(path: string): Promise<T> {
+  return call<T>('POST', path, {});
+}
+
+function send<Request, Answer>(method: 'POST' | 'PUT', path: string, request: Request): Promise<Answer> {
+  return call<Answer>(method, path, request);
 }
 
 export const api = {
   session: () => call<Session>('GET', '/api/session'),
-  signIn: (name: string, password: string) => call<object>('POST', '/api/sign-in', { name, password }),
-  signOut: () => call<object>('POST', '/api/sign-out', {}),
-  inspections: () => call<{ inspections: InspectionSummary[] }>('GET', '/api/inspections'),
+  signIn: (name: string, password: string) => send<SignInRequest, Empty>('POST', '/api/sign-in', { name, password }),
+  signOut: () => post<Empty>('/api/sign-out'),
+  inspections: () => call<InspectionList>('GET', '/api/inspections'),
   inspection: (id: number) => call<Inspection>('GET', `/api/inspections/${id}`),
   /** Refused with 404 until there is one. */
   baselineCheck: (id: number) => call<BaselineCheck>('GET', `/api/inspections/${id}/baseline-check`),
-  begin: (order: Order) => call<Inspection>('POST', '/api/inspections', order),
-  setViews: (id: number, views: Joints[]) => call<Inspection>('PUT', `/api/inspections/${id}/views`, { views }),
+  begin: (order: Order) => send<Order, Inspection>('POST', '/api/inspections', order),
+  setViews: (id: number, views: Joints[]) => send<ViewsRequest, Inspection>('PUT', `/api/inspections/${id}/views`, { views }),
   /** Replaces what is left out of one view; an earlier comparison becomes outdated. */
   setRegions: (id: number, view: number, ignore: Polygon[]) =>
-    call<Inspection>('PUT', `/api/inspections/${id}/regions`, { view, ignore }),
+    send<RegionsRequest, Inspection>('PUT', `/api/inspections/${id}/regions`, { view, ignore }),
   capture: (id: number, side: SideName, person: string, replaced: boolean) =>
-    call<object>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
-  compare: (id: number) => call<object>('POST', `/api/inspections/${id}/compare`, {}),
+    send<CaptureRequest, Empty>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
+  compare: (id: number) => post<Empty>(`/api/inspections/${id}/compare`),
   /** Decides on a finding of this comparison; refused if the inspection has been compared again since. */
-  decide: ({ id, comparison }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
-    call<Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { comparison, verdict, note, person }),
-  checkReadiness: () => call<object>('POST', '/api/readiness', {}),
-  cancel: () => call<object>('POST', '/api/cancel', {}),
-  measure: (stream: Stream, points: { u: number; v: number }[]) =>
-    call<Measurement>('POST', '/api/measure', { stream, points }),
-  simulateWork: (done: boolean) => call<object>('POST', '/api/simulation', { done }),
+  decide: ({ id, comparison = 0 }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
+    send<DecisionRequest, Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { comparison, verdict, note, person }),
+  checkReadiness: () => post<Empty>('/api/readiness'),
+  cancel: () => post<Empty>('/api/cancel'),
+  measure: (stream: Stream, points: Pixel[]) => send<MeasureRequest, Measurement>('POST', '/api/measure', { stream, points }),
+  simulateWork: (done: boolean) => send<SimulationRequest, Empty>('POST', '/api/simulation', { done }),
 };
 
 /** The URL of a picture of a view's comparison. Its parameter `v` changes with the comparison, so that a new picture is loaded. */

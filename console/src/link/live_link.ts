@@ -1,6 +1,6 @@
 // The WebSocket, which receives pictures and status and sends the deflections of the sticks.
 import { Store } from '../store';
-import type { Lease, PictureHead, Refused, Status, Stream } from '../types';
+import type { ClientMessage, Lease, PictureHead, Protocol, Refused, ServerMessage, Status, Stream } from '../types';
 import { api } from './api';
 import { clientId, person } from './client';
 
@@ -13,7 +13,7 @@ export interface LivePicture {
 
 export type LinkState = 'connecting' | 'open' | 'lost';
 
-const protocol = 1;
+const protocol: Protocol = 1;
 const retry_ms = 500;
 const silence_ms = 3000;
 
@@ -21,7 +21,8 @@ class LiveLink {
   readonly state = new Store<LinkState>('connecting');
   readonly status = new Store<Status | null>(null);
   readonly lease = new Store<Lease>({ type: 'lease', yours: false });
-  readonly refused = new Store<Refused | null>(null);
+  /** Why the last message was refused, or why the controls were lost. */
+  readonly refused = new Store<Pick<Refused, 'message'> | null>(null);
   /** Why the server ended the connection for good, if it did. */
   readonly ended = new Store<string>('');
   onPicture: (picture: LivePicture) => void = () => undefined;
@@ -107,7 +108,7 @@ class LiveLink {
   }
 
   private hear(text: string): void {
-    const message = JSON.parse(text) as Status | Lease | Refused;
+    const message = JSON.parse(text) as ServerMessage;
     switch (message.type) {
       case 'status':
         this.status.value = message;
@@ -128,7 +129,7 @@ class LiveLink {
       const message = now.holder !== undefined
         ? `${now.holder || 'Somebody'} has taken over the controls.`
         : 'You have not driven for a minute, so your controls were handed back. Take them again to drive.';
-      this.refused.value = { type: 'refused', code: 'controls-gone', message };
+      this.refused.value = { message };
     }
     if (!now.yours) this.releasing = false;
   }
@@ -145,7 +146,7 @@ class LiveLink {
     }
   }
 
-  private send(message: object): void {
+  private send(message: ClientMessage): void {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
   }
 }

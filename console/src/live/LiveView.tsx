@@ -4,16 +4,11 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
-import type { Measurement, PictureHead, Stream } from '../types';
+import type { Measurement, PictureHead, Pixel, Stream } from '../types';
 import { DepthScale } from './DepthScale';
 import { MeasureMarks } from './MeasureMarks';
 
 const names: Record<Stream, string> = { color: 'Colour', depth: 'Depth', infrared: 'Infrared' };
-
-export interface Pixel {
-  u: number;
-  v: number;
-}
 
 export function LiveView({ children }: { children?: ComponentChildren }) {
   const canvas = useRef<HTMLCanvasElement>(null);

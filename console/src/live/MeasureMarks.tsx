@@ -1,6 +1,5 @@
 // The points that were tapped, and the distances measured there.
-import type { Measurement } from '../types';
-import type { Pixel } from './LiveView';
+import type { Measurement, Pixel } from '../types';
 
 interface Props {
   width: number;
