@@ -1,11 +1,10 @@
 #include "core/clock.hpp"
 #include "server/api.hpp"
+#include "server/conversation.hpp"
 #include "server/request_body.hpp"
 
 namespace rva {
 namespace {
-
-constexpr int protocol_version = 1;
 
 std::string cookie(const std::string& token, bool secure, bool ended) {
   std::string text = "rva_session=" + token + "; Path=/; HttpOnly; SameSite=Strict";
@@ -17,7 +16,7 @@ std::string cookie(const std::string& token, bool secure, bool ended) {
 }  // namespace
 
 ApiResponse Api::get_session(const Call& call) const {
-  Json body{{"protocol", protocol_version}, {"sign_in_needed", parts_.sessions.needed()}};
+  Json body{{"protocol", Conversation::protocol}, {"sign_in_needed", parts_.sessions.needed()}};
   if (call.person) {
     body["name"] = call.person->name;
     body["role"] = name_of(call.person->role);
