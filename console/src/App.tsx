@@ -1,4 +1,5 @@
 // The console: pictures in the middle, the next step beside them, the robot below.
+import './App.css';
 import { useEffect } from 'preact/hooks';
 import { DrivePanel } from './drive/DrivePanel';
 import { Begin } from './inspection/Begin';

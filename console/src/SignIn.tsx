@@ -1,4 +1,5 @@
 // The sign-in form, shown if the server has accounts.
+import './SignIn.css';
 import { useState } from 'preact/hooks';
 import { api, Refusal } from './link/api';
 

@@ -1,3 +1,8 @@
+// The styles of all pages come first, so that those of a component can refine them.
+import './base.css';
+import './panel.css';
+import './picture.css';
+import './switch.css';
 import { render } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { App } from './App';
@@ -7,9 +12,6 @@ import { followInspection } from './regions/region_state';
 import { api } from './link/api';
 import { link } from './link/live_link';
 import { SignIn } from './SignIn';
-import './style.css';
-import './regions/regions.css';
-import './review/review.css';
 import type { Session } from './types';
 
 function Console() {

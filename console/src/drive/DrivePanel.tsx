@@ -1,4 +1,5 @@
 // Turning the camera: the name of the driver, the stick, the angles, and the stop button, which everybody may use.
+import './drive.css';
 import { useState } from 'preact/hooks';
 import { link } from '../link/live_link';
 import { useStore } from '../store';

@@ -1,4 +1,5 @@
 // The steps of an inspection: what is done, what is next, and what prevents the next step.
+import './inspection.css';
 import { useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { person } from '../link/client';

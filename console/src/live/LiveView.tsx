@@ -1,4 +1,5 @@
 // The live picture, and distances measured in it.
+import './live.css';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { api } from '../link/api';

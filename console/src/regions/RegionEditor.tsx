@@ -1,4 +1,5 @@
 // The baseline's picture of a view, with what is left out of the comparison drawn over it.
+import './regions.css';
 import { useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { isBusy } from '../inspection/inspections';

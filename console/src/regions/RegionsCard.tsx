@@ -1,4 +1,5 @@
 // Shows in the work step what is left out of each view, with a button to change it.
+import './regions.css';
 import { useState } from 'preact/hooks';
 import { baselineAddress } from '../link/api';
 import { page } from '../pages';

@@ -1,4 +1,5 @@
 // Findings, most suspicious first, each to be decided.
+import './review.css';
 import { link } from '../link/live_link';
 import { api } from '../link/api';
 import { person } from '../link/client';

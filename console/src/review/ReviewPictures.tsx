@@ -1,4 +1,5 @@
 // Before and after, aligned pixel by pixel, with what changed and what could not be inspected.
+import './review.css';
 import { useEffect, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { pictureAddress } from '../link/api';

@@ -1,4 +1,5 @@
 // Loads the 3D view when it is first needed, since three.js makes up most of the console.
+import './space.css';
 import type { FunctionComponent } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import type { Inspection } from '../types';
