@@ -1,4 +1,4 @@
-// Fits the usual slopes of the false alarm tails of unchanged images, over random simulated bays and cameras.
+// Fits the prior slopes of the false alarm tails of unchanged images, over random simulated bays and cameras.
 //
 // usage: rva_fit_tails fit FILE [INSPECTIONS [FIRST_SEED [CAMERAS]]]
 //        rva_fit_tails check FILE
@@ -47,16 +47,16 @@ constexpr int dithers = 4;
 
 /// The program's tails, in the order of tails().
 enum Kind : std::size_t {
-  still_change_sure,
-  still_change_unsure,
-  still_loss_sure,
-  still_loss_unsure,
+  still_change_reliable,
+  still_change_unreliable,
+  still_loss_reliable,
+  still_loss_unreliable,
   single_change,
   single_loss,
-  moved_change_sure,
-  moved_change_unsure,
-  bumped_change_sure,
-  bumped_change_unsure,
+  moved_change_reliable,
+  moved_change_unreliable,
+  bumped_change_reliable,
+  bumped_change_unreliable,
   between_dots,
   with_pairs,
   still_pair,
@@ -70,16 +70,16 @@ struct Tail {
 
 const std::vector<Tail>& tails() {
   static const std::vector<Tail> all{
-      {"still, change, sure", slopes_of_means.change.reliable},
-      {"still, change, unsure", slopes_of_means.change.unreliable},
-      {"still, loss, sure", slopes_of_means.loss.reliable},
-      {"still, loss, unsure", slopes_of_means.loss.unreliable},
+      {"still, change, reliable", slopes_of_means.change.reliable},
+      {"still, change, unreliable", slopes_of_means.change.unreliable},
+      {"still, loss, reliable", slopes_of_means.loss.reliable},
+      {"still, loss, unreliable", slopes_of_means.loss.unreliable},
       {"single frames, change", slopes_of_single_frames.change.reliable},
       {"single frames, loss", slopes_of_single_frames.loss.reliable},
-      {"moved, change, sure", slopes_of_moved_cameras.change.reliable},
-      {"moved, change, unsure", slopes_of_moved_cameras.change.unreliable},
-      {"bumped, change, sure", slopes_of_bumped_cameras.change.reliable},
-      {"bumped, change, unsure", slopes_of_bumped_cameras.change.unreliable},
+      {"moved, change, reliable", slopes_of_moved_cameras.change.reliable},
+      {"moved, change, unreliable", slopes_of_moved_cameras.change.unreliable},
+      {"bumped, change, reliable", slopes_of_bumped_cameras.change.reliable},
+      {"bumped, change, unreliable", slopes_of_bumped_cameras.change.unreliable},
       {"infrared, between dots", tail_between_dots.slope},
       {"infrared, with pairs", tail_with_pairs.slope},
       {"infrared, still", tail_of_still_pair.slope},
@@ -153,10 +153,10 @@ void add_still(const UnchangedBay& bay, PeaksOfTails& peaks) {
                     stereo);
   };
   const CalibratedPeaks means = of_frames(frames);
-  append(peaks[still_change_sure], means.change.reliable);
-  append(peaks[still_change_unsure], means.change.unreliable);
-  append(peaks[still_loss_sure], means.loss.reliable);
-  append(peaks[still_loss_unsure], means.loss.unreliable);
+  append(peaks[still_change_reliable], means.change.reliable);
+  append(peaks[still_change_unreliable], means.change.unreliable);
+  append(peaks[still_loss_reliable], means.loss.reliable);
+  append(peaks[still_loss_unreliable], means.loss.unreliable);
   const CalibratedPeaks singles = of_frames(1);
   append(peaks[single_change], singles.change.reliable);
   append(peaks[single_change], singles.change.unreliable);
@@ -173,8 +173,8 @@ void add_moved(const UnchangedBay& bay, std::size_t captures, KnownMotion known,
   const SpatialChange change = change_from_elsewhere(before, after, registration, known);
   const CalibratedPeaks found = peaks_of(change.change, bay.after.stereo());
   const bool bumped = known == KnownMotion::bumped;
-  append(peaks[bumped ? bumped_change_sure : moved_change_sure], found.change.reliable);
-  append(peaks[bumped ? bumped_change_unsure : moved_change_unsure], found.change.unreliable);
+  append(peaks[bumped ? bumped_change_reliable : moved_change_reliable], found.change.reliable);
+  append(peaks[bumped ? bumped_change_unreliable : moved_change_unreliable], found.change.unreliable);
 }
 
 // Empty if the registration of the views is refused.

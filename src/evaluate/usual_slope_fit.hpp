@@ -1,4 +1,4 @@
-// Fit of the usual slope of false alarm tails to unchanged simulated images.
+// Fit of the prior slope of false alarm tails to unchanged simulated images.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ struct UsualSlopeFit {
 /// The upper limit of the weight: beyond it, the slope is practically the same in all images.
 inline constexpr double most_usual_peaks = 200.0;
 
-/// Fits the usual slope and its weight. The model: excesses over the onset of an image's tail are exponential
-/// with a slope per image; these slopes are gamma distributed around the usual slope, with the width of an
+/// Fits the prior slope and its weight. The model: excesses over the onset of an image's tail are exponential
+/// with a slope per image; these slopes are gamma distributed around the prior slope, with the width of an
 /// estimate from `peaks` peaks. The likelihood of the excesses of all images then has a closed form
-/// (empirical Bayes; Gelman et al., Bayesian Data Analysis, section 5.1). Its maximum gives the usual slope;
+/// (empirical Bayes; Gelman et al., Bayesian Data Analysis, section 5.1). Its maximum gives the prior slope;
 /// intervals are likelihood ratio intervals.
 /// @param peaks_of_images heights of peaks, in deviations, of images in which nothing changed; those below
 ///                        FalseAlarmTail::onset are ignored

@@ -7,11 +7,9 @@ namespace rva {
 namespace {
 
 // Returns the most probable slope s of n = `count` excesses x with the sum `sum` from an exponential
-// distribution that is truncated at L = `length`, given k usual peaks of the slope s0. The logarithm of
-// the posterior,
-// n ln s - s sum(x) - n ln(1 - exp(-s L)) + k ln s - s k / s0,
-// is maximal where its derivative by s is 0, which is found by bisection.
-// Equation 21 of docs/math.md.
+// distribution that is truncated at L = `length`, given a prior with the weight of k peaks of the slope s0.
+// The logarithm of the posterior, n ln s - s sum(x) - n ln(1 - exp(-s L)) + k ln s - s k / s0, is maximal
+// where its derivative by s is 0, which is found by bisection. Equation 21 of docs/math.md.
 double most_probable_slope(double count, double sum, const UsualSlope& usual, double length) {
   const double usual_sum = usual.peaks / usual.slope;
   const auto rises_at = [&](double slope) {

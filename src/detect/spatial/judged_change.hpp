@@ -19,7 +19,7 @@ struct JudgedChange {
   SurfaceChange surface{};
 };
 
-/// Usual slope of the tail of peaks beyond three deviations where nothing changed, as measured by
+/// Prior slope of the tail of peaks beyond three deviations where nothing changed, as measured by
 /// `script/fit` (docs/statistics.md), and the height up to which the peaks of an inspection are assumed to be
 /// unchanged: objects of low contrast have peaks beyond.
 struct UsualTail {

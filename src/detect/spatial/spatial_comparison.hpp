@@ -11,14 +11,14 @@
 
 namespace rva {
 
-/// A change, and the usual slopes of the tails of evidence where nothing changed in such a comparison.
+/// A change, and the prior slopes of the tails of evidence where nothing changed in such a comparison.
 struct SpatialChange {
   DisparityChange change;
   UsualSlopes slopes;
   StereoScale stereo;  ///< of the final camera
 };
 
-/// Usual slopes of registered views, and of single captures that are a degree or two off, as measured
+/// Prior slopes of registered views, and of single captures that are a degree or two off, as measured
 /// by `script/fit` (docs/statistics.md). Lost depth is no evidence there, so the slopes of losses are
 /// never used.
 inline constexpr UsualSlopes slopes_of_moved_cameras{{{1.07, 35.36}, {0.61, 8.41}}, slopes_of_means.loss};

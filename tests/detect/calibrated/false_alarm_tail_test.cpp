@@ -47,7 +47,7 @@ TEST(FalseAlarmTail, LearnsTheTailOfItsPeaks) {
 }
 
 // What is learnt from 30 peaks must hold for 30 others: 0.1 of either sign are 0.2 of both beyond the height.
-TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
+TEST(FalseAlarmTail, KeepsItsRateOnAverageWithFewPeaks) {
   constexpr int repetitions = 4000;
   int beyond = 0;
   for (std::uint64_t seed = 0; seed < repetitions; ++seed) {
@@ -58,9 +58,9 @@ TEST(FalseAlarmTail, KeepsItsPromiseOnAverageThoughItKnowsFewPeaks) {
   EXPECT_LT(beyond, 0.3 * repetitions);
 }
 
-// The slope of an image, gamma distributed about the usual one.
+// The slope of an image, gamma distributed about the prior one.
 double slope_of(const UsualSlope& usual, Random& random) {
-  double sum = 0.0;  // of as many exponential numbers as the usual slope counts peaks
+  double sum = 0.0;  // of as many exponential numbers as the prior slope counts peaks
   for (int k = 0; k < static_cast<int>(usual.peaks); ++k) sum -= std::log(1.0 - random.uniform());
   return sum * usual.slope / usual.peaks;
 }
@@ -98,11 +98,11 @@ TEST(FalseAlarmTail, ChangesDoNotPassForNoise) {
   EXPECT_NEAR(with_changes, clean, 0.01 * clean);
 }
 
-TEST(FalseAlarmTail, WithoutPeaksTheUsualTailHolds) {
+TEST(FalseAlarmTail, WithoutPeaksThePriorTailIsUsed) {
   const FalseAlarmTail tail = fit_tail({}, {2.0});
   EXPECT_NEAR(tail.height_of(0.01), FalseAlarmTail(0.5, 2.0, 10.0).height_of(0.01), 1e-9);
   const FalseAlarmTail flat = fit_tail({6.9F, 6.9F}, {2.0});
-  EXPECT_GT(flat.height_of(0.01), tail.height_of(0.01)) << "two peaks have a say";
+  EXPECT_GT(flat.height_of(0.01), tail.height_of(0.01)) << "two peaks count";
   EXPECT_LT(flat.height_of(0.01), 30.0) << "but no more";
 }
 
