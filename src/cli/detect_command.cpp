@@ -80,7 +80,7 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   }
   for (const Finding& finding : findings.findings) {
     if (finding.moved_from)
-      print("finding {} has about the size of {}, which was removed: it may be the same thing, moved\n",
+      print("finding {} has about the size of {}, which was removed: it may be the same object, moved\n",
             finding.id, *finding.moved_from);
   }
   const Coverage& coverage = findings.coverage;

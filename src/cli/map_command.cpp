@@ -77,7 +77,7 @@ std::string base_of(const MapArguments& arguments, const Camera& camera) {
   const std::optional<Pose> pose = camera.info().pose;
   if (pose && pose->base) return *pose->base + "-foot";  // a simulated scene's own
   std::random_device device;
-  return fmt::format("place-{:08x}", device());
+  return fmt::format("base-{:08x}", device());
 }
 
 ViewFolder::Start start_of(const MapArguments& arguments) {
@@ -196,7 +196,7 @@ void add_map_command(CLI::App& program) {
       ->required()
       ->type_name("URI");
   command.add_option("--robot", arguments->robot, "sim or serial:DEVICE")->required()->type_name("URI");
-  CLI::Option_group& where = *command.add_option_group("where to look");
+  CLI::Option_group& where = *command.add_option_group("waypoints");
   where.add_option("--waypoints", arguments->waypoints, "pan and tilt of each view")->type_name("FILE");
   where.add_option("--grid", arguments->grid, "instead: from, to and count of pan, then of tilt, in degrees")
       ->type_name("FROM,TO,COUNT,FROM,TO,COUNT")

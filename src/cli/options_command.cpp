@@ -35,7 +35,7 @@ void print_table(const char* command) {
 
 // docs/options.md is this text; a test compares the two.
 void print_options() {
-  print("# Options\n\nPrinted by `rva options` from the structs that hold them.\n");
+  print("# Options\n\nPrinted by `rva options` from the structs that define them.\n");
   print_table<DetectOptions>("rva detect");
   print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");

@@ -121,7 +121,7 @@ void simulate(const CLI::App& command, SimulateArguments arguments) {
 }  // namespace
 
 void add_simulate_command(CLI::App& program) {
-  CLI::App& command = *program.add_subcommand("simulate", "renders a capture of a scene, with ground truth");
+  CLI::App& command = *program.add_subcommand("simulate", "renders a capture of a scene, with its truth");
   const auto arguments = std::make_shared<SimulateArguments>();
   command.add_option("SCENE", arguments->scene, "scene file (docs/scenes.md)")->required();
   command.add_option("--out", arguments->out, "capture folder to write")->required()->type_name("DIR");

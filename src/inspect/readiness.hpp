@@ -25,7 +25,7 @@ struct ReadinessOptions {
     visit(self.least_rate_hz,
           OptionField{"least-rate", "hz", 0, 1000, "a camera with fewer frames a second is not ready"});
     visit(self.least_measured,
-          OptionField{"least-measured", "", 0, 1, "share of the depth image that must hold a measurement"});
+          OptionField{"least-measured", "", 0, 1, "least share of the depth image with a measurement"});
     visit(self.most_drift_px,
           OptionField{"most-drift", "px", 0, 10,
                       "a camera whose disparities move by more during the check is not warm"});

@@ -21,10 +21,10 @@ struct CalibrationOptions {
   static void describe(auto&& self, auto&& visit) {
     visit(self.servo_error_deg, OptionField{"servo-error", "deg", 0.001, 10,
                                             "how far a joint may be from the angle it reports (one sigma)"});
-    visit(self.place_error_mm, OptionField{"place-error", "mm", 0.01, 1000,
-                                           "how far off the measured lengths may be (one sigma)"});
-    visit(self.turn_error_deg, OptionField{"turn-error", "deg", 0.01, 30,
-                                           "how far off the measured directions may be (one sigma)"});
+    visit(self.place_error_mm,
+          OptionField{"place-error", "mm", 0.01, 1000, "error of the measured lengths (one sigma)"});
+    visit(self.turn_error_deg,
+          OptionField{"turn-error", "deg", 0.01, 30, "error of the measured directions (one sigma)"});
   }
 };
 

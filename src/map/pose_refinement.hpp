@@ -22,9 +22,9 @@ struct RefinementOptions {
     visit(self.servo_error_deg, OptionField{"servo-error", "deg", 0.001, 10,
                                             "how far a joint may be from the angle it reports (one sigma)"});
     visit(self.place_error_mm, OptionField{"place-error", "mm", 0.001, 100,
-                                           "how far the geometry may put the camera off (one sigma)"});
+                                           "error of the camera's position from the geometry (one sigma)"});
     visit(self.turn_error_deg, OptionField{"turn-error", "deg", 0.001, 10,
-                                           "how far the geometry may turn the camera wrongly (one sigma)"});
+                                           "error of the camera's direction from the geometry (one sigma)"});
   }
 };
 

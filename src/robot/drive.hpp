@@ -21,8 +21,9 @@ struct DriveOptions {
   static void describe(auto&& self, auto&& visit) {
     visit(self.speed_deg_s,
           OptionField{"speed", "deg_s", 0.1, 90, "how fast a stick held at its end turns a joint"});
-    visit(self.silence_ms, OptionField{"silence", "ms", 100, 400,
-                                       "a robot driven by hand stops when nobody has said how for so long"});
+    visit(self.silence_ms,
+          OptionField{"silence", "ms", 100, 400,
+                      "a robot under manual control stops after this time without a command"});
   }
 };
 

@@ -60,7 +60,7 @@ class Exchanged(ChangesTest):
 
 
 class Moved(ChangesTest):
-    def test_a_thing_that_was_moved_is_told_by_its_size(self):
+    def test_an_object_that_was_moved_is_recognised_by_its_size(self):
         for number, there in enumerate([(80, 40, 20, 14), (100, 70, 20, 14), (100, 70, 14, 20)]):
             before = self.write(f'before{number}', with_box(bench(), (60, 40, 20, 14), 30), 3)
             after = self.write(f'after{number}', with_box(bench(), there, 30), 4)
@@ -70,7 +70,7 @@ class Moved(ChangesTest):
             self.assertEqual(len(found), 2)
             self.assertEqual(by_kind['added']['moved_from'], by_kind['removed']['id'])
             self.assertNotIn('moved_from', by_kind['removed'])
-            self.assertIn('may be the same thing, moved', done.stdout)
+            self.assertIn('may be the same object, moved', done.stdout)
 
 
 class NoDepth(ChangesTest):

@@ -93,7 +93,7 @@ struct StereoSensorOptions {
     visit(self.levels,
           OptionField{"levels", "", 0, 1, "contrast of speckle that jumps between three patterns"});
     visit(self.level_frames,
-          OptionField{"level-frames", "", 1, 1e6, "frames that a pattern holds, on average"});
+          OptionField{"level-frames", "", 1, 1e6, "frames for which a pattern persists, on average"});
     visit(self.flicker,
           OptionField{"flicker", "", 0, 0.5, "standard deviation of the exposure from frame to frame"});
     visit(self.drift_px,
@@ -101,8 +101,8 @@ struct StereoSensorOptions {
                       "standard deviation of the disparity's offset between captures (temperature)"});
     visit(self.sway_mm,
           OptionField{"sway", "mm", 0, 100,
-                      "standard deviation of where a bay that gives way holds the camera, along "
-                      "each axis, from rest to rest; stated poses and the truth do not know it"});
+                      "standard deviation of the camera's position in a bay that gives way, along each "
+                      "axis, from rest to rest; not part of the stated poses and the truth"});
     visit(self.window_px, OptionField{"window", "px", 5, 13, "edge of the matcher's window; odd"});
     visit(self.depth_unit_mm, OptionField{"depth-unit", "mm", 0.01, 10, "one step of the depth image"});
     visit(self.device, OptionField{"device", "", 0, 1e9,
