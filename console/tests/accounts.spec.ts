@@ -1,17 +1,17 @@
-// Where there are accounts, everybody says who they are.
+// Where there are accounts, everybody signs in.
 import type { Page } from '@playwright/test';
 import { expectAccessible, expectTouchable } from './accessibility';
 import { begin, expect, test } from './served';
 
 const password = 'correct horse';
 
-async function signIn(page: Page, name: string, said = password): Promise<void> {
+async function signIn(page: Page, name: string, entered = password): Promise<void> {
   await page.getByLabel('Name').fill(name);
-  await page.getByLabel('Password').fill(said);
+  await page.getByLabel('Password').fill(entered);
   await page.getByTestId('sign-in').click();
 }
 
-test('a viewer signs in, looks and signs out', async ({ console: page, served }) => {
+test('a viewer signs in, views and signs out', async ({ console: page, served }) => {
   served.account('add', 'vera', ['--role', 'viewer'], password);
   await page.reload();
   await expectAccessible(page);
@@ -49,7 +49,7 @@ test('an operator works under the name of the account, and is out when it goes',
   await expect(page.getByTestId('open-1')).toContainText('olga');
 });
 
-test('who was signed in is told when the server was started again', async ({ console: page, served }) => {
+test('the console asks to sign in again after a restart of the server', async ({ console: page, served }) => {
   served.account('add', 'olga', ['--role', 'operator'], password);
   await page.reload();
   await signIn(page, 'olga');

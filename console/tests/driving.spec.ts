@@ -9,7 +9,7 @@ interface StandIn {
   axes?: number[];
 }
 
-// Controllers whose sticks the test moves, with the standard mapping if nothing else is said.
+// Controllers whose sticks the test moves, with the standard mapping unless stated otherwise.
 async function plugIn(page: Page, ...standIns: StandIn[]): Promise<void> {
   await page.evaluate((standIns) => {
     const pads = standIns.map(({ id, mapping, axes }, index) => ({
@@ -31,7 +31,7 @@ async function setPad(page: Page, change: { axes?: number[]; connected?: boolean
   }, [change, at] as const);
 }
 
-// What the page has told the robot to do since then.
+// The drive messages that the page has sent since then.
 async function recordDriving(page: Page): Promise<() => Promise<{ pan: number; tilt: number }[]>> {
   await page.evaluate(() => {
     const driven: { pan: number; tilt: number }[] = [];
@@ -48,7 +48,7 @@ async function recordDriving(page: Page): Promise<() => Promise<{ pan: number; t
 
 const driving = /Turning/;
 
-test.describe('whoever has the controls', () => {
+test.describe('with the controls', () => {
   test.beforeEach(async ({ console: page }) => {
     await begin(page);
     await page.getByTestId('take').click();
@@ -110,7 +110,7 @@ test.describe('whoever has the controls', () => {
     await expect(page.getByTestId('drive-hint')).toContainText('Controller ready');
     await page.getByTestId('stop').dispatchEvent('click');
     await expect(page.getByTestId('drive-hint')).toContainText('Controller ready');
-    await expect.poll(async () => (await driven()).length, 'let go is said, which arms').toBeGreaterThan(0);
+    await expect.poll(async () => (await driven()).length, 'a released stick is reported, which arms').toBeGreaterThan(0);
     expect(new Set((await driven()).map(({ pan, tilt }) => `${pan} ${tilt}`))).toEqual(new Set(['0 0']));
     const before = await angle(page, 'pan');
     await page.keyboard.down('ArrowLeft');
@@ -256,7 +256,7 @@ test('one drives, others watch, stop and take over', async ({ console: ann, serv
   await expect(bob.getByTestId('release')).toBeVisible();
   await expect(ann.getByTestId('release')).toHaveCount(0);
   await expect(ann.getByTestId('take-over')).toBeVisible();
-  await expect(ann.getByTestId('trouble'), 'she is told why').toContainText('Somebody has taken over');
+  await expect(ann.getByTestId('trouble'), 'the reason is shown').toContainText('Somebody has taken over');
   await ann.keyboard.press('ArrowLeft');
   await expect(ann.getByTestId('drive-hint'), 'and what to do').toHaveClass(/warn/);
 });
@@ -269,7 +269,7 @@ test('a line that breaks while the stick is held stops the robot', async ({ cons
   await page.bringToFront();
   await page.keyboard.down('ArrowLeft');
   await expect(page.getByTestId('drive-hint')).toHaveText(driving);
-  // The page freezes: nothing is said any more, and nothing is closed.
+  // The page freezes: it sends nothing any more, and closes nothing.
   await page.evaluate(() => {
     WebSocket.prototype.send = () => undefined;
   });

@@ -119,7 +119,7 @@ test('a capture is cancelled, and goes on where it was', async ({ console: page 
   await expect(page.getByTestId('work')).toBeVisible({ timeout: 60_000 });
 });
 
-test('pictures of all kinds come, and places in them are measured', async ({ console: page }) => {
+test('pictures of all kinds come, and points in them are measured', async ({ console: page }) => {
   const live = page.getByTestId('live');
   for (const stream of ['depth', 'infrared', 'color']) {
     await page.getByTestId(`stream-${stream}`).click();

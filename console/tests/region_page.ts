@@ -1,4 +1,4 @@
-// The page on which regions are drawn, for tests: places are in pixels of the baseline's picture.
+// The page on which regions are drawn, for tests: positions are in pixels of the baseline's picture.
 import { expect, type Page } from '@playwright/test';
 import type { Corner, Inspection } from '../src/types';
 

@@ -29,7 +29,7 @@ export class Served {
     });
   }
 
-  /** `rva account`, as whoever runs the server calls it. */
+  /** `rva account`, as the administrator of the server calls it. */
   account(command: 'add' | 'remove', name: string, more: string[] = [], password = ''): void {
     const done = spawnSync(program, ['account', command, name, '--data', this.data, ...more], { input: `${password}\n` });
     expect(done.status, String(done.stderr)).toBe(0);

@@ -15,17 +15,17 @@ const longest_dead_way = 0.9;
 
 // A worn stick does not always return to the same position. Later positions replace the earliest, so that one at
 // which the stick was held by mistake is forgotten.
-const remembered_places = 8;
+const remembered_positions = 8;
 
-interface Place {
+interface Position {
   low: number;
   high: number;
   since_ms: number;
 }
 
 export class StickRest {
-  private readonly places: Place[] = [];
-  private latest: Place = { low: NaN, high: NaN, since_ms: NaN };
+  private readonly positions: Position[] = [];
+  private latest: Position = { low: NaN, high: NaN, since_ms: NaN };
 
   /** Learns from the position of the axis at a time. */
   observe(raw: number, now_ms: number, dead_zone: number): void {
@@ -36,15 +36,15 @@ export class StickRest {
 
     const needed_ms = this.deflection(raw, dead_zone) === 0 ? still_ms : still_while_deflected_ms;
     const isStill = now_ms - this.latest.since_ms >= needed_ms;
-    if (!isStill || !canRestAt(raw, dead_zone) || this.places.includes(this.latest)) return;
-    this.places.push(this.latest);
-    if (this.places.length > remembered_places) this.places.shift();
+    if (!isStill || !canRestAt(raw, dead_zone) || this.positions.includes(this.latest)) return;
+    this.positions.push(this.latest);
+    if (this.positions.length > remembered_positions) this.positions.shift();
   }
 
   /** Whether the axis is in a position in which it cannot be when the stick is let go. */
   isAstray(raw: number, dead_zone: number): boolean {
     if (!Number.isFinite(raw) || this.deflection(raw, dead_zone) !== 0) return true;
-    return this.places.length === 0 && !canRestAt(raw, dead_zone);
+    return this.positions.length === 0 && !canRestAt(raw, dead_zone);
   }
 
   /** 0 at rest and within the dead zone around it, -1 and 1 at the ends; quadratic, for fine control near the middle. */
@@ -62,10 +62,10 @@ export class StickRest {
   // The range always contains the middle, so that letting go stops the camera even if a position was learnt while
   // the stick was held.
   private range(): { low: number; high: number } {
-    if (this.places.length === 0) return { low: -unlearnt_reach, high: unlearnt_reach };
+    if (this.positions.length === 0) return { low: -unlearnt_reach, high: unlearnt_reach };
     return {
-      low: Math.min(0, ...this.places.map((place) => place.low)),
-      high: Math.max(0, ...this.places.map((place) => place.high)),
+      low: Math.min(0, ...this.positions.map((position) => position.low)),
+      high: Math.max(0, ...this.positions.map((position) => position.high)),
     };
   }
 }

@@ -39,7 +39,7 @@ function Failure({ inspection }: { inspection: Inspection }) {
   if (failure?.inspection !== inspection.id) return null;
   return (
     <p class="bad" role="alert" data-testid="failure">
-      {failure.says}
+      {failure.reason}
     </p>
   );
 }

@@ -55,20 +55,20 @@ export async function reopen(): Promise<void> {
 }
 
 /** Why the last capture or comparison failed or was cancelled; a later check does not clear it. */
-export const lastFailure = new Store<{ inspection: number; says: string } | null>(null);
+export const lastFailure = new Store<{ inspection: number; reason: string } | null>(null);
 
 function noteEnd(task: TaskStatus): void {
   if (isCheck(task) || task.inspection === undefined) return;
-  const says =
+  const reason =
     task.end === 'cancelled'
       ? 'Cancelled. What was complete is kept: start again to continue.'
       : task.end === 'failed'
         ? (task.problem ?? 'The task failed.')
         : '';
-  lastFailure.value = says === '' ? null : { inspection: task.inspection, says };
+  lastFailure.value = reason === '' ? null : { inspection: task.inspection, reason };
 }
 
-/** Reloads the inspection after each task, whoever started it, since the task may have changed it. */
+/** Reloads the inspection after each task, also one that another client started, since the task may have changed it. */
 export function followTasks(): void {
   let seen = '';
   link.status.subscribe(() => {

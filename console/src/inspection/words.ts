@@ -32,19 +32,19 @@ export function millimetres(value: number): string {
 }
 
 /** How significant a change is: the p-value is how often an unchanged bay would show as much. */
-export function suspicion(finding: Finding): { level: 1 | 2 | 3; says: string } {
+export function suspicion(finding: Finding): { level: 1 | 2 | 3; name: string } {
   const certain = 1e-6;
   const likely = 1e-3;
   const p = finding.p_value;
-  if (p === undefined) return { level: 2, says: 'Changed' };
-  if (p < certain) return { level: 3, says: 'Certainly changed' };
-  if (p < likely) return { level: 2, says: 'Very likely changed' };
-  return { level: 1, says: 'Possibly changed' };
+  if (p === undefined) return { level: 2, name: 'Changed' };
+  if (p < certain) return { level: 3, name: 'Certainly changed' };
+  if (p < likely) return { level: 2, name: 'Very likely changed' };
+  return { level: 1, name: 'Possibly changed' };
 }
 
 export function whatChanged(finding: Finding): string {
-  const says = { added: 'Something new', removed: 'Something gone', appearance: 'Looks different' };
-  return says[finding.kind];
+  const names = { added: 'Something new', removed: 'Something gone', appearance: 'Looks different' };
+  return names[finding.kind];
 }
 
 /** The character that stands for a kind, beside the finding's number. */

@@ -13,15 +13,15 @@ import { decisionOf, groupsOf, type Group } from './groups';
 import { Moved } from './Moved';
 import { review, show } from './review_state';
 
-function SuspicionBar({ level, says }: { level: number; says: string }) {
+function SuspicionBar({ level, name }: { level: number; name: string }) {
   return (
     <span class="suspicion">
-      <span aria-hidden="true">{'●'.repeat(level) + '○'.repeat(3 - level)}</span> {says}
+      <span aria-hidden="true">{'●'.repeat(level) + '○'.repeat(3 - level)}</span> {name}
     </span>
   );
 }
 
-function Said({ decision }: { decision: Decision | undefined }) {
+function DecisionText({ decision }: { decision: Decision | undefined }) {
   if (!decision) return <small class="open">To be decided</small>;
   const settled = decision.verdict !== 'second-look';
   return (
@@ -35,7 +35,7 @@ function Said({ decision }: { decision: Decision | undefined }) {
 function FindingCard({ inspection, groups, group, session, selected }: { inspection: Inspection; groups: Group[]; group: Group; session: Session; selected: boolean }) {
   const { lead, all } = group;
   const decision = decisionOf(group);
-  const { level, says } = suspicion(lead);
+  const { level, name } = suspicion(lead);
   return (
     <li class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
       <button type="button" class="row" aria-expanded={selected} onClick={() => show({ group: lead.number, view: lead.view, findings: true })}>
@@ -45,12 +45,12 @@ function FindingCard({ inspection, groups, group, session, selected }: { inspect
         </span>
         <span>
           <strong>{whatChanged(lead)}</strong>
-          <SuspicionBar level={level} says={says} />
+          <SuspicionBar level={level} name={name} />
           <small>
             {whereAndHow(lead)}
             {all.length > 1 && `, seen in ${all.length} views`}
           </small>
-          <Said decision={decision} />
+          <DecisionText decision={decision} />
         </span>
       </button>
       <Moved groups={groups} group={group} />
@@ -84,16 +84,16 @@ function Extent({ inspection, nothing }: { inspection: Inspection; nothing: bool
 function Verdicts({ groups, inspection, session }: { groups: Group[]; inspection: Inspection; session: Session }) {
   const simulation = useStore(link.status)?.simulation ?? false;
   const count = (verdict: string) => groups.filter((group) => decisionOf(group)?.verdict === verdict).length;
-  const [unsure, removed] = [count('second-look'), count('debris-removed')];
+  const [unsettled, removed] = [count('second-look'), count('debris-removed')];
   const again = () =>
     void attempt(async () => {
       if (simulation) await api.simulateWork(false);
       await api.capture(inspection.id, 'final', session.name || person.name || inspection.person, false);
     });
-  if (unsure > 0) {
+  if (unsettled > 0) {
     return (
       <p class="open" data-testid="all-decided">
-        … {unsure === 1 ? 'One needs' : `${unsure} need`} a second look. Look again, also in the bay, then decide again: this inspection is not done.
+        … {unsettled === 1 ? 'One needs' : `${unsettled} need`} a second look. Look again, also in the bay, then decide again: this inspection is not done.
       </p>
     );
   }

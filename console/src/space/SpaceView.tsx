@@ -32,7 +32,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
   const box = useRef<HTMLDivElement>(null);
   const stage = useRef<Stage | null>(null);
   const [coloring, setColoring] = useState<Coloring>('color');
-  const [says, setSays] = useState('Loading the map…');
+  const [hint, setHint] = useState('Loading the map…');
   const selected = useStore(review).group;
 
   useEffect(() => {
@@ -41,7 +41,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     try {
       scene = new Scene3d(box.current);
     } catch {
-      setSays('This browser cannot draw in 3D (WebGL is off). Everything else works without it.');
+      setHint('This browser cannot draw in 3D (WebGL is off). Everything else works without it.');
       return;
     }
     const findings = new FindingLayer();
@@ -58,10 +58,10 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
         now.changes = new PointLayer(changes, largerThanOthers_m);
         scene.add(now.changes.points);
         scene.lookAt(now.points.center, now.points.radius_m);
-        setSays('Drag to turn, pinch or use the wheel to zoom, drag with the right button to pan.');
+        setHint('Drag to turn, pinch or use the wheel to zoom, drag with the right button to pan.');
       })
       .catch((error: Error) => {
-        if (!loading.signal.aborted) setSays(error.message);
+        if (!loading.signal.aborted) setHint(error.message);
       });
     return () => {
       loading.abort();
@@ -78,7 +78,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     now?.points?.setColoring(coloring);
     if (now?.changes) now.changes.points.visible = coloring !== 'color';
     now?.scene.draw();
-  }, [coloring, says]);
+  }, [coloring, hint]);
 
   useEffect(() => {
     const now = stage.current;
@@ -86,7 +86,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     const at = inspection.findings.find((finding) => finding.number === selected)?.in_foot_m;
     if (at && now?.points) now.scene.focus(new Vector3(...at));
     now?.scene.draw();
-  }, [inspection, selected, says]);
+  }, [inspection, selected, hint]);
 
   const pick = (event: MouseEvent) => {
     const hit = stage.current?.scene.pick(event, stage.current.findings.group.children);
@@ -113,7 +113,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
           </span>
         )}
         <span class="hint" role="status" data-testid="map-status">
-          {says}
+          {hint}
         </span>
       </div>
       <div class="space" ref={box} data-testid="space" onClick={pick} />

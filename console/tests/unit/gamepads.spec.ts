@@ -235,7 +235,7 @@ test.describe('a controller without the standard mapping', () => {
       expect(isTaughtMapping(wrong)).toBe(false);
   });
 
-  test('is named as people know it', () => {
+  test('is named without its identifiers', () => {
     expect(nameOf('Xbox 360 Controller (STANDARD GAMEPAD Vendor: 045e Product: 028e)')).toBe('Xbox 360 Controller');
     expect(nameOf('045e-028e-Microsoft X-Box 360 pad')).toBe('Microsoft X-Box 360 pad');
     expect(nameOf('')).toBe('Controller');

@@ -33,7 +33,7 @@ test.describe('the covered share', () => {
   });
 });
 
-test.describe('a place', () => {
+test.describe('a position', () => {
   test('lies in a region or not', () => {
     expect(contains(square, [15, 15])).toBe(true);
     for (const outside of [[5, 15], [25, 15], [15, 5], [15, 25]] as const) expect(contains(square, [...outside])).toBe(false);
