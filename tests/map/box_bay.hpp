@@ -26,7 +26,7 @@ inline PanTilt true_joints(const BoxBayView& how) {
 inline MapView box_bay_view(const BoxBayView& how, const PanTiltChain& chain = {}, const Room& room = bay()) {
   const Transform pose = room_from_foot() * foot_from_camera(chain, true_joints(how));
   return {
-      "view-" + std::to_string(how.seed), how.joints, look(room, pose, {how.noise_px, 0.0, how.seed}), {}};
+      "view-" + std::to_string(how.seed), how.joints, view_of(room, pose, {how.noise_px, 0.0, how.seed}), {}};
 }
 
 /// Twelve views whose servos err by up to half a step.

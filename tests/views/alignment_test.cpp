@@ -12,8 +12,8 @@ class AlignmentTest : public testing::Test {
  protected:
   const Transform initial_pose_ = test::pose(0.05, 0.0, 3.0);
   const Transform final_pose_ = test::pose(-0.04, 0.03, -4.0);
-  const DepthView initial_view_ = test::look(test::bay(), initial_pose_);
-  const DepthView final_view_ = test::look(test::bay(), final_pose_);
+  const DepthView initial_view_ = test::view_of(test::bay(), initial_pose_);
+  const DepthView final_view_ = test::view_of(test::bay(), final_pose_);
   const PlanarPatches initial_{initial_view_, 8, 8};
   const PlanarPatches final_{final_view_, 8, 8};
   const Alignment truth_{initial_pose_.inverse() * final_pose_, 0.0};

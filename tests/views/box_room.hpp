@@ -75,14 +75,14 @@ inline double depth_at(const Room& room, const Transform& world_from_camera, con
   return nearest < std::numeric_limits<double>::max() ? nearest : 0.0;
 }
 
-struct Looking {
+struct ViewNoise {
   double noise_px = 0.0;   ///< of each pixel by itself
   double offset_px = 0.0;  ///< of all
   std::uint64_t seed = 1;
 };
 
-inline DepthView look(const Room& room, const Transform& world_from_camera, const Looking& how = {},
-                      const Intrinsics& camera = small_camera()) {
+inline DepthView view_of(const Room& room, const Transform& world_from_camera, const ViewNoise& how = {},
+                         const Intrinsics& camera = small_camera()) {
   DepthView view{camera, camera.fx * baseline_m, Image<float>(camera.width, camera.height),
                  Image<float>(camera.width, camera.height)};
   Random random(how.seed);

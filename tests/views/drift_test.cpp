@@ -44,7 +44,7 @@ TEST(Drift, ARagIsNoDrift) {
   EXPECT_LT(worst(fit_drift(change)), 0.01);
 }
 
-TEST(Drift, KnowsHowUncertainItIs) {
+TEST(Drift, StatesItsUncertainty) {
   const Drift drift = fit_drift(drifted(848, 480, 0.04));
   const double stated_px = std::sqrt(static_cast<double>(drift.variance_px2()(424, 240)));
   // 24 x 15 blocks, medians of 512 pixels: 0.04 x 1.25 / sqrt(512) / sqrt(360 / 2.25) or so.
@@ -59,7 +59,7 @@ TEST(Drift, TooLittleIsNone) {
   EXPECT_EQ(drift.variance_px2(), Image<float>(64, 64));
 }
 
-TEST(Drift, WhatWasNotJudgedHasNoSay) {
+TEST(Drift, WhatWasNotJudgedHasNoEffect) {
   DisparityChange change = drifted(848, 480, 0.0);
   for (int v = 0; v < 480; ++v) {
     for (int u = 0; u < 500; ++u) {

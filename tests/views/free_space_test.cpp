@@ -9,8 +9,8 @@ namespace rva {
 namespace {
 
 using test::bay;
-using test::look;
 using test::pose;
+using test::view_of;
 
 const Transform before = pose(0.12, 0.0, -5);
 const Transform after = pose(-0.1, 0.02, 4);
@@ -34,7 +34,7 @@ Counts count(const DisparityChange& change) {
 }
 
 DisparityChange compare(const test::Room& initial, const test::Room& final, double offset_px = 0.0) {
-  return free_space_change(look(initial, before, {0.0, offset_px, 1}), look(final, after),
+  return free_space_change(view_of(initial, before, {0.0, offset_px, 1}), view_of(final, after),
                            before.inverse() * after, offset_px);
 }
 
@@ -81,7 +81,7 @@ TEST(FreeSpace, HeightsAreTrueWhereTheCameraCameCloser) {
   test::Room with = bay();
   with.boxes.push_back(test::box(-0.1, 0.1, 0.0, 0.1, 1.0, 1.2));  // before the far wall
   const DisparityChange change =
-      free_space_change(look(bay(), far_off), look(with, close_up), far_off.inverse() * close_up, 0.0);
+      free_space_change(view_of(bay(), far_off), view_of(with, close_up), far_off.inverse() * close_up, 0.0);
   const Eigen::Vector2d pixel =
       test::small_camera().project(close_up.inverse() * Eigen::Vector3d(0.0, 0.05, 1.0));
   const auto u = static_cast<int>(std::lround(pixel.x()));
@@ -95,14 +95,14 @@ TEST(FreeSpace, HeightsAreTrueWhereTheCameraCameCloser) {
   EXPECT_NEAR(height_m, true_m, 0.03 * true_m);
 }
 
-TEST(FreeSpace, KnowsTheDriftOfTheCamera) {
+TEST(FreeSpace, RemovesTheDriftOfTheCamera) {
   const Counts counts = count(compare(bay(), bay(), 1.0));
   EXPECT_EQ(counts.nearer, 0);
   EXPECT_EQ(counts.farther, 0);
 }
 
 TEST(FreeSpace, WhatStandsBeforeWhatWasHiddenIsUnseen) {
-  // A post hides a part of the wall from the first place; from the second one, that part is in view.
+  // A post hides a part of the wall from the first pose; from the second one, that part is in view.
   test::Room post = bay();
   post.boxes.push_back(test::box(-0.06, 0.06, -0.5, 0.25, 0.5, 0.55));
   const Counts counts = count(compare(post, post));
@@ -115,8 +115,8 @@ TEST(FreeSpace, WhatStandsWhereTheFirstViewWasBlindIsUnseen) {
   // second.
   test::Room post = bay();
   post.boxes.push_back(test::box(-0.02, 0.02, -0.5, 0.25, 0.5, 0.55));
-  DepthView initial = look(post, before);
-  const DepthView without = look(bay(), before);
+  DepthView initial = view_of(post, before);
+  const DepthView without = view_of(bay(), before);
   std::size_t blind = 0;
   for (std::size_t i = 0; i < initial.disparity_px.size(); ++i) {
     if (std::abs(initial.disparity_px[i] - without.disparity_px[i]) < 1.0F) continue;
@@ -124,7 +124,8 @@ TEST(FreeSpace, WhatStandsWhereTheFirstViewWasBlindIsUnseen) {
     ++blind;
   }
   ASSERT_GT(blind, 500U);
-  const Counts counts = count(free_space_change(initial, look(post, after), before.inverse() * after, 0.0));
+  const Counts counts =
+      count(free_space_change(initial, view_of(post, after), before.inverse() * after, 0.0));
   EXPECT_EQ(counts.nearer, 0);
 }
 

@@ -10,8 +10,8 @@ namespace rva {
 namespace {
 
 using test::bay;
-using test::look;
 using test::pose;
+using test::view_of;
 
 test::Room littered() {
   test::Room room = bay();
@@ -25,8 +25,8 @@ PlacedChange change_at(const test::Room& before, const test::Room& after, std::s
   const auto turn_deg = 0.325 * static_cast<double>(k);
   const Transform at = pose(0, 0, turn_deg, 15.0 + 0.5 * turn_deg);
   constexpr double noise_px = 0.05;
-  const DepthView initial = look(before, at, {noise_px, 0.0, 100 + k});
-  const DepthView final = look(after, at, {noise_px, drift_px, 200 + k});
+  const DepthView initial = view_of(before, at, {noise_px, 0.0, 100 + k});
+  const DepthView final = view_of(after, at, {noise_px, drift_px, 200 + k});
   DisparityChange change(initial.camera.width, initial.camera.height);
   change.frames = 10;
   change.before_px = initial.disparity_px;
@@ -63,7 +63,7 @@ TEST(FusedChange, OfOneIsThatOne) {
   EXPECT_EQ(one.before_px, change_at(bay(), bay(), 0, 0.0).change.before_px);
 }
 
-TEST(FusedChange, AveragesNoiseAndKnowsEachViewsDrift) {
+TEST(FusedChange, AveragesNoiseAndRemovesEachViewsDrift) {
   const double single_px = spread_px(fused(bay(), bay(), 1));
   const double eight_px = spread_px(fused(bay(), bay(), 8));
   EXPECT_NEAR(single_px, 0.05 * std::sqrt(2.0), 0.005);
@@ -72,8 +72,8 @@ TEST(FusedChange, AveragesNoiseAndKnowsEachViewsDrift) {
 
 // Of the pixels that the litter covers, those whose change is its height, or less that height.
 void expect_height_of_litter(const DisparityChange& change, float sign) {
-  const DepthView with = look(littered(), pose(0, 0, 0));
-  const DepthView without = look(bay(), pose(0, 0, 0));
+  const DepthView with = view_of(littered(), pose(0, 0, 0));
+  const DepthView without = view_of(bay(), pose(0, 0, 0));
   int compared = 0;
   int right = 0;
   for (std::size_t i = 0; i < change.judged.size(); ++i) {

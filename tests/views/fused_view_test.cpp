@@ -10,8 +10,8 @@ namespace rva {
 namespace {
 
 using test::bay;
-using test::look;
 using test::pose;
+using test::view_of;
 
 std::vector<PlacedView> dithered(std::size_t count, double noise_px) {
   std::vector<PlacedView> views;
@@ -19,14 +19,14 @@ std::vector<PlacedView> dithered(std::size_t count, double noise_px) {
   for (std::size_t k = 0; k < count; ++k) {
     const auto turn_deg = 0.325 * static_cast<double>(k);
     const Transform at = pose(0, 0, turn_deg, 15.0 + 0.5 * turn_deg);
-    views.push_back({look(bay(), at, {noise_px, 0.0, 100 + k}), first.inverse() * at});
+    views.push_back({view_of(bay(), at, {noise_px, 0.0, 100 + k}), first.inverse() * at});
   }
   return views;
 }
 
 // Root mean square off what is really there, where there is no edge.
 double error_px(const DepthView& view) {
-  const DepthView truth = look(bay(), pose(0, 0, 0));
+  const DepthView truth = view_of(bay(), pose(0, 0, 0));
   double squares = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < truth.disparity_px.size(); ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 // A plane in space is one in disparity, exactly: that is why surfaces are fitted there.
 TEST(PlanarPatches, FollowATiltedFloorToTheLastDigit) {
-  const DepthView view = test::look({{test::box(-5, 5, 0.25, 0.3, -5, 50)}}, test::pose(0, 0, 10, 25));
+  const DepthView view = test::view_of({{test::box(-5, 5, 0.25, 0.3, -5, 50)}}, test::pose(0, 0, 10, 25));
   const PlanarPatches patches(view, 8, 8);
   int compared = 0;
   for (int v = 100; v < 230; ++v) {
@@ -24,8 +24,8 @@ TEST(PlanarPatches, FollowATiltedFloorToTheLastDigit) {
 }
 
 TEST(PlanarPatches, HaveNothingToSayAboutEdgesAndHoles) {
-  DepthView view = test::look({{test::box(-5, 5, -5, 5, 1.0, 1.1), test::box(-5, 0.0, -5, 5, 0.7, 0.8)}},
-                              test::pose(0, 0, 0, 0));
+  DepthView view = test::view_of({{test::box(-5, 5, -5, 5, 1.0, 1.1), test::box(-5, 0.0, -5, 5, 0.7, 0.8)}},
+                                 test::pose(0, 0, 0, 0));
   const PlanarPatches edge(view, 8, 8);
   EXPECT_EQ(edge.find(211.0, 100.0), nullptr) << "where the nearer box ends";
   EXPECT_NE(edge.find(180.0, 100.0), nullptr);

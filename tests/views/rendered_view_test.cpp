@@ -8,14 +8,14 @@ namespace rva {
 namespace {
 
 using test::bay;
-using test::look;
 using test::pose;
+using test::view_of;
 
 TEST(RenderedView, IsWhatTheOtherCameraSees) {
   const Transform from = pose(0.1, 0.0, -3);
   const Transform to = pose(0.0, 0.05, 2);
-  const DepthView view = look(bay(), from);
-  const DepthView seen = look(bay(), to);
+  const DepthView view = view_of(bay(), from);
+  const DepthView seen = view_of(bay(), to);
   const Image<float> rendered = render(view, seen.camera, seen.stereo, to.inverse() * from);
   int compared = 0;
   int same = 0;
@@ -30,7 +30,7 @@ TEST(RenderedView, IsWhatTheOtherCameraSees) {
 
 TEST(RenderedView, ShowsTheNearestAndNothingFromBehind) {
   const test::Room room{{test::box(-9, 9, -9, 9, 1.0, 1.1), test::box(-0.1, 0.1, -0.1, 0.1, 0.6, 0.65)}};
-  const DepthView view = look(room, pose(0, 0, 0, 0));
+  const DepthView view = view_of(room, pose(0, 0, 0, 0));
   const Transform aside = pose(0.15, 0, 0, 0);
   const Image<float> rendered = render(view, view.camera, view.stereo, aside.inverse() * pose(0, 0, 0, 0));
   const auto wall_px = static_cast<float>(view.stereo.disparity_px(1.0));

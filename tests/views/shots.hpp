@@ -32,7 +32,7 @@ inline std::unique_ptr<Capture> shoot(const Room& room, const Shot& shot) {
   if (shot.base) info.pose = Pose{shot.base, std::nullopt, std::nullopt, shot.at};
   std::vector<DepthImage> frames;
   for (std::uint64_t k = 0; k < 4; ++k) {
-    const DepthView view = look(room, shot.at, {0.1, 0.0, 100 * shot.seed + k});
+    const DepthView view = view_of(room, shot.at, {0.1, 0.0, 100 * shot.seed + k});
     DepthImage frame(view.camera.width, view.camera.height);
     for (std::size_t i = 0; i < frame.size(); ++i) {
       if (!view.seen(i)) continue;

@@ -10,7 +10,7 @@ namespace {
 
 using test::bay;
 using test::littered;
-using test::look;
+using test::view_of;
 
 constexpr double noise_px = 0.05;
 
@@ -20,8 +20,8 @@ Transform turned(double right_deg, double down_deg = 15.0) {
 
 ViewMotion motion(const test::Room& before, const Transform& from, const test::Room& after,
                   const Transform& to, std::uint64_t seed = 1) {
-  return view_motion(look(before, from, {noise_px, 0.0, 2 * seed}),
-                     look(after, to, {noise_px, 0.04, 2 * seed + 1}));
+  return view_motion(view_of(before, from, {noise_px, 0.0, 2 * seed}),
+                     view_of(after, to, {noise_px, 0.04, 2 * seed + 1}));
 }
 
 TEST(ViewMotion, NothingIsNoticedOfACameraThatStoodStill) {
@@ -45,7 +45,7 @@ TEST(ViewMotion, ATenthOfADegreeIsNoticed) {
 TEST(ViewCheck, ThreeDegreesAreNoticedToo) {
   for (const Transform& to : {turned(-2), turned(-8), turned(-5, 18), turned(-5, 12)}) {
     const ViewCheck check =
-        check_views(look(bay(), turned(-5), {noise_px, 0.0, 5}), look(bay(), to, {noise_px, 0.04, 6}));
+        check_views(view_of(bay(), turned(-5), {noise_px, 0.0, 5}), view_of(bay(), to, {noise_px, 0.04, 6}));
     EXPECT_FALSE(check.is_aligned());
   }
 }
@@ -53,9 +53,9 @@ TEST(ViewCheck, ThreeDegreesAreNoticedToo) {
 TEST(ViewCheck, ALargeObjectIsNoMotion) {
   test::Room room = bay();
   room.boxes.push_back(test::box(-0.15, 0.25, 0.0, 0.25, 0.6, 0.75));
-  EXPECT_TRUE(
-      check_views(look(bay(), turned(-5), {noise_px, 0.0, 7}), look(room, turned(-5), {noise_px, 0.04, 8}))
-          .is_aligned());
+  EXPECT_TRUE(check_views(view_of(bay(), turned(-5), {noise_px, 0.0, 7}),
+                          view_of(room, turned(-5), {noise_px, 0.04, 8}))
+                  .is_aligned());
 }
 
 TEST(ViewMotion, IsMeasuredWhereItIsSmall) {
@@ -65,7 +65,7 @@ TEST(ViewMotion, IsMeasuredWhereItIsSmall) {
   EXPECT_LT(seen.uncertainty_px, 0.2 * expected_px);
 }
 
-TEST(ViewMotion, AWallHoldsNoMotionAlongIt) {
+TEST(ViewMotion, AWallDoesNotConstrainMotionAlongIt) {
   const test::Room wall{{test::box(-9, 9, -9, 9, 1.0, 1.1)}};
   EXPECT_FALSE(motion(wall, test::pose(0, 0, 0, 0), wall, test::pose(0.01, 0, 0, 0)).noticed());
 }
@@ -79,7 +79,7 @@ TEST(ViewMotion, OneObjectThatChangedIsNoMotion) {
   EXPECT_FALSE(motion(other, above, table, above).noticed());
 }
 
-TEST(ViewMotion, OtherPlacesDiffer) {
+TEST(ViewMotion, OtherBaysDiffer) {
   test::Room other = bay();
   for (test::Box3& solid : other.boxes) solid.translate(Eigen::Vector3d(0.0, 0.15, 0.3));
   EXPECT_GT(motion(bay(), turned(-5), other, turned(-5)).differing, 0.5);
