@@ -1,4 +1,4 @@
-// Accuracy of maps of simulated bays and of the robot's calibration, against the ground truth.
+// Accuracy of maps of simulated bays and of the robot's calibration, against the truth.
 //
 // usage: rva_map_study FOLDER FIRST_SEED INSPECTIONS [map]
 //

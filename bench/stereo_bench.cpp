@@ -2,7 +2,7 @@
 // of the camera.
 //
 // Frames are from the simulated camera in a wing bay without debris; errors are in pixels of disparity
-// against the ground truth.
+// against the truth.
 #include <fmt/format.h>
 
 #include <algorithm>

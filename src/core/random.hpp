@@ -1,5 +1,5 @@
 // Randomness from seeds: the same seed gives the same bits and uniform numbers with every compiler and
-// library, which the standard's distributions do not promise. Normal numbers may differ in the last digit
+// library, which the standard's distributions do not guarantee. Normal numbers may differ in the last digit
 // where the library's logarithm or cosine does.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Comparison of findings with the ground truth.
+// Comparison of findings with the truth.
 #pragma once
 
 #include <string>

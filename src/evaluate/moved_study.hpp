@@ -33,7 +33,7 @@ struct MovedStudyOptions {
       [](std::uint64_t) { return StereoSensorOptions{}; }};
 };
 
-/// How the views of one inspection were laid over each other.
+/// How the views of one inspection were registered.
 struct MovedRegistration {
   std::string method;  ///< as of MovedResult
   int captures = 1;

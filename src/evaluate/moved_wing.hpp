@@ -27,7 +27,7 @@ struct MovedWing {
 /// With CameraReturn::elsewhere, the positions of the two sides are 0.15 to 0.4 m apart and their headings
 /// differ by up to 15 degrees. Five pieces of debris are drawn from big kinds (flashlights, a screwdriver, a
 /// socket, a roll of tape, a glove, a clip, a rag) and four from small kinds (collars, bolts, nut plates);
-/// twelve small ones in view of a camera that stays, which detects smaller things. There are fewer if no free
+/// twelve small ones in view of a camera that stays, which detects smaller debris. There are fewer if no free
 /// position is found.
 [[nodiscard]] MovedWing random_moved_wing(std::uint64_t seed, CameraReturn how,
                                           const BayFeatures& features = {});

@@ -1,4 +1,4 @@
-// Captures of any camera, with their ground truth.
+// Captures of any camera, with their truth.
 #pragma once
 
 #include <filesystem>

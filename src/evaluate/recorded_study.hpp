@@ -1,4 +1,4 @@
-// Evaluation of detection on captures of other cameras and simulators with known ground truth.
+// Evaluation of detection on captures of other cameras and simulators with known truth.
 #pragma once
 
 #include <filesystem>

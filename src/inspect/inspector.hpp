@@ -64,7 +64,8 @@ class Inspector {
   ///         robot's limits (UsageError)
   void set_views(std::int64_t id, const std::vector<PanTilt>& views);
 
-  /// Replaces what is left out of a view's comparison. A comparison that was made without it holds no more.
+  /// Replaces what is left out of a view's comparison. A comparison that was made without it is no longer
+  /// valid.
   /// @param ignored in pixels of the view's first initial depth image
   /// @throws Error when there is no baseline or no such view, or a capture or comparison is under way
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
@@ -80,7 +81,7 @@ class Inspector {
   /// @param replaced the robot was taken away and put back since the baseline: its foot stands elsewhere
   void capture(std::int64_t id, Side side, const std::string& person, bool replaced);
 
-  /// What was said of `replaced` for a final side that was interrupted; empty where there is none.
+  /// The value of `replaced` for a final side that was interrupted; empty where there is none.
   [[nodiscard]] std::optional<bool> replaced_before_final(const Inspection& inspection) const;
   /// The final side again with the initial one, as after a failure in between.
   void compare(std::int64_t id);

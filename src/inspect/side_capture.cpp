@@ -87,7 +87,7 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
   const Clock clock = clock_that_asks(witness);
   const Drive::Loan loan(*rig.drive);
-  // The last call says that all are there.
+  // The last call reports that all are complete.
   const Progress progress = [&](std::string_view /*step*/, std::size_t done, std::size_t total) {
     if (done < total) witness.begin(progress_at(side, done));
   };

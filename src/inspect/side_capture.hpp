@@ -56,7 +56,7 @@ struct SideCapture {
 
 /// With a robot, goes on where an earlier call was ended: captures that are there are not taken again. A
 /// camera or a robot that goes away is waited for, and only the capture under way is taken anew.
-/// @return when the last capture was taken, as its capture says (ISO 8601)
+/// @return when the last capture was taken, as its capture states it (ISO 8601)
 /// @throws UsageError  a waypoint is beyond the robot's limits
 /// @throws Error       something else failed; captures that were complete stay
 /// @throws Interrupted as `events.progress` does; the robot has been stopped

@@ -15,7 +15,7 @@ namespace rva {
 class ViewFolder {
  public:
   enum class Start {
-    anew,     ///< refuses folders that hold views
+    anew,     ///< refuses folders that contain views
     resume,   ///< adds to the existing views; to those in VIEWS.next, if any
     replace,  ///< begins VIEWS.next if VIEWS contains an earlier map's views and nothing else
   };

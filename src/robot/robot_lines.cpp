@@ -98,13 +98,13 @@ std::optional<RobotLine> parse_answer(const Words& words) {
 bool parse_position(std::string_view angle, std::string_view age, std::optional<JointPosition>& position) {
   if (angle == "-" && age == "-") return true;
   constexpr int most_age_ms = 250;
-  JointPosition told;
+  JointPosition reported;
   int age_ms = 0;
-  if (!parse_decimal(angle, told.deg, -most_measured_deg, most_measured_deg) ||
+  if (!parse_decimal(angle, reported.deg, -most_measured_deg, most_measured_deg) ||
       !parse_count(age, age_ms, most_age_ms))
     return false;
-  told.age_s = age_ms / 1000.0;
-  position = told;
+  reported.age_s = age_ms / 1000.0;
+  position = reported;
   return true;
 }
 

@@ -244,10 +244,10 @@ class SerialRobot::Conversation {
   // The state that the robot has sent since the last command.
   std::string next_state() {
     std::unique_lock lock(mutex_);
-    const bool told = changed_.wait_for(lock, position_counts,
-                                        [&] { return state_since_command_ || kind_ == RobotKind::unknown; });
+    const bool answered = changed_.wait_for(
+        lock, position_counts, [&] { return state_since_command_ || kind_ == RobotKind::unknown; });
     if (kind_ == RobotKind::unknown) throw away();
-    if (!told)
+    if (!answered)
       throw Error(device_, "the robot sends nothing any more", "check the cable and the robot's power");
     return *state_since_command_;
   }

@@ -37,7 +37,7 @@ Message message_of(const LivePicture& picture) {
   return message;
 }
 
-// Others see the name of whoever is driving, so an illegible one is dropped.
+// Others see the name of the person who is driving, so an illegible one is dropped.
 std::string legible_name(const std::string& name) { return is_legible_name(name) ? name : ""; }
 
 Json parse(std::string_view text) {

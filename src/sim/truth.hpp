@@ -1,4 +1,4 @@
-// The ground truth of a simulated capture.
+// The truth of a simulated capture.
 #pragma once
 
 #include <string>

@@ -31,14 +31,14 @@ std::string text_of(const rs2::device& device, rs2_camera_info what) {
 
 // librealsense passes on the system's error as text only.
 Error not_opened(const std::string& source, const rs2::error& failure) {
-  const std::string says = failure.what();
-  const auto mentions = [&](const char* word) { return says.find(word) != std::string::npos; };
+  const std::string reason = failure.what();
+  const auto mentions = [&](const char* word) { return reason.find(word) != std::string::npos; };
   if (mentions("busy") || mentions("Busy"))
     return {source, "is in use by another program", "close it (realsense-viewer?) and try again"};
   if (mentions("ermission") || mentions("ccess"))
     return {source, "may not be opened by this user",
             "install librealsense's udev rules (see docs/cameras.md) and plug the camera in again"};
-  return {source, fmt::format("does not start ({})", printable(says)), "plug it in again, to a USB 3 port"};
+  return {source, fmt::format("does not start ({})", printable(reason)), "plug it in again, to a USB 3 port"};
 }
 
 rs2::config streams(const std::string& serial, int rate_hz, bool color, bool infrared) {

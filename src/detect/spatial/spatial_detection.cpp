@@ -78,7 +78,7 @@ class Run {
     throw_if_interrupted();
     const Stopwatch detect_start;
     auto [calibrated, registration] = !returns.empty() && are_aligned(before, after, returns)
-                                          ? from_the_same_places(before, after, returns)
+                                          ? from_the_same_poses(before, after, returns)
                                           : from_elsewhere(before, after);
     Comparison& comparison = calibrated.comparison;
     if (leans_on_pairs(registration.initial_from_final))
@@ -151,7 +151,7 @@ class Run {
       }
     });
     throw_if_interrupted();
-    Registration registration = lay_over(before, after, initial.front().info, final.front().info);
+    Registration registration = registration_of(before, after, initial.front().info, final.front().info);
     SpatialChange change = change_from_elsewhere(before, after, registration, options_.known);
     leave_out_regions(initial, final, change, registration.initial_from_final);
     placed_.final_view = after;
@@ -160,8 +160,8 @@ class Run {
   }
 
   // After an exact return, the errors of the matcher cancel pixel by pixel.
-  Compared from_the_same_places(const std::vector<Seen>& initial, const std::vector<Seen>& final,
-                                const std::vector<std::size_t>& returns) {
+  Compared from_the_same_poses(const std::vector<Seen>& initial, const std::vector<Seen>& final,
+                               const std::vector<std::size_t>& returns) {
     const CaptureInfo& first = final.front().info;
     const StereoScale stereo = stereo_scale(first);
     // With lens distortion, poses cannot be checked: planes in space are not planes in disparity.
@@ -255,8 +255,8 @@ class Run {
     return registration.initial_from_final;
   }
 
-  Registration lay_over(const DepthView& before, const DepthView& after, const CaptureInfo& initial,
-                        const CaptureInfo& final) {
+  Registration registration_of(const DepthView& before, const DepthView& after, const CaptureInfo& initial,
+                               const CaptureInfo& final) {
     if (const auto known = known_transform(initial, final)) {
       Registration nearby = register_views(before, after, {*known, true});
       if (nearby.trusted()) return nearby;

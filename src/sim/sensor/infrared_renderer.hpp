@@ -23,7 +23,7 @@ struct InfraredPair {
   ImagerLight right;
 };
 
-/// The ground truth at the centre of each pixel of the depth (left) imager.
+/// The truth at the centre of each pixel of the depth (left) imager.
 struct TrueView {
   Image<float> depth_m;         ///< along z; 0 where there is no surface
   Image<std::uint16_t> labels;  ///< Scene::label_of(); 0 where there is no surface
