@@ -49,8 +49,9 @@ TEST(CheckStandard, SaysNothingWithoutAHistory) {
   EXPECT_FALSE(judgement.quantities[0].high);
 }
 
-// The promise: of sound cameras no more are called unfit than the option says, with however few checks.
-TEST(CheckStandard, CallsAsManySoundCamerasUnfitAsItPromises) {
+// The rate at which sound cameras are called unfit does not exceed that of the option, with however few
+// checks.
+TEST(CheckStandard, CallsNoMoreSoundCamerasUnfitThanAllowed) {
   constexpr int trials = 4000;
   for (const std::size_t earlier : {5U, 20U}) {
     SoundCamera camera(100 + static_cast<unsigned>(earlier));

@@ -41,7 +41,7 @@ DepthImage depth_of(int number) {
 
 ColorImage color_of(int number) { return {width, height, Rgb{static_cast<std::uint8_t>(number), 100, 200}}; }
 
-/// A depth and a colour imager that give what a test says.
+/// A depth and a colour imager whose frames the test determines.
 class SoftwareDevice {
  public:
   explicit SoftwareDevice(int rate_hz = 30)
@@ -355,7 +355,7 @@ TEST(Recorded, DatabaseOfARealD435IsReadAsLibrealsenseReadsIt) {
   rs2::context().convert_bag_to_db3(bag, file);
   expect_same(file);
 #else
-  GTEST_SKIP() << "librealsense " << RS2_API_VERSION_STR << " knows no .db3";
+  GTEST_SKIP() << "librealsense " << RS2_API_VERSION_STR << " does not support .db3";
 #endif
 }
 

@@ -62,7 +62,7 @@ class Recording : public testing::Test {
   std::vector<DepthImage> frames_;
 };
 
-TEST_F(Recording, HoldsWhatTheCameraSaw) {
+TEST_F(Recording, ContainsWhatTheCameraSaw) {
   ReplayCamera camera = replay();
   CaptureWriter writer(folder_.path(), camera.info());
   record(camera, frames_.size(), writer, {});

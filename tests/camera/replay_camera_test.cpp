@@ -11,7 +11,7 @@
 namespace rva {
 namespace {
 
-/// Three frames whose pixels say which they are, the first with colour; the one named may be damaged.
+/// Three frames whose pixels contain their number, the first with colour; the one named may be damaged.
 class NumberedCapture : public Capture {
  public:
   explicit NumberedCapture(std::optional<std::size_t> damaged = {})

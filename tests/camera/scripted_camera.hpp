@@ -1,4 +1,4 @@
-// A camera that gives frames when a test says so.
+// A camera whose frames the test releases.
 #pragma once
 
 #include <condition_variable>

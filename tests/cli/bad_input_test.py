@@ -1,4 +1,4 @@
-"""What is wrong with an input or an output is said in one line, at once, and nothing is left behind.
+"""What is wrong with an input or an output is reported in one line, at once, and nothing is left behind.
 
 usage: bad_input_test.py RVA
 """
@@ -93,7 +93,7 @@ class BadInputTest(program.ProgramTest):
         self.assertTrue((out / 'detections.json').exists())
 
     def check_refused(self, *names, commands=COMMANDS, initial=None, options=(), **run):
-        """Every command that reads the bad capture says what is wrong with it."""
+        """Every command that reads the bad capture reports what is wrong with it."""
         arguments = {'info': ['info', self.bad], 'noise': ['noise', self.bad, '--out', next(self.outs)],
                      'detect': ['detect', initial or self.good, self.bad, '--out', next(self.outs)]}
         for command in commands:
@@ -389,10 +389,10 @@ class BadOutput(BadInputTest):
         self.out.symlink_to('nowhere')
         self.check_output(self.out)
 
-    def test_place_that_takes_no_folder(self):
-        for place in ('/proc/rva-out', '/proc/none/rva-out', '/dev/null/rva-out'):
-            with self.subTest(place):
-                self.check_output(os.path.dirname(place), out=place)
+    def test_path_at_which_no_folder_can_be_written(self):
+        for path in ('/proc/rva-out', '/proc/none/rva-out', '/dev/null/rva-out'):
+            with self.subTest(path):
+                self.check_output(os.path.dirname(path), out=path)
 
     def test_name_that_is_too_long(self):
         self.check_output('x' * 300, out=self.folder / ('x' * 300))
@@ -571,7 +571,7 @@ class WrongUsage(BadInputTest):
                         self.check_line(self.check_usage(command, *captures[command], '--out', self.out,
                                                          f'{option}={value}', name=option))
 
-    def test_what_the_command_line_does_not_know(self):
+    def test_what_the_command_line_does_not_support(self):
         pair = [self.good, self.good]
         out = ['--out', self.out]
         table = {

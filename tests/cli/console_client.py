@@ -14,7 +14,7 @@ import urllib.parse
 import urllib.request
 
 TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
-SILENCE_S = 60  # the server says something every second
+SILENCE_S = 60  # the server sends something every second
 
 
 def any_certificate():
@@ -72,7 +72,7 @@ class Connection:
         return self.read(self.came.index(b'\n') + 1)
 
     def shut_down(self):
-        """Whoever waits for the server is woken, and told that the connection has ended."""
+        """Ends the connection, and wakes threads that wait for the server."""
         with contextlib.suppress(OSError):  # the server was quicker
             # Not the SSLSocket's own, which would have what has come read as it is, enciphered.
             socket.socket.shutdown(self.socket, socket.SHUT_RDWR)
@@ -155,7 +155,7 @@ class Console:
         self.connection.close()
 
     def break_off(self):
-        """As a cable that is pulled: nothing more is said or heard, and nothing is closed properly."""
+        """As a cable that is pulled: nothing more is sent or received, and nothing is closed properly."""
         self.connection.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack('ii', 1, 0))
         self.connection.shut_down()
 

@@ -42,7 +42,7 @@ class Reading(Db3Test):
                 self.write(**options)
                 np.testing.assert_array_equal(depth_frames(self.record(FRAMES, '--overwrite')), self.frames)
 
-    def test_says_what_a_bag_of_the_same_says(self):
+    def test_is_described_as_a_bag_of_the_same(self):
         pictures = [(1, RED), (4, BLUE)]
         bag = write_bag(self.folder / 'same.bag', self.frames, pictures, unit_m=0.0001, counters=[7, 8, 11, 12, 14])
         self.write(pictures=pictures, unit_m=0.0001, counters=[7, 8, 11, 12, 14])

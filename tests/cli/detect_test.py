@@ -187,7 +187,7 @@ class DetectTest(program.ProgramTest):
             self.assertTrue(0 < entry['median_mm'] <= entry['p90_mm'])
         other = self.folder / 'gaussian'
         self.detect(*self.pair(), *GAUSSIAN, out=other)
-        self.assertFalse((other / 'level_of_detection.png').exists(), 'it does not know')
+        self.assertFalse((other / 'level_of_detection.png').exists(), 'this method has none')
 
     def test_calibrated_says_what_one_frame_lacks(self):
         done = self.succeed('detect', *self.pair(), '--out', self.out, '--frames', 1)

@@ -68,7 +68,7 @@ class EvaluateTest(program.ProgramTest):
             self.assertEqual(len(entry['found']), len(inspection['targets']))
         self.assertIn('registration: median', done.stdout)
 
-    def test_a_camera_that_came_back_to_its_place(self):
+    def test_a_camera_that_came_back_to_its_pose(self):
         done = self.succeed('evaluate', '--moved', '--return', 'exact', '--captures', 1, '--inspections', 1,
                             '--first-seed', 7, '--out', self.out)
         report = json.loads((self.out / 'evaluation.json').read_text())

@@ -73,7 +73,7 @@ class FormatsTest(program.ProgramTest):
                 self.assertEqual([tuple(f['bbox']) for f in result['detections']], [BOX])
                 del result['runtime_ms']
                 if method == 'gaussian':
-                    del result['detections'][0]['score']  # it knows how coarse the unit is
+                    del result['detections'][0]['score']  # it depends on how coarse the unit is
                 results[name] = result, read_image(out / 'changes.png')
             expected, changes = results['capture']
             for name, (result, its_changes) in results.items():
@@ -164,7 +164,7 @@ class FormatsTest(program.ProgramTest):
         self.detect(capture, capture, *TUM_INTRINSICS)
         self.assertEqual(tuple(read_image(self.out / 'overlay.png')[20, 20]), RED)
 
-    def test_tum_lists_may_come_from_windows_and_hold_empty_lines(self):
+    def test_tum_lists_may_come_from_windows_and_contain_empty_lines(self):
         capture = write_tum(self.folder / 'a', self.initial * TUM_UNITS_PER_MM)
         text = (capture / 'depth.txt').read_text().replace('\n', '\r\n')
         (capture / 'depth.txt').write_text(text + '\r\n\n', newline='')

@@ -23,7 +23,7 @@ def is_open(console):
 
 
 class Served(program.ProgramTest):
-    """A server with a simulated camera that stands still, unless a test says otherwise."""
+    """A server with a simulated camera that stands still, unless a test requires otherwise."""
 
     def setUp(self):
         super().setUp()

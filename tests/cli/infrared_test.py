@@ -76,7 +76,7 @@ class InfraredTest(program.ProgramTest):
         result, _ = self.compare(self.before, self.unchanged)
         self.assertEqual([finding for finding in result['detections'] if finding['kind'] == 'appearance'], [])
 
-    def test_a_side_without_them_is_compared_by_depth_which_is_said(self):
+    def test_a_side_without_them_is_compared_by_depth_with_a_warning(self):
         shutil.rmtree(self.after[2] / 'infrared')
         result, said = self.compare(self.before, self.after)
         self.assertIn('not every capture has infrared images: depth alone was compared', said)
@@ -150,7 +150,7 @@ class InfraredTest(program.ProgramTest):
         self.check_fails('detect', '--initial', *self.before, '--final', *self.after, '--out', self.out,
                          names=['infrared_right', '424x240'])
 
-    def test_a_lens_that_bends_rays_is_compared_by_depth_which_is_said(self):
+    def test_a_lens_that_bends_rays_is_compared_by_depth_with_a_warning(self):
         for capture in self.before + self.after:
             depth = json.loads((capture / 'capture.json').read_text())['depth']
             self.describe(capture, depth={**depth, 'distortion_model': 'brown_conrady', 'distortion': [0.05, -0.02, 0, 0, 0]})
@@ -216,7 +216,7 @@ class LampTest(program.ProgramTest):
             self.assertIn('final capture 2', said)
             self.assertLess(len(findings), 3)
 
-    def test_a_side_without_it_is_compared_by_depth_which_is_said(self):
+    def test_a_side_without_it_is_compared_by_depth_with_a_warning(self):
         shutil.rmtree(self.before[0] / 'lamp')
         self.assertIn('not every capture has images under the lamp', self.compare()[1])
 

@@ -350,7 +350,7 @@ class Calibrating(MapTest):
         description.write_text(json.dumps(said))
         self.check_refused('calibrate', *sorted(views.iterdir()), '--out', self.robot, names=['same surfaces'])
 
-    def test_a_place_that_cannot_be_written(self):
+    def test_a_path_that_cannot_be_written(self):
         self.check_refused('calibrate', *self.views, '--out', self.folder / 'none' / 'robot.json', names=['none/robot.json'])
 
 
@@ -365,7 +365,7 @@ class InTheLoop(MapTest):
         self.board = subprocess.Popen([ROBOT, self.link, self.joints, '--faults'], stdin=subprocess.PIPE,
                                       stdout=subprocess.PIPE, encoding='utf-8')
         self.addCleanup(self.put_away)
-        for line in self.board.stdout:  # simavr says what it loads
+        for line in self.board.stdout:  # simavr prints what it loads
             if line == 'ready\n':
                 return
         if self.board.wait() == 77:
@@ -395,7 +395,7 @@ class InTheLoop(MapTest):
         self.assertAlmostEqual(pan_deg, views[-1]['pan_deg'], delta=0.2)
         self.assertAlmostEqual(tilt_deg, views[-1]['tilt_deg'], delta=0.2)
 
-    def test_a_camera_that_follows_what_the_robot_says(self):
+    def test_a_camera_that_follows_what_the_robot_reports(self):
         ply = self.folder / 'map.ply'
         self.succeed(*self.arguments(ply, robot=f'serial:{self.link}', where=('--grid=-5,5,2,-20,-20,1',)))
         self.assertGreater(poses_of(ply)['views'][1]['agreeing'], 0.7)

@@ -101,7 +101,7 @@ class MovedCameraTest(SimulationTest):
                 self.check_line(done.stderr, ['--initial'])
                 self.assertFalse(self.out.exists())
 
-    def test_refuses_what_it_cannot_lay_over_each_other(self):
+    def test_refuses_what_it_cannot_register(self):
         wall = self.make('wall', WALL, '--frames', 2)
         self.check_fails('detect', self.initial, wall, '--method', 'spatial', '--out', self.out,
                          names=['could not be registered'])

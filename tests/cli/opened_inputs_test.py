@@ -275,7 +275,7 @@ class OpenedInputsTest(program.ProgramTest):
         self.check_box()
         self.assertTrue((self.out / 'overlay.png').exists())
 
-    def test_colour_whose_place_is_unknown_is_drawn_on_with_a_warning(self):
+    def test_colour_whose_pose_is_unknown_is_drawn_on_with_a_warning(self):
         self.write(lambda at, mm: write_capture(at, mm, pictures=[self.picture], color=CAMERA.fields()))
         self.assertIn('does not state the pose of its colour imager', self.check_box())
         self.check_fails('export', self.folder / 'before', '--to', 'open3d', '--out', self.out / 'x', names=['color_from_depth'])
@@ -333,7 +333,7 @@ class OpenedInputsTest(program.ProgramTest):
         self.assertEqual(self.info(self.folder / 'before')['depth_frames'], FRAMES)
         self.check_box()
 
-    def test_depth_files_that_hold_something_else_are_named(self):
+    def test_depth_files_that_contain_something_else_are_named(self):
         wrong = {'tiff': [(cv2.imencode('.tiff', self.picture)[1].tobytes(), 'channel'), (b'II*\0', 'TIFF'), (b'', 'TIFF')],
                  'pgm': [(cv2.imencode('.pgm', self.picture[..., 0])[1].tobytes(), '16 bits'), (b'P5\n64 48\n65535\n' + bytes(10), 'ends early'),
                          (b'P5', 'number'), (b'P5\n99999 99999\n65535\n', '99999x99999'), (b'P2\n1 1\n65535\n7', 'P5')],

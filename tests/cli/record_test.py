@@ -43,7 +43,7 @@ class FromReplay(RecordTest):
                                       read_image(self.recording / 'color' / '000000.png'))
         self.assertEqual(description(self.out), description(self.recording))
         self.assertEqual(self.info(self.out)['depth_frames'], FRAMES)
-        self.assertFalse((self.out / 'truth').exists(), 'a recording knows no truth')
+        self.assertFalse((self.out / 'truth').exists(), 'a recording has no truth')
 
     def test_fewer_frames_are_the_first_ones(self):
         self.replay(self.recording, 2)
@@ -94,7 +94,7 @@ class FromReplay(RecordTest):
         self.check_fails(*self.arguments(f'replay:{self.folder / "none"}', 1, '--overwrite'), names=['none'])
 
     def test_recording_is_never_its_own_target(self):
-        """What a simulation knows beyond a recording would be lost."""
+        """What a simulation contains beyond a recording would be lost."""
         source = self.folder / 'source'
         shutil.copytree(self.recording, source)
         kept = contents(source)

@@ -47,7 +47,7 @@ class RecordingsTest(program.ProgramTest):
         for finding in self.findings('arm-realsense'):
             self.assertGreater(finding['position_m'][2], 5.0)
 
-    def test_of_a_room_in_which_nothing_changes_views_are_laid_over_each_other_or_refused(self):
+    def test_of_a_room_in_which_nothing_changes_views_are_registered_or_refused(self):
         room = SHARED / 'data' / 'room-kinect'
         if not room.exists():
             self.skipTest(f'{room} is not there')

@@ -81,7 +81,7 @@ class Driving(WithARobot):
         eventually(lambda: self.line.stops_after(let_go))
         moves = self.line.moves()
         self.expect_rest()
-        self.assertEqual(self.line.moves(), moves, 'nothing is told to move after the stop')
+        self.assertEqual(self.line.moves(), moves, 'no command to move is sent after the stop')
 
     def test_a_line_that_breaks_stops_them(self):
         self.drive_away()
@@ -107,7 +107,7 @@ class Driving(WithARobot):
         for _ in range(10):
             self.console.drive(1.0, 0.0)
             time.sleep(0.04)
-        self.assertLessEqual(self.line.moves(), moves + 1, 'sticks that are still held have no say')
+        self.assertLessEqual(self.line.moves(), moves + 1, 'sticks that are still held have no effect')
 
 
 class Capturing(WithARobot):
@@ -137,7 +137,7 @@ class Capturing(WithARobot):
 
 
 class Starting(program.ProgramTest):
-    def test_what_cannot_be_served_is_said(self):
+    def test_what_cannot_be_served_is_reported(self):
         for arguments, status, words in (
                 (('--camera', 'sim:missing.yaml'), 1, 'missing.yaml'),
                 (('--camera', 'nothing'), 2, 'sim:SCENE'),
@@ -216,7 +216,7 @@ class Starting(program.ProgramTest):
             second = self.rva('serve', *options)
             self.assertEqual(second.returncode, 1)
             self.assertIn('used by another', second.stderr)
-            # The last account goes: the door is closed to all, also to who is inside.
+            # The last account goes: nobody has access any more, signed in or not.
             subprocess.run(self.command('account', 'remove', 'ann', '--data', data), check=True, capture_output=True)
             self.assertEqual(ask(address, 'GET', '/api/inspections', cookie=cookie)[0], 401)
             self.assertEqual(ask(address, 'GET', '/api/inspections')[0], 401)

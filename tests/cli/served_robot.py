@@ -10,7 +10,7 @@ import tty
 
 
 class Line:
-    """A serial line of its own between the program and the robot: passes all on, and notes what the host says when."""
+    """A serial line of its own between the program and the robot: passes all on, and notes what the host sends and when."""
 
     def __init__(self, link, robot):
         self.said = []  # (monotonic seconds, bytes)
@@ -20,7 +20,7 @@ class Line:
         self.plug_in()
 
     def plug_in(self):
-        # The device stays open here, so that the line outlives whoever uses it.
+        # The device stays open here, so that the line outlives the programs that use it.
         self.host, self.device = os.openpty()
         tty.setraw(self.device)
         os.symlink(os.ttyname(self.device), self.link)
@@ -68,7 +68,7 @@ class ServedRobot:
         robot, joints, line = folder / 'robot', folder / 'joints', folder / 'line'
         self.board = subprocess.Popen([robot_in_the_loop, robot, joints], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                       encoding='utf-8')
-        if 'ready\n' not in self.board.stdout:  # simavr says what it loads
+        if 'ready\n' not in self.board.stdout:  # simavr prints what it loads
             raise NotBuilt if self.board.wait() == 77 else ChildProcessError('the board did not come up')
         self.line = Line(line, robot)
         self.server = subprocess.Popen(

@@ -48,7 +48,7 @@ class Tools(SimulationTest):
         same = {path.as_posix() for path, content in other.items() if content == first[path]}
         self.assertEqual(same, {'truth/labels.png', 'truth/depth.png', 'truth/truth.json'})
 
-    def test_holds_what_was_asked_for(self):
+    def test_contains_what_was_asked_for(self):
         self.assertEqual([path.name for path in frame_files(self.final)],
                          [f'{i:06d}.png' for i in range(FRAMES)])
         self.assertEqual([path.name for path in frame_files(self.final, 'color')], ['000000.png'])
@@ -86,7 +86,7 @@ class Tools(SimulationTest):
         self.assertEqual(debris, TOOL_NAMES)
         self.assertEqual({entry['role'] for entry in objects}, {'debris', 'structure', 'room'})
 
-    def test_debris_has_its_true_size_and_place(self):
+    def test_debris_has_its_true_size_and_position(self):
         key = object_named(self.final, 'key')
         np.testing.assert_allclose(key['size_mm'], [57, 25, 2.2], rtol=1e-3)
         pose = np.reshape(key['world_from_object'], (4, 4))
@@ -155,10 +155,10 @@ class Changes(SimulationTest):
             forward, [-math.sin(pan) * math.cos(tilt), math.cos(pan) * math.cos(tilt), math.sin(tilt)], atol=1e-9)
 
     def test_position(self):
-        """The true depth of a wall across the view says how far the robot stepped back."""
+        """The true depth of a wall across the view shows how far the robot stepped back."""
         capture = self.simulate(WALL, '--position', '0.1,-0.32,0.05')
         position = np.reshape(description(capture)['pose']['world_from_camera'], (4, 4))[:3, 3]
-        # The camera's place above the foot is that of docs/scenes.md: some 0.25 m up.
+        # The camera's position above the foot is that of docs/scenes.md: some 0.25 m up.
         np.testing.assert_allclose(position, [0.0825, -0.30, 0.30], atol=1e-6)
         depth_m = read_image(capture / 'truth' / 'depth.png') * TRUTH_UNIT_M
         np.testing.assert_allclose(depth_m[200:280, 380:460], 1.30, atol=TRUTH_UNIT_M)
@@ -191,7 +191,7 @@ class Changes(SimulationTest):
         three = contents(self.out)
         lines = pathlib.Path('frames.jsonl')
         self.assertTrue(three[lines].startswith(one.pop(lines)))
-        # Infrared images are means of all frames, and the description says of how many.
+        # Infrared images are means of all frames, and the description states of how many.
         one = {path: bytes for path, bytes in one.items() if path.parts[0] in ('depth', 'color', 'truth')}
         self.assertEqual([path for path in one if one[path] != three[path]], [])
         self.assertEqual(len(frame_files(self.out, 'color')), 3)
@@ -322,7 +322,7 @@ class BadScene(SimulationTest):
             'count': ('debris: [{ random: 1001, within_m: [[0, 0], [1, 1]] }]\n', 3, 'debris[0].random', '1001'),
         })
 
-    def test_places(self):
+    def test_positions(self):
         self.check_table({
             'outside the bay': ('wing: {}\ndebris:\n- { kind: key, on: [2, 0.46] }\n', 5, 'debris[0].on'),
             'cut into the rib': ('wing: {}\ndebris:\n- { kind: key, at_m: [0.375, 0.46, 0.1] }\n', 5,

@@ -88,7 +88,7 @@ TEST(Random, NormalHasTheTailsOfABell) {
   }
 }
 
-TEST(Random, NeighboursKnowNothingOfEachOther) {
+TEST(Random, NeighboursAreIndependent) {
   for (const std::size_t lag : {1U, 2U, 3U}) {
     const std::vector<double> values = normals(10);
     double product = 0.0;

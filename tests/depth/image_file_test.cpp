@@ -74,7 +74,7 @@ TEST(ImageFile, OfColorWithSixteenBitsTheUpperEightAreTaken) {
   EXPECT_EQ(color(1, 2), (Rgb{0xFE, 0xFE, 0xFE}));
 }
 
-TEST(ImageFile, ErrorsNameThePlace) {
+TEST(ImageFile, ErrorsNameTheFile) {
   try {
     static_cast<void>(decode_depth({}, "depth/000003.png"));
     FAIL();

@@ -100,7 +100,7 @@ TEST(Detection, OneFrameHasNoDeviation) {
   EXPECT_NO_THROW(static_cast<void>(detect_static(one, one, options, {}).detection));
 }
 
-TEST(Detection, OnlyCalibratedKnowsWhatItCouldHaveFound) {
+TEST(Detection, OnlyCalibratedHasALevelOfDetection) {
   const MemoryCapture before = test::capture_of(wall(10, false, 16));
   const MemoryCapture after = test::capture_of(wall(10, true, 17));
   const Detection calibrated = detect_static(before, after, {}, {}).detection;
@@ -128,7 +128,7 @@ TEST(Detection, RefusesAnotherCamera) {
   refused([](CaptureInfo& info) { info.depth_unit_m = 0.0001; });
 }
 
-TEST(Detection, KnowsWhenPosesSayThatTheCameraMoved) {
+TEST(Detection, NoticesPosesOfACameraThatMoved) {
   const auto differ = [](const Pose& a, const Pose& b) {
     CaptureInfo before = test::info_of(80, 60);
     CaptureInfo after = before;

@@ -38,7 +38,7 @@ TEST(RandomWing, LeavesTheCameraFree) {
   EXPECT_GE(skins.size(), 3) << "of five coats";
 }
 
-TEST(RandomWing, IsTheSameSheetMetalWhateverItHolds) {
+TEST(RandomWing, IsTheSameSheetMetalWithAnyContent) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const Scene plain = random_wing(seed);
     const Scene hard = random_wing(seed, bay_features({"brackets", "hoses", "cables", "sealant", "dirt"}));

@@ -1,4 +1,4 @@
-"""What can be said of a simulated depth camera from its captures, in numbers.
+"""Figures that characterise a simulated depth camera, from its captures.
 
 Disparities are in pixels; a region is a pair of slices (rows, columns).
 """

@@ -43,10 +43,10 @@ void Board::run_ms(double ms) {
 bool Board::run_until_ready() {
   for (int i = 0; i < 200; ++i) {
     run_ms(10);
-    const bool told = std::ranges::any_of(lines_, [](const std::string& line) {
+    const bool reported = std::ranges::any_of(lines_, [](const std::string& line) {
       return line.find('x') != std::string::npos || line.find("HOLD") != std::string::npos;
     });
-    if (told && servos_[0].torque() && servos_[1].torque()) return true;
+    if (reported && servos_[0].torque() && servos_[1].torque()) return true;
   }
   return false;
 }

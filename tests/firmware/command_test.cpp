@@ -141,33 +141,33 @@ TEST(Frames, AStopGetsThroughInTheMiddleOfOne) {
   EXPECT_EQ(commands[0].verb, Verb::stop);
 }
 
-std::string told(const Command& command) {
+std::string moves_of(const Command& command) {
   const auto half = [&](int axis) {
     return command.moves[axis] ? std::to_string(command.target_cdeg[axis] / 100) : std::string("-");
   };
   return half(0) + " " + half(1);
 }
 
-std::vector<std::string> told(const std::vector<Command>& commands) {
+std::vector<std::string> moves_of(const std::vector<Command>& commands) {
   std::vector<std::string> all;
-  for (const Command& command : commands) all.push_back(told(command));
+  for (const Command& command : commands) all.push_back(moves_of(command));
   return all;
 }
 
 TEST(BareAngles, AreTheThesisOnes) {
-  using Told = std::vector<std::string>;
-  const std::map<std::string, Told> texts{
+  using Moves = std::vector<std::string>;
+  const std::map<std::string, Moves> texts{
       {"45.-10", {"45 -10"}},   {"45.", {"45 -"}},          {".-10", {"- -10"}}, {"-90.9", {"-90 9"}},
       {"45.-10\n", {"45 -10"}}, {"45.-10\r\n", {"45 -10"}}, {"05.3", {"5 3"}}};
-  for (const auto& [text, commands] : texts) EXPECT_EQ(told(commands_of(text)), commands) << text;
+  for (const auto& [text, commands] : texts) EXPECT_EQ(moves_of(commands_of(text)), commands) << text;
 }
 
 TEST(BareAngles, WhatTheThesisFirmwareMisreadIsReadOrRefused) {
   for (const std::string text : {"hello", "\n", "\r\n", "20.5.-10.5", "45.10", "91.0", ".", "5", "--5.3",
                                  "4-5.3", "1234.5", "1.2.3.4", "45 .3", "10.20.30"})
     EXPECT_TRUE(commands_of(text).empty()) << text;
-  EXPECT_EQ(told(commands_of("45.550.-20")), (std::vector<std::string>{"45 5", "50 -20"}));
-  EXPECT_EQ(told(commands_of("45.-1050.-20")), (std::vector<std::string>{"45 -10", "50 -20"}));
+  EXPECT_EQ(moves_of(commands_of("45.550.-20")), (std::vector<std::string>{"45 5", "50 -20"}));
+  EXPECT_EQ(moves_of(commands_of("45.-1050.-20")), (std::vector<std::string>{"45 -10", "50 -20"}));
 }
 
 TEST(BareAngles, HalfOfOneIsNotTheWhole) {
@@ -181,12 +181,13 @@ TEST(BareAngles, HalfOfOneIsNotTheWhole) {
     input.tick(now_ms);
     while (input.next(command)) commands.push_back(command);
   }
-  EXPECT_EQ(told(commands), std::vector<std::string>{"50 -"}) << "and no pan of 5";
+  EXPECT_EQ(moves_of(commands), std::vector<std::string>{"50 -"}) << "and no pan of 5";
 }
 
 TEST(BareAngles, AreNotTakenAfterTheFirstGoodFrame) {
   EXPECT_EQ(commands_of(frame("1 PING") + "45.3").size(), 1U);
-  EXPECT_EQ(told(commands_of("$1 PONG*0000\n45.3")).back(), "45 3") << "one that is damaged does not count";
+  EXPECT_EQ(moves_of(commands_of("$1 PONG*0000\n45.3")).back(), "45 3")
+      << "one that is damaged does not count";
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ TEST_P(FirmwareTest, ObeysBareAnglesAsTheThesisHasThem) {
   ASSERT_TRUE(robot.run_until_ready());
   robot.send("45.-10");
   robot.run_ms(1500);
-  EXPECT_NEAR(robot.pan().angle_deg(), 45.0, 0.2) << "without a watchdog: such a host says it once";
+  EXPECT_NEAR(robot.pan().angle_deg(), 45.0, 0.2) << "without a watchdog: such a host sends it once";
   EXPECT_NEAR(robot.tilt().angle_deg(), -10.0, 0.2);
   robot.send(".-40");
   robot.run_ms(1500);
@@ -271,9 +271,9 @@ TEST_P(FirmwareTest, LostRepliesAreNoAngles) {
   run_in_sight_ms(robot, 3000);
   EXPECT_NEAR(robot.pan().angle_deg(), -60.0, 0.2) << "the motion completes";
   EXPECT_NEAR(robot.tilt().angle_deg(), -80.0, 0.2);
-  for (const Positions& told : positions_in(robot.take_lines())) {
-    EXPECT_THAT(told.pan_deg, AllOf(Ge(-60.5), Le(30.5)));
-    EXPECT_THAT(told.tilt_deg, AllOf(Ge(-80.5), Le(-29.5)));
+  for (const Positions& reported : positions_in(robot.take_lines())) {
+    EXPECT_THAT(reported.pan_deg, AllOf(Ge(-60.5), Le(30.5)));
+    EXPECT_THAT(reported.tilt_deg, AllOf(Ge(-80.5), Le(-29.5)));
   }
   EXPECT_LT(robot.extremes().longest_silence_ms, 100.0);
 }
@@ -330,15 +330,15 @@ TEST_P(FirmwareTest, UndocumentedBitsAndFlippedOnesAreNoAngles) {
   ASSERT_TRUE(robot.run_until_ready());
   robot.take_lines();
   run_in_sight_ms(robot, GetParam() == Kind::native ? 60000 : 5000);
-  std::size_t told = 0;
+  std::size_t reports = 0;
   const std::vector<std::string> lines = robot.take_lines();
   EXPECT_THAT(lines, Each(Not(HasSubstr("FAULT")))) << "nor faults";
   for (const Positions& one : positions_in(lines)) {
-    ++told;
+    ++reports;
     EXPECT_NEAR(one.pan_deg, 30.0, 2.2) << "a flip of the lowest bits is within what a push would do";
     EXPECT_NEAR(one.tilt_deg, -30.0, 2.2);
   }
-  EXPECT_GT(told, 100U);
+  EXPECT_GT(reports, 100U);
   EXPECT_LT(robot.extremes().fastest_deg_s, 0.01);
 }
 

@@ -7,7 +7,7 @@
 
 namespace rva::test {
 
-/// @param direction "host" or "robot", who says them
+/// @param direction "host" or "robot": the sender of the lines
 /// @return without their ends
 inline std::vector<std::string> golden_lines(const std::string& direction) {
   std::ifstream file(RVA_GOLDEN_LINES);

@@ -49,7 +49,7 @@ void PtyBoard::plug_in() {
   tcgetattr(terminal_, &raw);
   cfmakeraw(&raw);
   tcsetattr(terminal_, TCSANOW, &raw);
-  // Until somebody has opened the other end once, it does not say that nobody has.
+  // Until somebody has opened the other end once, it does not report that nobody has.
   close(open(ptsname(terminal_), O_RDWR | O_NOCTTY));
   std::filesystem::remove(path_);
   std::filesystem::create_symlink(ptsname(terminal_), path_);

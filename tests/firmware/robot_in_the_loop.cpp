@@ -1,5 +1,5 @@
 // The built firmware on a simulated board with simulated servos, at the end of a pseudo terminal, and a file
-// that says where the servos really are: the robot for `rva map --robot serial:LINK --camera
+// with the true angles of the servos: the robot for `rva map --robot serial:LINK --camera
 // sim:SCENE,joints=FILE`.
 //
 // usage: robot_in_the_loop LINK FILE [--faults]
@@ -27,8 +27,8 @@ void worry(Board& board) {
         .packet_lost = 0.05, .reply_lost = 0.2, .bit_flipped = 0.002, .high_bits = 0xC0, .error = 0};
 }
 
-// Beside, then renamed: whoever reads finds two whole numbers.
-void tell(const std::string& file, double pan_deg, double tilt_deg) {
+// Written beside and renamed, so that a reader finds two whole numbers.
+void write_angles(const std::string& file, double pan_deg, double tilt_deg) {
   const std::string partial = file + ".partial";
   std::ofstream(partial) << fmt::format("{:.6f} {:.6f}\n", pan_deg, tilt_deg);
   std::filesystem::rename(partial, file);
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   }
   rva::test::PtyBoard robot(argv[1], [] { return rva::test::simulated_board(); });
   if (argc == 4) robot.with_board(worry);
-  bool told = false;
+  bool ready = false;
   do {
     double pan_deg = 0.0;
     double tilt_deg = 0.0;
@@ -62,9 +62,9 @@ int main(int argc, char** argv) {
       pan_deg = board.pan().angle_deg();
       tilt_deg = board.tilt().angle_deg();
     });
-    tell(argv[2], pan_deg, tilt_deg);
-    if (!told) fmt::print("ready\n");
-    told = true;
+    write_angles(argv[2], pan_deg, tilt_deg);
+    if (!ready) fmt::print("ready\n");
+    ready = true;
     std::fflush(stdout);
   } while (!input_ended(5));
   return 0;

@@ -19,7 +19,7 @@ struct ServoFaults {
 
 class SimulatedServo {
  public:
-  /// @param angle_deg where it stands; it holds itself there only if `torque`
+  /// @param angle_deg its position, which it keeps only with `torque`
   SimulatedServo(std::uint8_t id, double angle_deg, bool torque);
 
   /// Whole packets; @return the reply, if there is one.

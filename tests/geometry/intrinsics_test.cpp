@@ -54,7 +54,7 @@ TEST(Intrinsics, FirstPixelHasItsCentreAtZero) {
   EXPECT_FALSE(intrinsics.contains({-0.51, 0}));
 }
 
-TEST(Intrinsics, BrownConradyBendsAsItsPolynomialSays) {
+TEST(Intrinsics, BrownConradyBendsByItsPolynomial) {
   Intrinsics intrinsics{100, 100, 100.0, 100.0, 50.0, 50.0, Distortion::brown_conrady, {0.1, 0, 0, 0, 0}};
   // At x = 0.5, r^2 = 0.25: x (1 + 0.1 * 0.25) = 0.5125.
   EXPECT_NEAR(intrinsics.project({0.5, 0, 1}).x(), 50.0 + 51.25, 1e-12);

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 class RobotGeometryFile : public testing::Test {
  protected:
-  // What loading says of a file with one value changed; empty where it is taken.
+  // The error on loading a file with one value changed; empty where the file is accepted.
   std::string complaint(const std::string& pointer, const Json& value) {
     Json json = Json::parse(robot_geometry_json(PanTiltChain{}));
     json[Json::json_pointer(pointer)] = value;

@@ -65,7 +65,8 @@ TEST(AppearanceChange, ATenthOfAPixelOfMisregistrationIsNone) {
 TEST(AppearanceChange, IsNotJudgedWhereNoViewSeesASurfaceWithoutDots) {
   const std::vector<InfraredView> one = views_at({Eigen::Vector3d::Zero()}, 61);
   const AppearanceChange change = between(one, one);
-  EXPECT_EQ(std::ranges::count(change.judged.pixels(), mask_set), 0) << "one view tells nothing of noise";
+  EXPECT_EQ(std::ranges::count(change.judged.pixels(), mask_set), 0)
+      << "one view does not show how much noise there is";
 }
 
 }  // namespace

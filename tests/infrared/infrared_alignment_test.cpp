@@ -11,7 +11,7 @@ namespace rva {
 namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180.0;
-// Beyond, misregistration costs small things (docs/infrared.md).
+// Beyond, misregistration costs small debris (docs/infrared.md).
 constexpr double tolerated_px = 0.1;
 
 // How far a pose puts the wall from where it is seen: root mean square over the image.

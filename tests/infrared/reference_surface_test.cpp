@@ -23,7 +23,7 @@ TEST(ReferenceSurface, OfNothingIsEmpty) {
   EXPECT_TRUE(reference_surface(test::wall_camera, Image<float>(320, 240), 20.0).inverse_depth_per_m.empty());
 }
 
-TEST(Warp, IsWhatProjectionSays) {
+TEST(Warp, IsTheSameAsProjection) {
   const ReferenceSurface surface = test::wall_surface();
   Transform view_from_reference = test::turned({0.01, -0.02, 0.005});
   view_from_reference.translation() = Eigen::Vector3d(0.002, -0.001, 0.003);

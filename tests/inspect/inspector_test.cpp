@@ -288,11 +288,11 @@ TEST(WithRobot, AFinalSideForWhichAnotherThingIsSaidIsBegunAnew) {
   capture(Side::final, true, 2);
   EXPECT_EQ(inspector.task().end, TaskEnd::cancelled);
   EXPECT_EQ(inspector.replaced_before_final(inspector.inspection(1)), std::optional(true));
-  capture(Side::final, false, 3);  // a flat wall, whose views cannot be laid over each other afterwards
+  capture(Side::final, false, 3);  // a flat wall, whose views cannot be registered afterwards
   const Inspection inspection = inspector.inspection(1);
   ASSERT_TRUE(inspection.final);
   EXPECT_FALSE(inspector.replaced_before_final(inspection)) << "it is under way no more";
-  EXPECT_EQ(inspection.final->round, 2) << "what was taken from another place stays as it was";
+  EXPECT_EQ(inspection.final->round, 2) << "what was captured from another base stays as it was";
   EXPECT_TRUE(std::filesystem::exists(inspector.folder(1).side(Side::final, 1) / "000" / "capture.json"));
   for (int view = 0; view < 3; ++view) {
     const auto taken = open_capture(inspector.folder(1).capture(Side::final, inspection, view, 0));

@@ -16,7 +16,7 @@ ColorImage checked() {
   return image;
 }
 
-TEST(SeenFrom, TheSamePlaceTheImageIsTheSame) {
+TEST(SeenFrom, TheSamePoseTheImageIsTheSame) {
   const ColorImage image = checked();
   EXPECT_EQ(seen_from(image, camera, Transform::Identity(), camera, Image<float>(64, 48, 0.7F)), image);
 }

@@ -71,7 +71,7 @@ class Side3Views : public testing::Test {
   std::vector<std::string> waited_;
 };
 
-TEST_F(Side3Views, AreTakenWithTheirPosesAndTheirNoiseIsTold) {
+TEST_F(Side3Views, AreTakenWithTheirPosesAndTheirNoiseIsReported) {
   take();
   ASSERT_EQ(captures(), 3U);
   const auto capture = open_capture(side_.folder / "001");
@@ -94,7 +94,7 @@ TEST_F(Side3Views, ProgressCountsTheCapturesOfAView) {
   EXPECT_THAT(begun, testing::ElementsAre(0, 1, 2));
 }
 
-TEST_F(Side3Views, WhoeverEndsItFindsTheCompleteOnesAndGoesOnFromThere) {
+TEST_F(Side3Views, AfterAnEndTheyContinueFromTheCompleteOnes) {
   EXPECT_THROW(take([](const CaptureProgress& now) {
                  if (now.view == 1 && now.frame == 6) throw Interrupted(0);
                }),
@@ -116,7 +116,7 @@ TEST_F(Side3Views, ACameraThatIsUnpluggedIsWaitedForAndTheViewTakenAnew) {
   EXPECT_EQ(open_capture(side_.folder / "001")->depth_frames(), 12U);
   ASSERT_FALSE(waited_.empty());
   EXPECT_THAT(waited_.front(), HasSubstr("unplugged"));
-  EXPECT_EQ(waited_.back(), "") << "and it is said when it is back";
+  EXPECT_EQ(waited_.back(), "") << "and its return is reported";
 }
 
 // At every tick of the way from the first view on: what is known of the robot may be of before.

@@ -57,7 +57,7 @@ TEST(RankedFindings, OfAThingThatWasMovedNameWhereItWasByItsNumber) {
   EXPECT_FALSE(ranked[0].moved_from || ranked[1].moved_from);
 }
 
-TEST(RankedFindings, ThatNobodyCanPlaceStandAlone) {
+TEST(RankedFindings, WithoutAPositionStandAlone) {
   ReviewedFinding placeless = at(1, 0.0, 5.0);
   placeless.in_foot_m.reset();
   EXPECT_EQ(rank({at(0, 0.0, 9.0), placeless})[1].same_as, 2);

@@ -47,7 +47,7 @@ class MapFilesTest : public testing::Test {
     }
     poses_.base = "here";
     poses_.refined = true;
-    poses_.poses[1].doubt = "it is not sure";
+    poses_.poses[1].doubt = "too few common samples";
   }
   void write() { write_map(map_files(folder_ / "map.ply"), some_points(), views_, poses_); }
 
@@ -80,7 +80,7 @@ TEST_F(MapFilesTest, PosesSayWhereEachViewWasTaken) {
   const auto by_joints = json["views"][0]["foot_from_camera_by_joints"].get<std::array<double, 16>>();
   EXPECT_TRUE(from_row_major(by_joints).isApprox(foot_from_camera({}, {5.0, -20.0}), 1e-12));
   EXPECT_FALSE(json["views"][0].contains("doubt"));
-  EXPECT_EQ(json["views"][1]["doubt"], "it is not sure");
+  EXPECT_EQ(json["views"][1]["doubt"], "too few common samples");
 }
 
 TEST_F(MapFilesTest, WithoutRefinementSaysNothingOfIt) {
@@ -147,7 +147,7 @@ TEST_F(MapFilesTest, OnlyAnEarlierMapIsReplaced) {
   EXPECT_THROW(require_replaceable(files, true), Error) << "a .pcd alone is no map of ours";
 }
 
-TEST_F(MapFilesTest, APlaceThatIsNoFolderIsAnError) {
+TEST_F(MapFilesTest, APathThatIsNoFolderIsAnError) {
   write_file(folder_ / "none", "a file");
   EXPECT_THROW(write_map(map_files(folder_ / "none" / "map.ply"), some_points(), views_, poses_), Error);
 }

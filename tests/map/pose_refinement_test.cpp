@@ -41,7 +41,8 @@ TEST(OverlappingViews, GradientIsThatOfTheWeightedSquares) {
   const OverlappingViews overlapping(views);
   const auto pairs = overlapping.pairs(poses);
   ASSERT_EQ(pairs.size(), 3U);
-  // Where all is in place, information says how the gradient grows: with a far reach, weights hardly change.
+  // Where all is in place, the information is the growth of the gradient: with a far reach, weights hardly
+  // change.
   const PosesDescent far{4, 2, 50.0};
   const PoseEquations here = overlapping.equations(poses, pairs, far);
   for (Eigen::Index k = 0; k < 18; ++k) {

@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Every frame says at which pan it was taken; fails, or is interrupted, when told to.
+/// Every frame contains the pan at which it was taken; fails, or is interrupted, on request.
 class PanCamera : public Camera {
  public:
   explicit PanCamera(Robot& robot) : robot_(robot) {}

@@ -33,7 +33,7 @@ TEST_F(ViewFolderTest, IsGoneWhenNothingWasTaken) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(ViewFolderTest, KeepsWhatWasTakenForWhoeverResumes) {
+TEST_F(ViewFolderTest, KeepsWhatWasTakenForALaterRun) {
   {
     const ViewFolder folder(views_, Start::anew, 6);
     put("000/capture.json");

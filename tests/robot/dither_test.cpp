@@ -24,7 +24,7 @@ TEST(Dither, OffsetsAreWholeServoStepsAllDifferentTheFirstNone) {
     EXPECT_TRUE(seen.emplace(offset.pan_deg, offset.tilt_deg).second);
   }
   EXPECT_EQ(dither_offsets(4).size(), 4U);
-  EXPECT_EQ(dither_offsets(4).back(), offsets[3]) << "more captures keep the places of fewer";
+  EXPECT_EQ(dither_offsets(4).back(), offsets[3]) << "more captures keep the offsets of fewer";
 }
 
 // Spread over the square: each quarter of it has its share.

@@ -17,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 
-/// Is at its target at once, and remembers what it was told.
+/// Is at its target at once, and records the commands.
 class ObedientRobot : public Robot {
  public:
   [[nodiscard]] RobotLimits limits() const override { return {}; }
@@ -124,12 +124,12 @@ TEST_F(Driving, SilenceStopsAndOnlyNeutralSticksGoOn) {
     drive_.steer({1.0, 0.0});
     std::this_thread::sleep_for(milliseconds(10));
   }
-  EXPECT_EQ(robot_.moves(), moves) << "sticks that were held all the while have no say";
+  EXPECT_EQ(robot_.moves(), moves) << "sticks that were held all the while have no effect";
   drive_.steer({});
   EXPECT_TRUE(hold_until({1.0, 0.0}, [&] { return robot_.moves() > moves; }));
 }
 
-TEST_F(Driving, HaltStopsWhoeverMovesAndDisarms) {
+TEST_F(Driving, HaltStopsEveryMovementAndDisarms) {
   ASSERT_TRUE(hold_until({0.0, -1.0}, [&] { return robot_.moves() > 2; }));
   drive_.halt();
   EXPECT_TRUE(eventually([&] { return robot_.stops() == 1; }));
@@ -140,7 +140,7 @@ TEST_F(Driving, HaltStopsWhoeverMovesAndDisarms) {
   EXPECT_TRUE(eventually([&] { return robot_.stops() == 2; })) << "a capture is stopped, too";
 }
 
-TEST_F(Driving, SticksHaveNoSayWhileTheRobotIsLent) {
+TEST_F(Driving, SticksHaveNoEffectWhileTheRobotIsLent) {
   const Drive::Loan loan(drive_);
   for (int i = 0; i < 20; ++i) {
     drive_.steer({1.0, 0.0});
@@ -168,7 +168,7 @@ TEST_F(Driving, ARobotThatRefusesIsSaidAndDisarms) {
   EXPECT_TRUE(eventually([&] { return !drive_.state().armed; }));
 }
 
-TEST_F(Driving, ALoanBeginsWhenTheRobotWasToldToStop) {
+TEST_F(Driving, ALoanBeginsWithACommandToStop) {
   ASSERT_TRUE(hold_until({1.0, 0.0}, [&] { return drive_.state().driving; }));
   const Drive::Loan loan(drive_);
   EXPECT_FALSE(drive_.state().driving);

@@ -38,7 +38,7 @@ TEST(RobotLimits, NameTheAxisAndItsEnds) {
   EXPECT_THAT(complaint({0.0, std::numeric_limits<double>::infinity()}), HasSubstr("tilt"));
 }
 
-/// Takes a number of polls to arrive, at a place of its own choosing.
+/// Takes a number of polls to arrive, not exactly at its target.
 class SlowRobot : public Robot {
  public:
   SlowRobot(int polls, const PanTilt& arrives_off) : polls_(polls), arrives_off_(arrives_off) {}

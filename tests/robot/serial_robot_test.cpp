@@ -64,15 +64,15 @@ class ThesisFirmware : public Firmware {
 /// Something else on the line.
 class OtherDevice : public Firmware {
  public:
-  explicit OtherDevice(std::string says) : says_(std::move(says)) {}
+  explicit OtherDevice(std::string text) : text_(std::move(text)) {}
   void from_host(std::uint8_t /*byte*/) override {}
   void from_servos(std::uint8_t /*byte*/) override {}
   void step() override {
-    if (++steps_ % 500 == 0) to_host.insert(to_host.end(), says_.begin(), says_.end());
+    if (++steps_ % 500 == 0) to_host.insert(to_host.end(), text_.begin(), text_.end());
   }
 
  private:
-  std::string says_;
+  std::string text_;
   long steps_ = 0;
 };
 
@@ -104,7 +104,7 @@ void expect_moves(Robot& robot, const PanTilt& target) {
   EXPECT_FALSE(robot.moving());
 }
 
-TEST_F(SerialRobotTest, KnowsOurFirmwareAndMovesIt) {
+TEST_F(SerialRobotTest, RecognisesOurFirmwareAndMovesIt) {
   PtyBoard board = this->board();
   SerialRobot robot(terminal());
   EXPECT_EQ(robot.kind(), RobotKind::framed);
@@ -125,7 +125,7 @@ TEST_F(SerialRobotTest, MovesTheBuiltProgramOnASimulatedBoard) {
   expect_moves(robot, {-40.0, -45.0});
 }
 
-TEST_F(SerialRobotTest, KnowsTheThesisFirmwareAndMovesIt) {
+TEST_F(SerialRobotTest, RecognisesTheThesisFirmwareAndMovesIt) {
   const PtyBoard board(terminal(), [] { return std::make_unique<ThesisFirmware>(); });
   SerialRobot robot(terminal());
   EXPECT_EQ(robot.kind(), RobotKind::bare);
@@ -177,7 +177,7 @@ TEST_F(SerialRobotTest, NoiseOnTheLineCostsRepeatsOnly) {
   for (const double pan_deg : {20.0, -20.0, 0.0}) expect_moves(robot, {pan_deg, -30.0});
 }
 
-TEST_F(SerialRobotTest, FaultsAndBlindnessAreSaid) {
+TEST_F(SerialRobotTest, FaultsAndBlindnessAreReported) {
   PtyBoard board = this->board();
   SerialRobot robot(terminal());
   expect_moves(robot, {5.0, -10.0});
@@ -208,11 +208,11 @@ TEST_F(SerialRobotTest, TheDeviceIsNobodyElsesMeanwhile) {
 }
 
 TEST_F(SerialRobotTest, OtherDevicesAreNoRobots) {
-  for (const auto& [says, problem] : {std::pair{"", "no data is received"},
+  for (const auto& [text, problem] : {std::pair{"", "no data is received"},
                                       {"GPS $GPGGA,123519*47\r\n", "does not respond like a robot"},
                                       {"endless noise without an end ", "does not respond like a robot"}}) {
-    const PtyBoard board(terminal(), [says = says] { return std::make_unique<OtherDevice>(says); });
-    EXPECT_THAT(error_of([&] { const SerialRobot robot(terminal()); }), HasSubstr(problem)) << says;
+    const PtyBoard board(terminal(), [text = text] { return std::make_unique<OtherDevice>(text); });
+    EXPECT_THAT(error_of([&] { const SerialRobot robot(terminal()); }), HasSubstr(problem)) << text;
   }
 }
 

@@ -114,7 +114,7 @@ TEST_F(Asked, MeasuresWhatTheCameraSees) {
   EXPECT_EQ(code("POST", "/api/measure", R"({"stream":"sonar","points":[{"u":1,"v":1}]})"), "bad-request");
 }
 
-TEST_F(Asked, WhoeverIsNotSignedInSeesNothing) {
+TEST_F(Asked, WithoutASignInNothingIsSeen) {
   sign_in(PersonRole::inspector);
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
   token_ = std::string(64, '0');
@@ -124,7 +124,7 @@ TEST_F(Asked, WhoeverIsNotSignedInSeesNothing) {
   EXPECT_FALSE(session.contains("name"));
 }
 
-TEST_F(Asked, WhoRemovesTheLastAccountOpensTheDoorToNobody) {
+TEST_F(Asked, RemovingTheLastAccountGivesNobodyAccess) {
   sign_in(PersonRole::inspector);
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
   served_.records.remove_account("ann");
@@ -148,7 +148,7 @@ TEST_F(Asked, RolesMayDoWhatIsTheirs) {
             "refused");
 }
 
-TEST_F(Asked, ACaptureWaitsForWhoeverDrives) {
+TEST_F(Asked, ACaptureWaitsForTheDriver) {
   ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
   const double now_s = steady_clock().now_s();
   served_.lease.take({"another-client", "Bob"}, false, now_s);

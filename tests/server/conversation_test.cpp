@@ -61,10 +61,11 @@ TEST_F(Talk, BeginsWithAHelloOfThisVersion) {
     EXPECT_THROW(talk()->hear(first, now_s()), ProtocolError) << first;
   const std::string too_long =
       Json{{"type", "hello"}, {"protocol", 1}, {"client", std::string(201, 'c')}}.dump();
-  EXPECT_THROW(talk()->hear(too_long, now_s()), ProtocolError) << "who has not greeted gets no other answer";
+  EXPECT_THROW(talk()->hear(too_long, now_s()), ProtocolError)
+      << "a client that has not greeted gets no other answer";
   const auto conversation = talk();
   conversation->offer(std::make_shared<const std::string>("status"));
-  EXPECT_TRUE(all(*conversation).empty()) << "nothing is told to who has not greeted";
+  EXPECT_TRUE(all(*conversation).empty()) << "a client that has not greeted receives nothing";
   conversation->hear(hello, now_s());
   EXPECT_EQ(all(*conversation).back().bytes, "status");
 }
@@ -94,7 +95,7 @@ TEST_F(Talk, SendsTheNewestPictureWhenTheOneBeforeTheLastIsShown) {
   EXPECT_EQ(all(*conversation).size(), 1U) << "of the stream that is watched";
 }
 
-TEST_F(Talk, WhoHoldsTheLeaseDrivesAndStopsWhenGone) {
+TEST_F(Talk, TheHolderOfTheLeaseDrivesAndStopsWhenGone) {
   auto conversation = talk();
   conversation->hear(hello, now_s());
   conversation->hear(drive(1.0, 0), now_s());
@@ -173,7 +174,7 @@ TEST_F(Talk, HandingBackTheControlsArmsNothing) {
   }
 }
 
-TEST_F(Talk, WhoMayNoLongerDriveDoesNot) {
+TEST_F(Talk, APersonWhoMayNoLongerDriveDoesNot) {
   const auto conversation = talk();
   conversation->hear(hello, now_s());
   conversation->hear(R"({"type":"lease","action":"take"})", now_s());

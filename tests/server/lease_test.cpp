@@ -15,7 +15,7 @@ TEST(Lease, IsOnesUntilLetGo) {
   EXPECT_FALSE(lease.take(bob, false, 1));
   EXPECT_EQ(lease.holder(1)->name, "Ann");
   lease.release(bob.client);
-  EXPECT_TRUE(lease.holder(1)) << "who does not hold it cannot let it go";
+  EXPECT_TRUE(lease.holder(1)) << "a client without the lease cannot release it";
   lease.release(ann.client);
   EXPECT_TRUE(lease.take(bob, false, 2));
 }

@@ -45,7 +45,7 @@ TEST(Measurement, WhereSurfacesHideEachOtherTheNearerIsSeen) {
   EXPECT_NEAR(measure(live, Stream::color, {74, 60})->position_m.z(), 0.5, 0.01);
 }
 
-TEST(Measurement, HolesAndPlacesOutsideGiveNothing) {
+TEST(Measurement, HolesAndPixelsOutsideGiveNothing) {
   LiveFrame live = wall();
   for (int v = 50; v < 70; ++v) {
     for (int u = 70; u < 90; ++u) live.frame.depth(u, v) = no_depth;

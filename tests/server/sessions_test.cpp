@@ -27,7 +27,7 @@ TEST_F(SignIn, IsNeededOnceThereIsAnAccount) {
   EXPECT_TRUE(sessions_.needed());
 }
 
-TEST_F(SignIn, LetsInWhoKnowsThePassword) {
+TEST_F(SignIn, AcceptsTheRightPassword) {
   records_.set_account({"ann", PersonRole::inspector, hash_password("correct horse")});
   EXPECT_EQ(answer("ann", "wrong horse"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("bob", "correct horse"), Sessions::Answer::wrong);
@@ -64,7 +64,7 @@ TEST_F(SignIn, GuessingIsSlowedDown) {
     EXPECT_EQ(answer("ann", "guess"), Sessions::Answer::wrong);
   EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many) << "even the right one";
   EXPECT_EQ(answer("ann", "correct horse", 0.0, "elsewhere"), Sessions::Answer::signed_in)
-      << "whoever guesses locks nobody else out";
+      << "wrong guesses lock nobody else out";
   EXPECT_EQ(answer("ann", "correct horse", Sessions::pause_s), Sessions::Answer::signed_in);
 }
 
@@ -75,7 +75,7 @@ TEST_F(SignIn, GuessingManyNamesIsSlowedDownToo) {
   EXPECT_EQ(answer("ann", "correct horse"), Sessions::Answer::too_many);
 }
 
-TEST_F(SignIn, GuessingFromManyPlacesIsSlowedDownToo) {
+TEST_F(SignIn, GuessingFromManyAddressesIsSlowedDownToo) {
   records_.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
   for (int i = 0; i < Sessions::most_failures_of_name_from_all; ++i)
     EXPECT_EQ(answer("ann", "guess", 0.0, std::to_string(i)), Sessions::Answer::wrong);

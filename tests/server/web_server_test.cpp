@@ -1,4 +1,4 @@
-// The server over real sockets, and visitors who mean no good.
+// The server over real sockets, and hostile clients.
 #include "server/web_server.hpp"
 
 #include <gmock/gmock.h>
@@ -171,7 +171,7 @@ TEST_F(Web, OtherPagesCannotAsk) {
   EXPECT_THROW(live("null"), boost::system::system_error);
 }
 
-TEST_F(Web, AConsoleIsToldStatusAndPictures) {
+TEST_F(Web, AConsoleReceivesStatusAndPictures) {
   const auto socket = console("client-number-one");
   tell(*socket, R"({"type":"watch","stream":"depth"})");
   std::string message;
@@ -183,7 +183,7 @@ TEST_F(Web, AConsoleIsToldStatusAndPictures) {
   EXPECT_EQ(message.substr(4U + length, 2), "\xff\xd8") << "a JPEG";
 }
 
-TEST_F(Web, WhoBreaksTheProtocolIsToldAndOthersGoOn) {
+TEST_F(Web, ABreachOfTheProtocolIsReportedAndOthersGoOn) {
   const auto good = console("client-number-one");
   auto other = live();
   tell(*other, R"({"type":"hello","protocol":99,"client":"0123456789abcdef"})");
@@ -232,14 +232,14 @@ TEST_F(Web, ASlowReaderGetsFewerPicturesAndHoldsUpNobody) {
     hear(*slow);
     late += slow->got_binary() ? 1 : 0;
   }
-  EXPECT_LE(late, 2) << "who does not say that pictures are shown gets no more";
+  EXPECT_LE(late, 2) << "a client that does not confirm pictures gets no more";
 }
 
 TEST_F(Web, AccountsKeepStrangersOut) {
   served_.records.set_account({"ann", PersonRole::viewer, hash_password("correct horse")});
   EXPECT_THAT(get("/api/inspections"), HasSubstr("401"));
   EXPECT_THROW(live(), boost::system::system_error);
-  EXPECT_THAT(get("/"), HasSubstr("200 OK")) << "the page itself asks who they are";
+  EXPECT_THAT(get("/"), HasSubstr("200 OK")) << "the page itself asks to sign in";
 }
 
 TEST_F(Web, WhatAPersonMaySeeIsKeptByNoBrowserAndNoOtherPage) {
@@ -249,7 +249,7 @@ TEST_F(Web, WhatAPersonMaySeeIsKeptByNoBrowserAndNoOtherPage) {
   }
 }
 
-TEST_F(Web, APortThatIsTakenIsSaid) {
+TEST_F(Web, APortThatIsTakenIsReported) {
   ServerOptions options;
   options.port = server_->port();
   options.console = (served_.folder / "console").string();

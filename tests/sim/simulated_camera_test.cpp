@@ -33,7 +33,7 @@ TEST(SimulatedCamera, FramesAreOfTheSeed) {
   }
 }
 
-TEST(SimulatedCamera, ABayThatGivesWayHoldsItElsewhereAtEachRest) {
+TEST(SimulatedCamera, InABayThatGivesWayItRestsElsewhereEachTime) {
   PanTilt joints;
   StereoSensorOptions options = test::quick();
   options.speckle = options.wander = options.levels = options.drift_px = options.flicker = 0.0;
@@ -57,7 +57,7 @@ TEST(SimulatedCamera, ABayThatGivesWayHoldsItElsewhereAtEachRest) {
   EXPECT_EQ(
       SimulatedCamera(test::room_with_wall(1.0), options, 3).info().pose->world_from_camera->matrix(),
       SimulatedCamera(test::room_with_wall(1.0), test::quick(), 3).info().pose->world_from_camera->matrix())
-      << "the robot does not know it";
+      << "the robot does not measure it";
 }
 
 TEST(SimulatedCamera, CountsAndDatesItsFrames) {

@@ -197,7 +197,7 @@ TEST(SimulatedRobotThreads, MayCommandAndAskAtTheSameTime) {
   }
 }
 
-TEST_F(Simulated, RestsNearItsStepWithoutKnowing) {
+TEST_F(Simulated, RestsNearTheStepThatItReports) {
   SimulatedRobotOptions options;
   options.rest_error_deg = 0.16;
   SimulatedRobot robot = this->robot(options);

@@ -84,7 +84,7 @@ TEST_F(Truth, SaysWhereAnObjectIsSeen) {
   EXPECT_NEAR(static_cast<double>(pixels), 85 * 255 + side_px, 300);
 }
 
-TEST_F(Truth, AnObjectOutOfSightHasNoPlaceInTheImage) {
+TEST_F(Truth, AnObjectOutOfSightHasNoPositionInTheImage) {
   const Json behind = write()["objects"][2];
   EXPECT_EQ(behind["visible_px"], 0);
   EXPECT_FALSE(behind.contains("bbox"));

@@ -47,7 +47,7 @@ inline InfraredImage noisy(const InfraredImage& image, double deviation, std::ui
   return out;
 }
 
-/// Round blobs of light, brightest at their centres; known at every place, not only at pixels.
+/// Round blobs of light, brightest at their centres; known at every point, not only at pixels.
 class BlobTexture {
  public:
   BlobTexture(int width, int height, double sigma_px, std::uint64_t seed) : sigma_px_(sigma_px) {

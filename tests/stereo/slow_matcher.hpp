@@ -12,7 +12,7 @@
 
 namespace rva::test {
 
-/// Block matching as its header says it, pixel by pixel. Costs are compared in steps of two.
+/// Block matching as documented in its header, pixel by pixel. Costs are compared in steps of two.
 class SlowMatcher {
  public:
   SlowMatcher(const StereoPair& pair, const BlockMatchingOptions& options)

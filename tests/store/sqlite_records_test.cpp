@@ -198,7 +198,7 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
 }
 
 // The clock of a computer without a battery stands at one time, or steps back.
-TEST_F(Kept, ComparisonsAreToldApartByNumbersWhateverTheClockSays) {
+TEST_F(Kept, ComparisonsAreDistinguishedByNumbersAtAnyTimeOfTheClock) {
   const std::int64_t id = add();
   records_->set_comparison(id, {1, "noon", "comparison-1"}, {}, {finding(1)});
   records_->decide(id, 1, 1, {Verdict::false_alarm, "", "Ann", "noon"});
@@ -240,7 +240,7 @@ TEST_F(Kept, ARoundUnderWayIsKnownUntilItIsComplete) {
   EXPECT_EQ(records_->find(id)->final->person, "Bob");
 }
 
-TEST_F(Kept, TheListSaysOfEachWhatItsInspectionSays) {
+TEST_F(Kept, TheListAgreesWithEachInspection) {
   const auto list = [this] {
     std::vector<InspectionSummary> all = records_->summaries();
     for (const InspectionSummary& summary : all) {

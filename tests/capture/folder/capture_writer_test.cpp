@@ -84,7 +84,7 @@ TEST(CaptureJsonWriting, IsReadBackTheSame) {
     expect_same(read_back(capture_json(info)), info);
 }
 
-TEST(CaptureJsonWriting, HoldsOnlyWhatIsKnown) {
+TEST(CaptureJsonWriting, ContainsOnlyWhatIsKnown) {
   const Json document = Json::parse(capture_json(test::info_of(8, 6)));
   EXPECT_EQ(document.size(), 3U) << document;  // format, version, depth
 }
@@ -113,7 +113,7 @@ TEST(CaptureJsonWriting, IsTheSameAfterEveryRound) {
   EXPECT_EQ(Json::parse(capture_json(full_info(), once)), Json::parse(once));
 }
 
-TEST(CaptureJsonWriting, IsUtf8WhateverTheCameraSays) {
+TEST(CaptureJsonWriting, IsUtf8WhateverTheNameOfTheCamera) {
   CaptureInfo info = full_info();
   info.camera->model = "D435\xFF\n";
   EXPECT_EQ(read_back(capture_json(info)).camera->model, "D435\xEF\xBF\xBD\n");

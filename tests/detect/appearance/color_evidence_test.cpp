@@ -171,7 +171,7 @@ TEST(ColorEvidence, IsNoneInTheDark) {
   EXPECT_FALSE(have_lit_color(lit, unlit));
 }
 
-// The shadow of a person: its edge cannot be told from things.
+// The shadow of a person: its edge cannot be distinguished from that of an object.
 TEST(ColorEvidence, IsNoneWhereTheLightOfAQuarterOfTheViewChanged) {
   const Wall shaded = [](double x_m, double y_m) {
     Light3 light = painted(x_m, y_m);

@@ -65,7 +65,7 @@ TEST(Calibrated, LooksBothWays) {
   ASSERT_EQ(findings.size(), 1);
   EXPECT_EQ(findings[0].kind, ChangeKind::removed);
   EXPECT_LT(*findings[0].height_mm, 0.0);
-  EXPECT_EQ(findings[0].box, find(before, after)[0].box) << "the same place, seen the other way round";
+  EXPECT_EQ(findings[0].box, find(before, after)[0].box) << "the same region, seen the other way round";
 }
 
 TEST(Calibrated, ManyFaintPixelsAreAChangeToo) {
@@ -175,9 +175,9 @@ TEST(Calibrated, JudgesNoPixelThatJumps) {
   EXPECT_EQ(result.comparison.changed, Mask(424, 240));
 }
 
-// The level is promised for nine inspections of ten: of 40, 36 are expected, and 29 or fewer happen once in a
+// The level is defined for nine inspections of ten: of 40, 36 are expected, and 29 or fewer happen once in a
 // thousand times.
-TEST(Calibrated, FindsWhatItsLevelPromises) {
+TEST(Calibrated, FindsNineOfTenAtItsLevel) {
   const NoisyCapture empty;
   const CalibratedComparison clean = compare(empty.take(1), empty.take(2));
   const double level_m = clean.level_of_detection_mm(212, 120) / 1000.0;

@@ -35,7 +35,7 @@ TEST(NoiseByClass, IsThatOfTheDifferenceOfMeans) {
 TEST(NoiseByClass, FramesOfWhiteNoiseAreAllIndependent) {
   test::NoisyCapture capture;
   capture.frames = 16;
-  // Places differ in noise, as real ones do: else there is no line to draw.
+  // Pixels differ in noise, as real ones do: else the classes cannot be separated.
   const auto patched = [&](std::uint64_t seed) {
     DepthStatistics statistics(capture.width, capture.height);
     Random random(seed);

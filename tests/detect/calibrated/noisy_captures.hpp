@@ -1,4 +1,4 @@
-// Two captures of one place, made by hand: a surface, what was put on it, and white noise in disparity.
+// Two captures from one pose, made by hand: a surface, what was put on it, and white noise in disparity.
 #pragma once
 
 #include <cmath>

@@ -85,7 +85,7 @@ TEST(ChangedPoints, AreGreenOnGreyWhereTheColorImagerSeesThem) {
   for (Rgb& pixel : color.pixels()) pixel = {200, 40, 90};
   Mask changed(100, 80);
   changed(40, 30) = mask_set;
-  changed(10, 10) = mask_set;  // without a depth it has no place
+  changed(10, 10) = mask_set;  // without a depth it has no position
   Image<float> final_m(100, 80);
   final_m(40, 30) = 0.5F;
   final_m(50, 50) = 0.5F;

@@ -77,7 +77,7 @@ TEST(SpatialDetection, RefusesRatherThanGuesses) {
   try {
     (void)detect_spatial(side(wall, {{pose(0, 0, 0, 0), "b1", 12}}),
                          side(wall, {{pose(0.1, 0, 3, 0), "b2", 13}}), {}, {});
-    FAIL() << "a wall holds no shift along it";
+    FAIL() << "a wall does not constrain shifts along it";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("nothing in view constrains"));
   }

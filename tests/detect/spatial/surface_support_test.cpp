@@ -47,7 +47,7 @@ Image<float> true_depth_m(const Scene& scene) {
   return SimulatedCamera(scene, test::quick(), 0, ColorFrames::none).true_view().depth_m;
 }
 
-/// What depth says changed between two scenes, where it is right about both.
+/// The changes between two scenes by depth, with correct depth in both.
 Comparison claim(const Scene& before, const Scene& after) {
   const Image<float> initial_m = true_depth_m(before);
   const Image<float> final_m = true_depth_m(after);

@@ -55,7 +55,7 @@ TEST_P(EveryKind, IsMadeOfClosedSolidsThatFaceOutward) {
   EXPECT_GE(triangles, 100U);
 }
 
-TEST_P(EveryKind, IsAsLargeAsItSays) {
+TEST_P(EveryKind, IsAsLargeAsStated) {
   const double size_mm = 1e3 * size_m(object_of(GetParam().name, seed)).maxCoeff();
   EXPECT_NEAR(size_mm, GetParam().size_mm, 0.01 * GetParam().size_mm);
   EXPECT_FALSE(GetParam().source.empty());

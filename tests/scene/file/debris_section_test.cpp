@@ -20,7 +20,7 @@ bool same_objects(const Scene& one, const Scene& other) {
                     });
 }
 
-TEST(DebrisSection, DropsDebrisWhereItIsTold) {
+TEST(DebrisSection, DropsDebrisAtTheStatedPosition) {
   const Scene scene = parsed(test::bay_head + R"(
 debris:
   - { kind: screwdriver, on: [0.1, 0.47], turn_deg: 0 }

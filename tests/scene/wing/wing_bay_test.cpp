@@ -53,7 +53,7 @@ TEST_P(EveryProfile, IsMadeOfClosedSolidsThatFaceOutward) {
   }
 }
 
-TEST_P(EveryProfile, StringersAreAsHighAsTheySay) {
+TEST_P(EveryProfile, StringersAreAsHighAsStated) {
   const Scene scene = scene_of(bay_with(GetParam()));
   const Eigen::AlignedBox3d extent = extent_of(scene, "stringer-1");
   EXPECT_NEAR(extent.min().z(), 0.0, 1e-6);

@@ -54,7 +54,7 @@ TEST(Dirt, DarkensAndIsNotTheSameEverywhere) {
 
 TEST(Grain, WithoutContrastIsOne) { EXPECT_EQ(grain_at(matt(0.0, 0.001), {0.1F, 0.2F, 0.3F}), 1.0F); }
 
-TEST(Grain, IsAsCoarseAsTheMaterialSays) {
+TEST(Grain, IsAsCoarseAsTheMaterialStates) {
   const Material grainy = matt(0.1, 0.004);
   const auto change_over = [&grainy](double step_m) {
     double sum = 0.0;

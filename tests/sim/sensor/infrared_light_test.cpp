@@ -30,7 +30,7 @@ Scene scene_of(const std::vector<SceneObject>& objects) {
   return scene;
 }
 
-/// Column of the left imager that sees a place on a surface.
+/// Column of the left imager that sees a point on a surface.
 int column_of(double x_m, double z_m) { return static_cast<int>(std::lround(423.5 + 425.0 * x_m / z_m)); }
 
 double greatest(const Image<float>& image) {

@@ -63,7 +63,7 @@ TEST(InfraredRenderer, MisalignmentMovesTheRightImage) {
   EXPECT_EQ(lower.left.projected, rendered(scene).left.projected);
 }
 
-TEST(InfraredRenderer, MisalignmentGrowsTowardsTheEdgesAsItSays) {
+TEST(InfraredRenderer, MisalignmentGrowsTowardsTheEdgesAsStated) {
   Scene scene = wall_scene(1.0);
   scene.lighting.ambient = 1.0;
   // A dark step over the wall's right part, whose edge is sharp.

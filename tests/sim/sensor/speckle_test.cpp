@@ -131,7 +131,7 @@ TEST(Speckle, NeighboursAreIndependent) {
   EXPECT_LT(std::abs(correlation(below, Field(field.begin(), field.end() - width))), 0.05);
 }
 
-TEST(Speckle, WandersOverAsManyFramesAsTheOptionSays) {
+TEST(Speckle, WandersOverAsManyFramesAsTheOptionStates) {
   StereoSensorOptions options = with(0, 0.1, 0);
   options.wander_frames = 10.0;
   constexpr std::size_t lags[] = {0, 5, 10, 20, 40};

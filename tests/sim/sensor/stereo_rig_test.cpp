@@ -76,7 +76,7 @@ TEST(Misalignment, TheFactorysPartStaysWithTheCamera) {
     EXPECT_EQ(first.row_offset_px, second.row_offset_px);
     EXPECT_EQ(first.row_turn_px, second.row_turn_px);
     EXPECT_NE(first.row_offset_px, other.row_offset_px);
-    // At the image's edges, rows are not farther apart than the option says, but for half as much again.
+    // At the image's edges, rows are not farther apart than the option by more than half of it.
     EXPECT_LE(std::abs(first.row_offset_px) + std::abs(first.row_turn_px), 0.15);
   }
 }
