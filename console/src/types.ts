@@ -453,7 +453,7 @@ export interface Status {
 export interface Lease {
   type: 'lease';
   yours: boolean;
-  /** The name of whoever drives; missing if nobody does. */
+  /** The name of the driver; missing if nobody drives. */
   holder?: string;
 }
 

@@ -48,7 +48,7 @@ class ProgramTest(unittest.TestCase):
         return sorted(os.fsencode(path) for path in self.folder.rglob('*'))
 
     def check_fails(self, *arguments, names=(), **run):
-        """Runs what must fail as the contract says: status 1, one clear line, nothing left behind."""
+        """Runs what must fail as the contract states: status 1, one clear line, nothing left behind."""
         before = self.names()
         done = self.rva(*arguments, **run)
         self.assertEqual(done.returncode, 1, done.stderr)

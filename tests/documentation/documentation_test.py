@@ -1,4 +1,4 @@
-"""What the documents say is so: options, links, files they name, and the inspection that the README shows.
+"""The documents are right: options, links, named files, the list of pages, and the inspection of the README.
 
 usage: documentation_test.py RVA REPOSITORY
 """
@@ -13,6 +13,12 @@ import unittest
 RVA, ROOT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 PAGES = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'data/README.md', 'examples/README.md', 'firmware/README.md')]
 PAGES += sorted((ROOT / 'docs').glob('*.md'))
+
+
+def anchors(page):
+    """The anchors of a page's headings, as GitHub forms them."""
+    headings = re.findall(r'^#+ (.*)$', page.read_text(), re.MULTILINE)
+    return {re.sub(r'[^\w\- ]', '', heading).lower().replace(' ', '-') for heading in headings}
 
 
 def share_covered(truth, box):
@@ -30,11 +36,25 @@ class Documentation(unittest.TestCase):
     def test_links_lead_somewhere(self):
         links = 0
         for page in PAGES:
-            for target in re.findall(r'\]\(([^)#]+)', page.read_text()):
+            for target, anchor in re.findall(r'\]\(([^)#\s]*)#?([^)\s]*)\)', page.read_text()):
                 if not target.startswith('http'):
                     links += 1
-                    self.assertTrue((page.parent / target).exists(), f'{page.name}: {target}')
+                    linked = page.parent / target if target else page
+                    self.assertTrue(linked.exists(), f'{page.name}: {target}')
+                    self.assertTrue(not anchor or anchor in anchors(linked), f'{page.name}: #{anchor}')
         self.assertGreater(links, 10)
+
+    def test_each_page_is_listed_once(self):
+        folder = ROOT / 'docs'
+        rows = re.findall(r'^\| \[[^]]+\]\(([^)]+)\) \|', (folder / 'README.md').read_text(), re.MULTILINE)
+        listed = [(folder / row).resolve() for row in rows]
+        for page in PAGES:
+            if page not in (ROOT / 'README.md', folder / 'README.md'):
+                self.assertEqual(listed.count(page.resolve()), 1, page.name)
+
+    def test_each_reader_has_a_start(self):
+        rows = re.findall(r'^\| ([a-z ]+) \| \[', (ROOT / 'docs' / 'README.md').read_text(), re.MULTILINE)
+        self.assertLessEqual({'mechanic', 'inspector', 'quality engineer', 'robotics engineer'}, set(rows))
 
     def test_named_files_exist(self):
         named = 0
