@@ -11,11 +11,11 @@
 #include "capture/frame_reader.hpp"
 #include "core/error.hpp"
 #include "core/quantile.hpp"
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 // Unbiased variance of the mean: s^2 / n. scaled_variance() is n^2 times the population variance.

@@ -15,6 +15,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/interrupt.hpp"
 #include "core/path_text.hpp"
+#include "core/units.hpp"
 
 namespace rva::cli {
 namespace {
@@ -104,7 +105,7 @@ Json to_json(const Capture& capture, const FrameSummary& summary) {
 
 void print_camera(const char* name, std::size_t frames, const Intrinsics& camera) {
   const auto field_deg = [](int pixels, double focal_px) {
-    return 2.0 * std::atan(0.5 * pixels / focal_px) * 180.0 / M_PI;
+    return degrees(2.0 * std::atan(0.5 * pixels / focal_px));
   };
   print("{:<8} {} frame(s) of {}x{}, fx {:.3f} fy {:.3f} cx {:.3f} cy {:.3f}, view {:.0f} x {:.0f} deg\n",
         name, frames, camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy,

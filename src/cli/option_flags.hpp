@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "core/options.hpp"
 #include "core/path_text.hpp"
+#include "core/units.hpp"
 
 namespace rva::cli {
 
@@ -96,7 +97,6 @@ struct CaptureFlags {
   [[nodiscard]] CaptureOptions options() const {
     CaptureOptions options;
     options.no_depth = no_depth;
-    constexpr double m_per_mm = 0.001;
     if (!topic.empty()) options.topic = topic;
     if (depth_unit_mm) options.depth_unit_m = m_per_mm * *depth_unit_mm;
     if (intrinsics.empty()) return options;

@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "capture/capture_view.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "detect/appearance/appearance_detection.hpp"
 #include "detect/spatial/lit_capture.hpp"
 #include "detect/spatial/surface_support.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "views/view_check.hpp"
 
 namespace rva {
@@ -63,8 +64,8 @@ std::optional<CheckedViews> checked_views(const StaticDetection& compared, const
 
 // Describes a motion, as in "turned by 1.02 degrees and shifted by 0.4 mm".
 std::string motion_text(const Transform& initial_from_final) {
-  const double turn_deg = Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi;
-  const double shift_mm = 1000.0 * initial_from_final.translation().norm();
+  const double turn_deg = angle_deg_of(initial_from_final);
+  const double shift_mm = mm_per_m * initial_from_final.translation().norm();
   return fmt::format("turned by {:.2g} degrees and shifted by {:.2g} mm", turn_deg, shift_mm);
 }
 
@@ -271,8 +272,6 @@ struct SidesInOneUnit {
   std::string note;  ///< empty if all have the same unit
 
  private:
-  static constexpr double mm_per_m = 1000.0;
-
   static Captures converted(const Captures& side, double unit_m) {
     Captures result;
     for (const auto& capture : side) {

@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/random.hpp"
+#include "core/units.hpp"
 #include "detect/detect.hpp"
 #include "detect/findings/findings.hpp"
 #include "detect/thesis/octree_detection.hpp"
@@ -72,14 +72,12 @@ Compared compare(const RobotSide& before, const RobotSide& after, int captures, 
   }
 }
 
-double turn_deg(const Transform& motion) {
-  return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
-}
+double turn_deg(const Transform& motion) { return angle_deg_of(motion); }
 
 MovedRegistration error_of(std::string method, int captures, const Transform& off) {
   return {.method = std::move(method),
           .captures = captures,
-          .error_mm = 1000.0 * off.translation().norm(),
+          .error_mm = mm_per_m * off.translation().norm(),
           .error_deg = turn_deg(off),
           .doubt = {}};
 }

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <set>
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/units.hpp"
 #include "detect/detect.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace rva {
 namespace {
@@ -29,8 +30,8 @@ std::vector<Target> plain(const RecordedScene& scene) {
 void note_registration(const RecordedScene& scene, const SidesDetection& found, RecordedResult& result) {
   if (!found.registration || !scene.final_from_initial) return;
   const Transform off = *scene.final_from_initial * found.registration->initial_from_final;
-  result.error_mm = 1000.0 * off.translation().norm();
-  result.error_deg = Eigen::AngleAxisd(off.linear()).angle() * 180.0 / std::numbers::pi;
+  result.error_mm = mm_per_m * off.translation().norm();
+  result.error_deg = angle_deg_of(off);
 }
 
 RecordedResult compare(const RecordedScene& scene, int captures, double allowed) {

@@ -1,13 +1,12 @@
 #include "geometry/pan_tilt.hpp"
 
-#include <numbers>
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
 
 Transform turned(const JointAxis& joint, double angle_deg) {
-  return Eigen::Translation3d(joint.at_m) *
-         Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180.0, joint.axis);
+  return Eigen::Translation3d(joint.at_m) * Eigen::AngleAxisd(radians(angle_deg), joint.axis);
 }
 
 // The twist of a frame that turns about an axis, with both given in that frame.

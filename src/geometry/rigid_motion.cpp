@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/units.hpp"
+
 namespace rva {
 namespace {
 
@@ -50,6 +52,8 @@ Twist log_of(const Transform& motion) {
   twist << rotation, mean_rotation(rotation).inverse() * motion.translation();
   return twist;
 }
+
+double angle_deg_of(const Transform& motion) { return degrees(Eigen::AngleAxisd(motion.linear()).angle()); }
 
 TwistMatrix adjoint(const Transform& a_from_b) {
   const Eigen::Matrix3d turn = a_from_b.linear();

@@ -26,6 +26,9 @@ using TwistMatrix = Eigen::Matrix<double, 6, 6>;
 /// @return the twist with the shortest rotation vector, of at most pi; either of the two at pi
 [[nodiscard]] Twist log_of(const Transform& motion);
 
+/// The angle by which a motion turns, 0 to 180 degrees.
+[[nodiscard]] double angle_deg_of(const Transform& motion);
+
 /// Takes a twist in b to the same motion in a: exp_of(adjoint(a_from_b) * twist) is
 /// a_from_b * exp_of(twist) * b_from_a.
 [[nodiscard]] TwistMatrix adjoint(const Transform& a_from_b);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <opencv2/imgproc.hpp>
 
 #include "core/parallel.hpp"
 #include "core/quantile.hpp"
+#include "core/units.hpp"
 #include "depth/mat_view.hpp"
 #include "infrared/level.hpp"
 
@@ -17,7 +17,7 @@ constexpr double smoothing_px = 0.8;
 constexpr int wide_px = 61;
 constexpr int border_px = 3;
 constexpr float tukey_log = 0.2F;
-constexpr double settled_rad = 0.002 * std::numbers::pi / 180.0;
+constexpr double settled_rad = radians(0.002);
 
 /// The weighted mean around each pixel; `missing` where there is hardly any weight.
 cv::Mat masked_mean(const cv::Mat& values, const cv::Mat& weights, const auto& blur, const cv::Mat& missing) {
@@ -164,7 +164,7 @@ class Target {
   std::vector<cv::Point> pixels_;
   // Prior of a rotation, which keeps poses unchanged if images show nothing: a standard deviation of a sixth
   // of a degree, for residuals whose noise ten neighbouring pixels share.
-  static constexpr double usual_turn_rad = 0.16 * std::numbers::pi / 180.0;
+  static constexpr double usual_turn_rad = radians(0.16);
   static constexpr double noise_log = 0.02;
   static constexpr double prior = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
 };

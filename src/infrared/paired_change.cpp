@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <span>
 #include <utility>
 
 #include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "infrared/level.hpp"
 #include "infrared/pair_difference.hpp"
 #include "infrared/projector_field.hpp"
@@ -27,7 +27,7 @@ struct Pair {
 
 double turn_deg(const InfraredView& a, const InfraredView& b) {
   const Transform motion = a.view_from_reference * b.view_from_reference.inverse();
-  return Eigen::AngleAxisd(motion.linear()).angle() * 180.0 / std::numbers::pi;
+  return angle_deg_of(motion);
 }
 
 // Pairs of views of nearly one pose. Servos come to rest within half a step of their target, in either

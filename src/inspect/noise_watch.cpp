@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/quantile.hpp"
+#include "core/units.hpp"
 #include "detect/calibrated/calibrated.hpp"
 #include "detect/findings/detection.hpp"
 
@@ -24,7 +25,7 @@ NoiseSoFar NoiseWatch::measure() const {
   std::size_t seen = 0;
   for (std::size_t i = 0; i < even_.size(); ++i) {
     seen += even_.seen(i) ? 1U : 0U;
-    if (even_.count(i) > 1) std_mm.push_back(even_.standard_deviation(i) * stereo_.unit_m * 1000.0);
+    if (even_.count(i) > 1) std_mm.push_back(even_.standard_deviation(i) * stereo_.unit_m * mm_per_m);
   }
   noise.measured = static_cast<double>(seen) / static_cast<double>(even_.size());
   if (!std_mm.empty()) noise.median_std_mm = quantile(std_mm, 0.5);

@@ -10,6 +10,7 @@
 
 #include "core/date_time.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "depth/depth_statistics.hpp"
 #include "detect/findings/detection.hpp"
 #include "views/disparity_change.hpp"
@@ -78,7 +79,7 @@ ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& optio
   const double drift_px = drift.px()(u, v);
   const double deviation_px = std::sqrt(drift.variance_px2()(u, v));
   // Depth changes by its square times the change of disparity, divided by focal length times baseline.
-  const double at_one_metre_mm = 1000.0 * std::abs(drift_px) / stereo.focal_baseline_m_px;
+  const double at_one_metre_mm = mm_per_m * std::abs(drift_px) / stereo.focal_baseline_m_px;
   const std::string seen = fmt::format("depth at one metre moved by {:.2f} mm in {:.0f} seconds",
                                        at_one_metre_mm, watched.duration_s);
   constexpr double reliable = 3.0;

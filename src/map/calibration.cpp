@@ -6,17 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-constexpr double m_per_mm = 1e-3;
 
 constexpr Eigen::Index geometry_numbers = 8;
 constexpr Eigen::Index joint_numbers = 2;

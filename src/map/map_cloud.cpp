@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/parallel.hpp"
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
@@ -123,7 +124,7 @@ std::vector<VoxelSum> voxels_of(const MapView& view, const Transform& foot_from_
       const Eigen::Vector3d point_m = camera.deproject({u, v}, z_m);
       const Eigen::Vector3d position_m = foot_from_camera * point_m;
       VoxelSum sum;
-      sum.key = key_of(position_m, options.voxel_mm / 1000.0);
+      sum.key = key_of(position_m, options.voxel_mm / mm_per_m);
       sum.weight = 1.0 / (z_m * z_m * z_m * z_m);
       sum.position_m = sum.weight * position_m;
       if (view.color) add_color(*view.color, point_m, sum);

@@ -5,16 +5,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <array>
-#include <numbers>
 
 #include "core/interrupt.hpp"
+#include "core/units.hpp"
 #include "map/overlapping_views.hpp"
 
 namespace rva {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-constexpr double m_per_mm = 1e-3;
 
 // The schedule goes from a reach for the error of worn servos down to four deviations of a matcher's fixed
 // pattern.

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/random.hpp"
+#include "core/units.hpp"
 #include "scene/camera_stand.hpp"
 
 namespace rva {
@@ -42,7 +43,6 @@ std::vector<SpeckleShare> speckle_of(const CameraStand& stand, const Transform& 
 // A bay that is not rigid leaves the camera at a slightly different position each time it comes to rest.
 Transform swayed(const Transform& world_from_camera, double sway_mm, std::uint64_t seed) {
   if (sway_mm <= 0.0) return world_from_camera;
-  constexpr double m_per_mm = 0.001;
   Random random(mix(seed, 0x5A1));
   Eigen::Vector3d offset_m;
   for (double& along : offset_m) along = m_per_mm * sway_mm * random.normal();
@@ -91,7 +91,7 @@ CaptureInfo SimulatedCamera::info() const {
   CaptureInfo info;
   info.format = "rva-capture";
   info.depth = rig_.imager;
-  info.depth_unit_m = options_.depth_unit_mm / 1000.0;
+  info.depth_unit_m = options_.depth_unit_mm / mm_per_m;
   if (color_frames_ != ColorFrames::none) {
     info.color = rig_.color;
     info.color_from_depth = rig_.color_from_depth;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/file.hpp"
+#include "core/units.hpp"
 #include "depth/image_file.hpp"
 
 namespace rva {
@@ -60,7 +61,7 @@ const char* name_of(Role role) {
 }
 
 Json to_json(const SceneObject& object, int label, const Seen& seen) {
-  const Eigen::Vector3d size_mm = 1000.0 * size_m(object);
+  const Eigen::Vector3d size_mm = mm_per_m * size_m(object);
   Json json{{"label", label},
             {"name", object.name},
             {"kind", object.kind},

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "core/units.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "infrared/infrared_alignment.hpp"
 #include "infrared/infrared_check.hpp"
 #include "views/view_motion.hpp"
@@ -13,7 +14,6 @@
 namespace rva {
 namespace {
 
-constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 // With fewer captures, dots cover most of the image of the others. Comparisons have the same limit.
 constexpr std::size_t least_captures = 4;
 // In a bay with little texture, a round makes up for a fifth of a turn or less, so that the 8 rounds of a
@@ -36,7 +36,7 @@ Transform view_from_first(const Captures& captures, std::size_t capture) {
 std::optional<double> turn_by_depth_deg(const DepthView& before, const Capture& returned) {
   const ViewMotion motion = view_motion(before, depth_view(returned));
   if (motion.tiles == 0.0) return std::nullopt;
-  return motion.displacement_px / before.camera.fx * deg_per_rad;
+  return degrees(motion.displacement_px / before.camera.fx);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ class BaselinePoses::Infrared {
     std::vector<InfraredView> now{view_of(returned, from)};
     align_to(baseline.others, surface_, now, many_rounds);
     const Transform turn = now.front().view_from_reference * from.inverse();
-    return Eigen::AngleAxisd(turn.linear()).angle() * deg_per_rad;
+    return angle_deg_of(turn);
   }
 
  private:

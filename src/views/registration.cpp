@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "core/units.hpp"
 #include "views/normal_equations.hpp"
 #include "views/registration_starts.hpp"
 
@@ -119,7 +120,7 @@ std::string doubt_of(const Registration& registration, const RegistrationUncerta
   if (candidates.size() > 1 && candidates[1].score > clearly_better * candidates[0].score) {
     const double apart_m =
         distance_m(candidates[0].alignment.initial_from_final, candidates[1].alignment.initial_from_final);
-    return fmt::format("two poses {:.0f} mm apart explain the views equally well", 1000.0 * apart_m);
+    return fmt::format("two poses {:.0f} mm apart explain the views equally well", mm_per_m * apart_m);
   }
   return {};
 }

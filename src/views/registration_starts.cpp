@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
@@ -12,9 +13,7 @@ constexpr std::array sideways_m{-0.45, -0.3, -0.15, 0.0, 0.15, 0.3, 0.45};
 constexpr std::array forward_m{-0.3, 0.0, 0.3};
 constexpr std::array tilts_deg{-10.0, -30.0};
 
-Eigen::AngleAxisd about(const Eigen::Vector3d& axis, double angle_deg) {
-  return {angle_deg * std::numbers::pi / 180.0, axis};
-}
+Eigen::AngleAxisd about(const Eigen::Vector3d& axis, double angle_deg) { return {radians(angle_deg), axis}; }
 
 }  // namespace
 

@@ -15,6 +15,7 @@
 #include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
+#include "core/units.hpp"
 #include "depth/image_file.hpp"
 
 namespace fs = std::filesystem;
@@ -226,7 +227,6 @@ std::unique_ptr<Capture> open_capture_folder(const fs::path& folder, const Captu
 }
 
 void settle_unit(const CaptureOptions& options, CaptureInfo& info) {
-  constexpr double mm_per_m = 1000.0;
   if (!options.depth_unit_m) {
     if (info.unit_is_assumed)
       info.notes.push_back(

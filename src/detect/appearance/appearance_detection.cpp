@@ -8,6 +8,7 @@
 
 #include "core/quantile.hpp"
 #include "core/stopwatch.hpp"
+#include "core/units.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/appearance/appearance_evidence.hpp"
 #include "detect/appearance/color_evidence.hpp"
@@ -78,7 +79,6 @@ double score_of(const std::vector<std::uint32_t>& pixels, const std::vector<Judg
 // The height is what the pairs measured in disparity, converted at the finding's depth after the work.
 void give_height(float nearer_px, const StereoScale& stereo, Finding& finding) {
   if (!finding.position_m) return;
-  constexpr double mm_per_m = 1000.0;
   const double after_px = stereo.disparity_px(finding.position_m->z());
   const double before_px = after_px - static_cast<double>(nearer_px);
   if (before_px > 0.0) finding.height_mm = mm_per_m * (stereo.depth_m(before_px) - finding.position_m->z());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "core/parallel.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/spatial/surface_support.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "geometry/stereo_scale.hpp"
 #include "infrared/dot_free_image.hpp"
 #include "infrared/dot_mask.hpp"
@@ -46,7 +46,7 @@ bool turned_far(const std::vector<InfraredView>& views, const std::vector<Transf
   constexpr double far_deg = 1.0;
   for (std::size_t k = 0; k < views.size(); ++k) {
     const Transform turn = views[k].view_from_reference * stated[k].inverse();
-    if (Eigen::AngleAxisd(turn.linear()).angle() * 180.0 / std::numbers::pi > far_deg) return true;
+    if (angle_deg_of(turn) > far_deg) return true;
   }
   return false;
 }

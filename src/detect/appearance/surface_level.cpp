@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/units.hpp"
+
 namespace rva {
 namespace {
 
 // Changes of a pixel or more are outside the range in which costs are parabolic about their minimum.
 constexpr double most_px = 1.0;
-constexpr double mm_per_m = 1000.0;
 
 }  // namespace
 

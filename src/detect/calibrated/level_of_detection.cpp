@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/quantile.hpp"
+#include "core/units.hpp"
 #include "depth/colorize.hpp"
 #include "depth/mat_view.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double class_m = 0.2;
-constexpr double mm_per_m = 1000.0;
 constexpr std::size_t sampling = 3;  // neighbouring pixels are similar
 
 // The deviations that each pixel of the window must change by. The pooled evidence of w^2 pixels that all

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "core/stopwatch.hpp"
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
@@ -84,7 +85,7 @@ void warn_of_blindness(const Comparison& comparison, std::string_view why,
   if (comparison.blind > much) {
     warnings.push_back(
         fmt::format("in {:.0f} % of what was compared, a change of {:.0f} mm would not have been found: {}",
-                    100.0 * comparison.blind, 1000.0 * blind_from_m, why));
+                    100.0 * comparison.blind, mm_per_m * blind_from_m, why));
   }
 }
 

@@ -5,12 +5,11 @@
 #include <limits>
 
 #include "core/quantile.hpp"
+#include "core/units.hpp"
 #include "detect/findings/moved_things.hpp"
 
 namespace rva {
 namespace {
-
-constexpr double mm_per_m = 1000.0;
 
 /// Valid depths over a region.
 struct RegionDepth {

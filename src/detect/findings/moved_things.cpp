@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/quantile.hpp"
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
@@ -45,7 +46,6 @@ std::optional<double> surface_m(const Finding& finding, const Comparison& compar
 
 // Sides of the rectangle with the second moments of the pixels: along a side, the variance is side^2 / 12.
 Size size_of(const Finding& finding, double distance_m, int width, const Intrinsics& camera) {
-  constexpr double mm_per_m = 1000.0;
   Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
   const Eigen::Vector2d pixel_mm(mm_per_m * distance_m / camera.fx, mm_per_m * distance_m / camera.fy);
   for (const std::uint32_t i : finding.pixels) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/units.hpp"
 #include "depth/mat_view.hpp"
 #include "detect/regions/regions.hpp"
 
@@ -39,7 +40,6 @@ double unsupported_factor(InfraredCompared compared) {
 // True also for depth that appeared or went missing.
 bool moved_by_a_pixel(const Finding& finding, const StereoScale& stereo) {
   if (!finding.height_mm || !finding.position_m) return true;
-  constexpr double m_per_mm = 0.001;
   const double after_m = finding.position_m->z();
   const double before_m = after_m + m_per_mm * *finding.height_mm;
   return before_m <= 0.0 || std::abs(stereo.disparity_px(after_m) - stereo.disparity_px(before_m)) >= 1.0;
@@ -91,7 +91,6 @@ void order(std::vector<Finding>& findings) {
 
 bool is_spike_of_surfaces(const Finding& finding, double focal_px) {
   constexpr double most_height_per_width = 3.0;
-  constexpr double mm_per_m = 1000.0;
   if (finding.evidence.appearance || !finding.height_mm || !finding.position_m) return false;
   const double width_px = std::sqrt(static_cast<double>(finding.pixels.size()));
   const double width_mm = mm_per_m * width_px * finding.position_m->z() / focal_px;

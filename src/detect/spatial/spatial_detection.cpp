@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -17,6 +16,7 @@
 #include "detect/regions/left_out.hpp"
 #include "detect/spatial/spatial_comparison.hpp"
 #include "detect/spatial/surface_support.hpp"
+#include "geometry/rigid_motion.hpp"
 #include "geometry/stereo_scale.hpp"
 #include "views/fused_view.hpp"
 #include "views/view_check.hpp"
@@ -286,7 +286,7 @@ class Run {
 bool came_back_nearly(const Transform& initial_from_final) {
   constexpr double most_turn_deg = 3.0;
   constexpr double most_shift_m = 0.02;
-  return Eigen::AngleAxisd(initial_from_final.linear()).angle() * 180.0 / std::numbers::pi < most_turn_deg &&
+  return angle_deg_of(initial_from_final) < most_turn_deg &&
          initial_from_final.translation().norm() < most_shift_m;
 }
 

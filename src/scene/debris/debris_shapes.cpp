@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/units.hpp"
 #include "scene/solids/shapes.hpp"
 #include "scene/solids/skin.hpp"
 
@@ -26,7 +27,7 @@ TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& factors) {
 }
 
 TriangleMesh turned(const TriangleMesh& mesh, double angle_deg, const Eigen::Vector3d& axis) {
-  return transformed(mesh, Transform(Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180.0, axis)));
+  return transformed(mesh, Transform(Eigen::AngleAxisd(radians(angle_deg), axis)));
 }
 
 TriangleMesh turned_solid(std::initializer_list<Eigen::Vector2d> profile_rz, int segments) {
@@ -45,7 +46,7 @@ Outline hexagon(double across_flats) {
 Outline arc(const Eigen::Vector2d& center, double radius, double from_deg, double to_deg, int pieces) {
   Outline points;
   for (int i = 0; i <= pieces; ++i) {
-    const double angle = (from_deg + (to_deg - from_deg) * i / pieces) * std::numbers::pi / 180.0;
+    const double angle = radians(from_deg + (to_deg - from_deg) * i / pieces);
     points.emplace_back(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle));
   }
   return points;

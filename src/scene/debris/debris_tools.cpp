@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/units.hpp"
 #include "scene/debris/debris_shapes.hpp"
 #include "scene/solids/shapes.hpp"
 #include "scene/solids/skin.hpp"
@@ -97,7 +98,7 @@ Parts wrench() {
 Parts drill_bit(double diameter, double length, double flute_length) {
   constexpr int corners = 20;
   const double radius = diameter / 2;
-  const double point_length = radius / std::tan(59.0 * std::numbers::pi / 180.0);
+  const double point_length = radius / std::tan(radians(59.0));
   const auto ring = [&](double z, double depth) {
     Ring points;
     for (int i = 0; i < corners; ++i) {

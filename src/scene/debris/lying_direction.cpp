@@ -3,7 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/units.hpp"
 
 namespace rva {
 
@@ -27,7 +28,7 @@ double lying_direction_deg(std::span<const Part> parts, const RestingOrientation
       std::minmax_element(seen_from_above.begin(), seen_from_above.end(),
                           [&](const auto& a, const auto& b) { return axis.dot(a) < axis.dot(b); });
   if (-axis.dot(*back) > axis.dot(*front)) axis = -axis;
-  return std::atan2(axis.y(), axis.x()) * 180.0 / std::numbers::pi;
+  return degrees(std::atan2(axis.y(), axis.x()));
 }
 
 }  // namespace rva

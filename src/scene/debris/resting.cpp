@@ -4,8 +4,8 @@
 #include "scene/debris/resting.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "core/units.hpp"
 #include "scene/solids/convex_hull.hpp"
 
 namespace rva {
@@ -98,7 +98,7 @@ std::optional<Transform> put_down(const RayCaster& surface, std::span<const Part
                                   const Eigen::Vector3d& place_m) {
   SceneObject body{
       .name = "body", .kind = "body", .role = Role::debris, .parts = {parts.begin(), parts.end()}};
-  const Eigen::AngleAxisd turn(turn_deg * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd turn(radians(turn_deg), Eigen::Vector3d::UnitZ());
   body.world_from_object.linear() = turn.toRotationMatrix() * orientation.floor_from_body;
   body.world_from_object.translation() = place_m + orientation.height_m * Eigen::Vector3d::UnitZ();
 

@@ -1,6 +1,7 @@
 #include "sim/sensor/stereo_rig.hpp"
 
 #include "core/random.hpp"
+#include "core/units.hpp"
 
 namespace rva {
 
@@ -25,7 +26,7 @@ Intrinsics centred(double focal_px) {
 StereoRig stereo_rig(const StereoSensorOptions& options) {
   StereoRig rig;
   rig.imager = centred(options.focal_px);
-  rig.baseline_m = options.baseline_mm / 1000.0;
+  rig.baseline_m = options.baseline_mm / mm_per_m;
   rig.color = centred(color_focal_px);
   rig.color_from_depth = Transform::Identity();
   rig.color_from_depth.translation() = Eigen::Vector3d(0.015, 0.0, 0.0);
