@@ -260,20 +260,22 @@ class CameraMean {
   Image<float> count_;
 };
 
-void space_time(const std::vector<Dither>& side, const Truth& truth, const Intrinsics& camera, double m_px) {
+void space_time(const std::vector<Dither>& side, const Truth& truth, const Intrinsics& camera,
+                const StereoScale& stereo) {
   fmt::print("\nmeans of {} frames, poses known\n", frames);
-  const ReferenceSurface start = reference_surface(camera, side.front().camera_px, m_px);
+  const ReferenceSurface start = reference_surface(camera, side.front().camera_px, stereo);
   for (const std::size_t captures : {std::size_t{1}, std::size_t{4}, std::size_t{8}}) {
     std::vector<StereoView> views;
-    CameraMean mean(start, m_px);
+    CameraMean mean(start, stereo);
     for (std::size_t k = 0; k < captures; ++k) {
       views.push_back(side[k].mean);
       mean.add(side[k]);
     }
     print_errors(fmt::format("{} captures: camera's", captures), mean.mean(), truth);
-    print_errors(fmt::format("{} captures: space-time", captures), space_time_disparity(start, m_px, views),
+    print_errors(fmt::format("{} captures: space-time", captures), space_time_disparity(start, stereo, views),
                  truth);
-    fmt::print("{:<26}  {:.0f} ms\n", "", least_ms([&] { (void)space_time_disparity(start, m_px, views); }));
+    fmt::print("{:<26}  {:.0f} ms\n", "",
+               least_ms([&] { (void)space_time_disparity(start, stereo, views); }));
   }
 }
 

@@ -20,13 +20,21 @@ if(RVA_FUZZ)
   target_compile_options(rva_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# Headers that most files include, compiled once: Eigen alone takes a third of the time of an average file.
+add_library(rva_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+target_link_libraries(rva_precompiled PRIVATE rva_flags Eigen3::Eigen fmt::fmt)
+target_precompile_headers(rva_precompiled PRIVATE
+  <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
+  <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
+
 # rva_library(NAME [SOURCES ...] [LINKS ...]): builds one folder of src/ as a static library.
 # docs/design.md defines which folders a folder may link; tests/architecture checks that the includes conform.
 function(rva_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE rva_flags)
+  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE rva_flags Eigen3::Eigen fmt::fmt)
+  target_precompile_headers(${name} REUSE_FROM rva_precompiled)
 endfunction()
 
 # OpenCV's headers cause warnings under -Wconversion, so they are included as system headers.

@@ -61,9 +61,9 @@ std::string to_json(const NoiseReport& report) {
 
 // White where the first and the last frames differ, black where they do not, grey where there was nothing to
 // test.
-Mask drift_picture(const Noise& noise) {
+GrayImage drift_picture(const Noise& noise) {
   constexpr std::uint8_t untested = 96;
-  Mask picture(noise.welch_p.width(), noise.welch_p.height());
+  GrayImage picture(noise.welch_p.width(), noise.welch_p.height());
   for (std::size_t i = 0; i < picture.size(); ++i) {
     const float p = noise.welch_p[i];
     const bool rejected = static_cast<double>(p) < noise.report.alpha;

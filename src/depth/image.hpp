@@ -13,9 +13,14 @@ namespace rva {
 
 /// A dense image: row by row, no padding. Pixel (u, v) is column u from the left, row v from the top,
 /// both from 0. Copies are deep.
-template <typename Pixel>
+///
+/// `Meaning` tells images of one pixel type apart whose values mean different things: a label image cannot be
+/// passed as a depth image.
+template <typename Pixel, typename Meaning = Pixel>
 class Image {
  public:
+  using Value = Pixel;
+
   Image() = default;
   Image(int width, int height, Pixel fill = {})
       : width_(width),
@@ -38,8 +43,8 @@ class Image {
   [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
   [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
 
-  template <typename Other>
-  [[nodiscard]] bool same_size(const Image<Other>& other) const {
+  template <typename Other, typename OtherMeaning>
+  [[nodiscard]] bool same_size(const Image<Other, OtherMeaning>& other) const {
     return width_ == other.width() && height_ == other.height();
   }
 
@@ -57,25 +62,25 @@ class Image {
 };
 
 /// Depth along z of the depth imager, in the capture's depth units.
-using DepthImage = Image<std::uint16_t>;
+using DepthImage = Image<std::uint16_t, struct DepthInUnits>;
 /// The value of pixels without a measurement in a DepthImage.
 inline constexpr std::uint16_t no_depth = 0;
 
 /// 255 where the pixel belongs to the mask, otherwise 0.
-using Mask = Image<std::uint8_t>;
+using Mask = Image<std::uint8_t, struct InMask>;
 inline constexpr std::uint8_t mask_set = 255;
 
 /// Brightness, 0 to 255.
-using GrayImage = Image<std::uint8_t>;
+using GrayImage = Image<std::uint8_t, struct GreyLevel>;
 
 /// Brightness in 256ths of a grey level, 0 to 65280: the mean of several images has fractions.
-using FineGrayImage = Image<std::uint16_t>;
+using FineGrayImage = Image<std::uint16_t, struct FineGreyLevel>;
 inline constexpr int fine_steps_per_grey_level = 256;
 
 /// Converts grey levels to 256ths, rounded.
 /// @param levels grey levels, with or without fractions; clamped to 0 to 255
-template <typename Level>
-[[nodiscard]] FineGrayImage fine_gray(const Image<Level>& levels) {
+template <typename Level, typename Meaning>
+[[nodiscard]] FineGrayImage fine_gray(const Image<Level, Meaning>& levels) {
   constexpr float white = 255.0F;
   FineGrayImage fine(levels.width(), levels.height());
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -84,6 +89,9 @@ template <typename Level>
   }
   return fine;
 }
+
+/// Numbers of objects, as the scene counts them; 0 for none.
+using LabelImage = Image<std::uint16_t, struct ObjectLabel>;
 
 struct Rgb {
   std::uint8_t r = 0;

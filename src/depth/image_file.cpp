@@ -177,7 +177,7 @@ Image<float> read_infrared(const std::filesystem::path& path, double counts_per_
   const auto width = static_cast<int>(header.width);
   const auto height = static_cast<int>(header.height);
   Image<float> image(width, height);
-  const auto fill = [&]<typename Pixel>(Image<Pixel> counts, float per_level) {
+  const auto fill = [&]<typename Pixel, typename Meaning>(Image<Pixel, Meaning> counts, float per_level) {
     decode_png(decoder.get(), SPNG_FMT_PNG, counts.data(), counts.size() * sizeof(Pixel), source);
     for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<float>(counts[i]) / per_level;
   };
@@ -188,13 +188,12 @@ Image<float> read_infrared(const std::filesystem::path& path, double counts_per_
   return image;
 }
 
-std::vector<std::byte> encode_png(const DepthImage& image) {
-  return encode(image.width(), image.height(), SPNG_COLOR_TYPE_GRAYSCALE, 16, image.data(),
-                image.size() * sizeof(std::uint16_t));
+std::vector<std::byte> encode_png(std::span<const std::uint8_t> values, int width, int height) {
+  return encode(width, height, SPNG_COLOR_TYPE_GRAYSCALE, 8, values.data(), values.size_bytes());
 }
 
-std::vector<std::byte> encode_png(const Mask& image) {
-  return encode(image.width(), image.height(), SPNG_COLOR_TYPE_GRAYSCALE, 8, image.data(), image.size());
+std::vector<std::byte> encode_png(std::span<const std::uint16_t> values, int width, int height) {
+  return encode(width, height, SPNG_COLOR_TYPE_GRAYSCALE, 16, values.data(), values.size_bytes());
 }
 
 std::vector<std::byte> encode_jpeg(const ColorImage& image, int quality) {

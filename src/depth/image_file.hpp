@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -45,8 +46,14 @@ void require_reasonable_size(long width, long height, long most_pixels, const st
 /// @throws Error as decode_depth()
 [[nodiscard]] Image<float> read_infrared(const std::filesystem::path& path, double counts_per_grey_level);
 
-[[nodiscard]] std::vector<std::byte> encode_png(const DepthImage& image);
-[[nodiscard]] std::vector<std::byte> encode_png(const Mask& image);
+/// Encodes one channel. @param values width times height of them, row by row
+[[nodiscard]] std::vector<std::byte> encode_png(std::span<const std::uint8_t> values, int width, int height);
+[[nodiscard]] std::vector<std::byte> encode_png(std::span<const std::uint16_t> values, int width, int height);
+
+template <typename Value, typename Meaning>
+[[nodiscard]] std::vector<std::byte> encode_png(const Image<Value, Meaning>& image) {
+  return encode_png(image.pixels(), image.width(), image.height());
+}
 [[nodiscard]] std::vector<std::byte> encode_png(const ColorImage& image);
 
 /// For display only, since JPEG is lossy.

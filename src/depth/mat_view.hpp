@@ -28,14 +28,14 @@ struct MatType<Rgb> {
 };
 
 /// The matrix shares the image's pixels and must not outlive it.
-template <typename Pixel>
-cv::Mat as_mat(Image<Pixel>& image) {
+template <typename Pixel, typename Meaning>
+cv::Mat as_mat(Image<Pixel, Meaning>& image) {
   return {image.height(), image.width(), MatType<Pixel>::value, image.data()};
 }
 
 /// The same for a constant image. The matrix must only be read: OpenCV has no type for constant pixels.
-template <typename Pixel>
-cv::Mat as_mat(const Image<Pixel>& image) {
+template <typename Pixel, typename Meaning>
+cv::Mat as_mat(const Image<Pixel, Meaning>& image) {
   return {image.height(), image.width(), MatType<Pixel>::value, const_cast<Pixel*>(image.data())};
 }
 

@@ -52,9 +52,9 @@ PixelMap map_to(const Intrinsics& camera, const Transform& camera_from_view, con
   return map;
 }
 
-template <typename Pixel>
-Image<Pixel> sample(const Image<Pixel>& image, const PixelMap& map, int interpolation) {
-  Image<Pixel> seen(map.u.width(), map.u.height());
+template <typename Pixels>
+Pixels sample(const Pixels& image, const PixelMap& map, int interpolation) {
+  Pixels seen(map.u.width(), map.u.height());
   cv::remap(as_mat(image), as_mat(seen), as_mat(map.u), as_mat(map.v), interpolation, cv::BORDER_CONSTANT);
   return seen;
 }

@@ -38,7 +38,7 @@ struct Seen {
   }
 };
 
-std::vector<Seen> find_seen(const Image<std::uint16_t>& labels, std::size_t objects) {
+std::vector<Seen> find_seen(const LabelImage& labels, std::size_t objects) {
   std::vector<Seen> seen(objects + 1);
   for (int v = 0; v < labels.height(); ++v) {
     for (int u = 0; u < labels.width(); ++u) seen[labels(u, v)].add(u, v);

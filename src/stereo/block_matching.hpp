@@ -9,7 +9,7 @@
 namespace rva {
 
 /// Image of one imager: 10 bits, 0 to 1023, with rows aligned to those of the other imager.
-using InfraredImage = Image<std::uint16_t>;
+using InfraredImage = Image<std::uint16_t, struct ImagerCounts>;
 
 struct BlockMatchingOptions {
   int search_px = 126;        ///< largest disparity, which determines the least distance

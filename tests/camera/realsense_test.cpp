@@ -70,9 +70,9 @@ class SoftwareDevice {
   }
 
  private:
-  template <typename Pixel>
-  static void send(rs2::software_sensor& sensor, const rs2::stream_profile& stream, Image<Pixel>& image,
-                   int bytes, int number) {
+  template <typename Pixel, typename Meaning>
+  static void send(rs2::software_sensor& sensor, const rs2::stream_profile& stream,
+                   Image<Pixel, Meaning>& image, int bytes, int number) {
     sensor.on_video_frame({image.data(), [](void*) {}, width * bytes, bytes, 33.0 * number,
                            RS2_TIMESTAMP_DOMAIN_HARDWARE_CLOCK, number, stream.get(), 0.0001F});
   }

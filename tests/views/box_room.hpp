@@ -83,7 +83,9 @@ struct ViewNoise {
 
 inline DepthView view_of(const Room& room, const Transform& world_from_camera, const ViewNoise& how = {},
                          const Intrinsics& camera = small_camera()) {
-  DepthView view{camera, camera.fx * baseline_m, Image<float>(camera.width, camera.height),
+  DepthView view{camera,
+                 {.focal_baseline_m_px = camera.fx * baseline_m},
+                 Image<float>(camera.width, camera.height),
                  Image<float>(camera.width, camera.height)};
   Random random(how.seed);
   for (int v = 0; v < camera.height; ++v) {

@@ -44,7 +44,7 @@ DisparityChange fused(const test::Room& before, const test::Room& after, std::si
   for (std::size_t k = 0; k < count; ++k)
     changes.push_back(change_at(before, after, k, 0.3 * static_cast<double>(k % 2)));
   const Intrinsics camera = test::small_camera();
-  return fuse(std::move(changes), camera, camera.fx * test::baseline_m);
+  return fuse(std::move(changes), camera, {.focal_baseline_m_px = camera.fx * test::baseline_m});
 }
 
 double spread_px(const DisparityChange& change) {
@@ -99,7 +99,8 @@ TEST(FusedChange, JudgesOnlyWhatHalfOfTheViewsHave) {
     change.judged = Mask(change.judged.width(), change.judged.height());
   }
   const Intrinsics camera = test::small_camera();
-  const DisparityChange change = fuse(std::move(changes), camera, camera.fx * test::baseline_m);
+  const DisparityChange change =
+      fuse(std::move(changes), camera, {.focal_baseline_m_px = camera.fx * test::baseline_m});
   EXPECT_EQ(std::ranges::count(change.judged.pixels(), mask_set), 0);
   EXPECT_GT(std::ranges::count_if(change.before_px.pixels(), [](float px) { return px > 0.0F; }), 10000)
       << "it was seen before all the same";

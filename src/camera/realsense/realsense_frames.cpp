@@ -6,14 +6,14 @@
 namespace rva {
 namespace {
 
-template <typename Pixel>
-Image<Pixel> copy_rows(const rs2::video_frame& frame) {
-  Image<Pixel> image(frame.get_width(), frame.get_height());
+template <typename Copy>
+Copy copy_rows(const rs2::video_frame& frame) {
+  Copy image(frame.get_width(), frame.get_height());
   const auto* bytes = static_cast<const std::byte*>(frame.get_data());
   const auto row_bytes = static_cast<std::size_t>(frame.get_stride_in_bytes());
   const auto width = static_cast<std::size_t>(image.width());
   for (std::size_t v = 0; v < static_cast<std::size_t>(image.height()); ++v)
-    std::memcpy(image.data() + v * width, bytes + v * row_bytes, width * sizeof(Pixel));
+    std::memcpy(image.data() + v * width, bytes + v * row_bytes, width * sizeof(typename Copy::Value));
   return image;
 }
 
@@ -36,9 +36,9 @@ std::optional<double> metadata_value(const rs2::frame& frame, rs2_frame_metadata
 
 }  // namespace
 
-DepthImage to_depth_image(const rs2::depth_frame& frame) { return copy_rows<std::uint16_t>(frame); }
-ColorImage to_color_image(const rs2::video_frame& frame) { return copy_rows<Rgb>(frame); }
-GrayImage to_gray_image(const rs2::video_frame& frame) { return copy_rows<std::uint8_t>(frame); }
+DepthImage to_depth_image(const rs2::depth_frame& frame) { return copy_rows<DepthImage>(frame); }
+ColorImage to_color_image(const rs2::video_frame& frame) { return copy_rows<ColorImage>(frame); }
+GrayImage to_gray_image(const rs2::video_frame& frame) { return copy_rows<GrayImage>(frame); }
 
 Intrinsics to_intrinsics(const rs2_intrinsics& intrinsics) {
   Intrinsics camera{.width = intrinsics.width,

@@ -61,8 +61,8 @@ Json to_json_value(const InfraredBurst& burst) {
           {"laser_power_mw", or_null(burst.laser_power_mw)}};
 }
 
-template <typename Pixel>
-void require_size(const fs::path& file, const Image<Pixel>& image, const Intrinsics& stated) {
+template <typename Pixel, typename Meaning>
+void require_size(const fs::path& file, const Image<Pixel, Meaning>& image, const Intrinsics& stated) {
   if (image.width() == stated.width && image.height() == stated.height) return;
   throw Error(printable(file),
               fmt::format("the image has {}x{} pixels, but the capture states {}x{}", image.width(),
@@ -75,8 +75,8 @@ fs::path frame_file(const fs::path& folder, const fs::path& kind, std::size_t nu
   return folder / kind / fmt::format("{:06}.png", number);
 }
 
-template <typename Pixel>
-void write_image(const fs::path& file, const Image<Pixel>& image) {
+template <typename Pixel, typename Meaning>
+void write_image(const fs::path& file, const Image<Pixel, Meaning>& image) {
   std::error_code ignored;  // if the folder is missing, put_file() fails and reports why
   fs::create_directories(file.parent_path(), ignored);
   put_file(file, encode_png(image));

@@ -99,8 +99,8 @@ bool comes_before(const fs::path& a, const fs::path& b) {
   return one < other;
 }
 
-template <typename Pixel>
-Image<Pixel> of_size(Image<Pixel> image, const fs::path& file, const Intrinsics& stated) {
+template <typename Pixel, typename Meaning>
+Image<Pixel, Meaning> of_size(Image<Pixel, Meaning> image, const fs::path& file, const Intrinsics& stated) {
   if (image.width() == stated.width && image.height() == stated.height) return image;
   throw Error(printable(file),
               fmt::format("has {}x{} pixels, but the capture states {}x{}", image.width(), image.height(),

@@ -30,14 +30,14 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 }
 
 // Copies pixels from the file's bytes and converts their type.
-template <typename Stored, typename Pixel>
-Image<Pixel> pixels_from(std::span<const std::byte> bytes, int width, int height, const std::string& source) {
-  Image<Pixel> image(width, height);
+template <typename Stored, typename Pixels>
+Pixels pixels_from(std::span<const std::byte> bytes, int width, int height, const std::string& source) {
+  Pixels image(width, height);
   if (bytes.size() < image.size() * sizeof(Stored)) throw damaged_image(source, "it ends early");
   for (std::size_t i = 0; i < image.size(); ++i) {
     Stored value;
     std::memcpy(&value, &bytes[i * sizeof(Stored)], sizeof value);
-    image[i] = static_cast<Pixel>(value);
+    image[i] = static_cast<typename Pixels::Value>(value);
   }
   return image;
 }
@@ -143,7 +143,7 @@ StoredDepth decode_pgm(std::span<const std::byte> file, const std::string& sourc
   if (greatest <= one_byte || greatest > most)
     throw other_content(source, fmt::format("has grey levels up to {}, but depth needs 16 bits", greatest));
   const auto pixels = file.subspan(std::min(header.pixels_at(), file.size()));
-  auto image = pixels_from<std::uint16_t, std::uint16_t>(pixels, width, height, source);
+  auto image = pixels_from<std::uint16_t, DepthImage>(pixels, width, height, source);
   for (std::uint16_t& value : image.pixels()) value = static_cast<std::uint16_t>(value << 8 | value >> 8);
   return image;
 }
@@ -158,9 +158,11 @@ StoredDepth decode_npy(std::span<const std::byte> file, const std::string& sourc
   const auto pixels = file.subspan(static_cast<std::size_t>(header.data() + header.size() - file.data()));
   const std::string_view type = npy_value(text, "descr", source);
   if (type.starts_with("'<u2'"))
-    return pixels_from<std::uint16_t, std::uint16_t>(pixels, shape.width, shape.height, source);
-  if (type.starts_with("'<f4'")) return pixels_from<float, float>(pixels, shape.width, shape.height, source);
-  if (type.starts_with("'<f8'")) return pixels_from<double, float>(pixels, shape.width, shape.height, source);
+    return pixels_from<std::uint16_t, DepthImage>(pixels, shape.width, shape.height, source);
+  if (type.starts_with("'<f4'"))
+    return pixels_from<float, Image<float>>(pixels, shape.width, shape.height, source);
+  if (type.starts_with("'<f8'"))
+    return pixels_from<double, Image<float>>(pixels, shape.width, shape.height, source);
   throw other_content(source, "has values of type " + printable(type.substr(0, type.find(','))));
 }
 

@@ -54,10 +54,10 @@ Tiff open_tiff(Bytes& bytes, const std::string& source) {
   return tiff;
 }
 
-template <typename Pixel>
-Image<Pixel> rows_of(TIFF* tiff, int width, int height, const std::string& source) {
-  Image<Pixel> image(width, height);
-  if (TIFFScanlineSize64(tiff) != static_cast<std::uint64_t>(width) * sizeof(Pixel))
+template <typename Rows>
+Rows rows_of(TIFF* tiff, int width, int height, const std::string& source) {
+  Rows image(width, height);
+  if (TIFFScanlineSize64(tiff) != static_cast<std::uint64_t>(width) * sizeof(typename Rows::Value))
     throw damaged_image(source, "the length of its rows does not match its width");
   for (int v = 0; v < height; ++v) {
     if (TIFFReadScanline(tiff, &image(0, v), static_cast<std::uint32_t>(v)) != 1)
@@ -92,8 +92,8 @@ StoredDepth decode_tiff(std::span<const std::byte> file, const std::string& sour
         "give depth of 16 bits in one channel, or floating point in metres");
   const int columns = static_cast<int>(width);
   const int rows = static_cast<int>(height);
-  if (whole) return rows_of<std::uint16_t>(tiff.get(), columns, rows, source);
-  return rows_of<float>(tiff.get(), columns, rows, source);
+  if (whole) return rows_of<DepthImage>(tiff.get(), columns, rows, source);
+  return rows_of<Image<float>>(tiff.get(), columns, rows, source);
 }
 
 }  // namespace rva

@@ -26,13 +26,14 @@ Error unknown_encoding(const ImageMessage& image, const char* kind, std::string_
 }
 
 // Rows may be padded.
-template <typename Pixel>
-Image<Pixel> copy_rows(const ImageMessage& image, std::string_view source) {
+template <typename Copy>
+Copy copy_rows(const ImageMessage& image, std::string_view source) {
+  using Pixel = typename Copy::Value;
   const std::size_t used = static_cast<std::size_t>(image.width) * sizeof(Pixel);
   const auto rows = static_cast<std::size_t>(image.height);
   if (image.row_bytes < used || image.pixels.size() / image.row_bytes < rows)
     throw unsound(source, "an image has fewer bytes than its size requires");
-  Image<Pixel> copy(image.width, image.height);
+  Copy copy(image.width, image.height);
   for (std::size_t v = 0; v < rows; ++v) {
     std::memcpy(copy.data() + v * static_cast<std::size_t>(image.width),
                 image.pixels.data() + v * image.row_bytes, used);
@@ -47,7 +48,7 @@ using TwoBytes = std::array<std::uint8_t, 2>;
 
 template <typename Pixel>
 ColorImage converted(const ImageMessage& image, int channels, int code, std::string_view source) {
-  Image<Pixel> raw = copy_rows<Pixel>(image, source);
+  auto raw = copy_rows<Image<Pixel>>(image, source);
   ColorImage color(image.width, image.height);
   cv::Mat to(image.height, image.width, CV_8UC3, color.data());
   cv::cvtColor(cv::Mat(image.height, image.width, CV_8UC(channels), raw.data()), to, code);
@@ -74,13 +75,13 @@ DepthImage depth_of(const ImageMessage& image, double unit_m, std::string_view s
   if (image.width > max_depth_pixels / image.height)
     throw unsound(source, fmt::format("a depth image of {}x{} pixels is larger than any camera gives",
                                       image.width, image.height));
-  if (image.encoding == "32FC1") return depth_from_metres(copy_rows<float>(image, source), unit_m);
+  if (image.encoding == "32FC1") return depth_from_metres(copy_rows<Image<float>>(image, source), unit_m);
   if (image.encoding != "mono16" && image.encoding != "16UC1") throw unknown_encoding(image, "depth", source);
-  return copy_rows<std::uint16_t>(image, source);
+  return copy_rows<DepthImage>(image, source);
 }
 
 ColorImage color_of(const ImageMessage& image, std::string_view source) {
-  if (image.encoding == "rgb8") return copy_rows<Rgb>(image, source);
+  if (image.encoding == "rgb8") return copy_rows<ColorImage>(image, source);
   if (image.encoding == "bgr8") return converted<Rgb>(image, 3, cv::COLOR_BGR2RGB, source);
   if (image.encoding == "rgba8") return converted<FourBytes>(image, 4, cv::COLOR_RGBA2RGB, source);
   if (image.encoding == "bgra8") return converted<FourBytes>(image, 4, cv::COLOR_BGRA2RGB, source);
@@ -94,7 +95,7 @@ ColorImage color_of(const ImageMessage& image, std::string_view source) {
 
 GrayImage gray_of(const ImageMessage& image, std::string_view source) {
   if (!is_gray(image)) throw unknown_encoding(image, "infrared", source);
-  return copy_rows<std::uint8_t>(image, source);
+  return copy_rows<GrayImage>(image, source);
 }
 
 }  // namespace rva

@@ -201,7 +201,7 @@ InfraredPair InfraredRenderer::render(const Transform& world_from_camera, const 
 
 TrueView InfraredRenderer::true_view(const Transform& world_from_camera) const {
   const int width = rig_.imager.width;
-  TrueView view{Image<float>(width, rig_.imager.height), Image<std::uint16_t>(width, rig_.imager.height)};
+  TrueView view{Image<float>(width, rig_.imager.height), LabelImage(width, rig_.imager.height)};
   const Eigen::Vector3f origin = world_from_camera.translation().cast<float>();
   parallel_bands(rig_.imager.height, [&](int first, int end) {
     std::vector<Ray> rays(static_cast<std::size_t>(width));

@@ -25,8 +25,8 @@ struct InfraredPair {
 
 /// The truth at the centre of each pixel of the depth (left) imager.
 struct TrueView {
-  Image<float> depth_m;         ///< along z; 0 where there is no surface
-  Image<std::uint16_t> labels;  ///< Scene::label_of(); 0 where there is no surface
+  Image<float> depth_m;  ///< along z; 0 where there is no surface
+  LabelImage labels;     ///< Scene::label_of(); 0 where there is no surface
 };
 
 /// Renders one scene from any pose. Calls are const and use all cores; render() throws Interrupted when the
