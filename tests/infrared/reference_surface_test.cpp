@@ -14,13 +14,14 @@ TEST(ReferenceSurface, FillsHolesFromTheNearestPixel) {
     for (int u = 4; u < 8; ++u) disparity(u, v) = 40.0F;
   }
   disparity(1, 1) = disparity(6, 2) = 0.0F;
-  const ReferenceSurface surface = reference_surface(camera, disparity, 20.0);
+  const ReferenceSurface surface = reference_surface(camera, disparity, {.focal_baseline_m_px = 20.0});
   EXPECT_FLOAT_EQ(surface.inverse_depth_per_m(1, 1), 1.0F);
   EXPECT_FLOAT_EQ(surface.inverse_depth_per_m(6, 2), 2.0F);
 }
 
 TEST(ReferenceSurface, OfNothingIsEmpty) {
-  EXPECT_TRUE(reference_surface(test::wall_camera, Image<float>(320, 240), 20.0).inverse_depth_per_m.empty());
+  EXPECT_TRUE(reference_surface(test::wall_camera, Image<float>(320, 240), {.focal_baseline_m_px = 20.0})
+                  .inverse_depth_per_m.empty());
 }
 
 TEST(Warp, IsTheSameAsProjection) {
