@@ -229,7 +229,7 @@ int main(int argc, char** argv) {
     return arguments.size() > k ? arguments[k] : std::string(otherwise);
   };
   try {
-    const auto method = detection_method_from_name(argument(5, "auto"));
+    const auto method = value_of<DetectionMethod>(argument(5, "auto"));
     if (arguments.size() >= 2 && arguments.size() <= 8 && method &&
         (arguments[0] == "exact" || arguments[0] == "rest")) {
       study({.how = arguments[0] == "rest" ? CameraReturn::rest : CameraReturn::exact,

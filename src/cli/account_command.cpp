@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/hidden_input.hpp"
+#include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
@@ -40,7 +41,7 @@ std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
 
 // An existing account keeps its role unless another one is given.
 PersonRole role_of(const AccountArguments& arguments, const Records& records) {
-  if (const auto given = role_from_name(arguments.role)) return *given;
+  if (const auto given = value_of<PersonRole>(arguments.role)) return *given;
   for (const Account& account : records.accounts()) {
     if (account.name == arguments.name) return account.role;
   }
@@ -95,7 +96,7 @@ void add_account_command(CLI::App& program) {
          "--role", arguments->role,
          "viewer (looks), operator (drives, captures), inspector (decides); by default viewer for a new "
          "account, unchanged for an existing one")
-      ->check(CLI::IsMember({"viewer", "operator", "inspector"}));
+      ->check(name_among<PersonRole>());
   add_data_flag(add, *arguments);
   add.callback([arguments] { add_account(*arguments); });
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <iterator>
@@ -24,12 +23,6 @@
 
 namespace rva::cli {
 namespace {
-
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const DetectionMethod method : detection_methods()) names.emplace_back(name_of(method));
-  return names;
-}
 
 struct DetectArguments {
   std::string initial;
@@ -178,12 +171,12 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   OutputFolder out(arguments.out, result_files(), arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
   DetectOptions options = arguments.detection;
-  options.method = detection_method_from_name(arguments.method).value();
+  options.method = value_of<DetectionMethod>(arguments.method).value();
   const SidesDetection result = detect(sides.initial, sides.final, options, terminal_progress(),
                                        left_out(arguments, sides.initial.front()->info()));
   const Detection& detection = result.detection;
   std::vector<std::string> warnings =
-      options_without_effect(command, detection_method_from_name(detection.findings.method).value());
+      options_without_effect(command, value_of<DetectionMethod>(detection.findings.method).value());
   std::ranges::copy(detection.warnings, std::back_inserter(warnings));
   std::ranges::move(write_result(result, *sides.final.front(), out.path("")), std::back_inserter(warnings));
   out.commit();
@@ -216,7 +209,7 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
       .add_option("--method", arguments->method,
                   "how captures are compared; auto checks from the depth images whether the camera moved: "
                   "calibrated where it did not, else spatial")
-      ->check(CLI::IsMember(method_names()))
+      ->check(name_among<DetectionMethod>())
       ->capture_default_str();
   command
       .add_option(

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,11 +25,6 @@
 namespace rva::cli {
 namespace {
 
-const std::map<std::string, CameraReturn> returns{{"elsewhere", CameraReturn::elsewhere},
-                                                  {"near", CameraReturn::near},
-                                                  {"exact", CameraReturn::exact},
-                                                  {"rest", CameraReturn::rest}};
-
 struct EvaluateArguments {
   std::string out;
   std::string scene;
@@ -41,7 +35,7 @@ struct EvaluateArguments {
   bool lamp = false;
   bool color = false;
   PoseReturnOptions pose_return;
-  std::string how = "elsewhere";
+  std::string how{name_of(CameraReturn::elsewhere)};
   std::vector<int> captures{MovedStudyOptions{}.captures};
   std::vector<double> allowed{MovedStudyOptions{}.allowed};
   std::string cameras = "d435";
@@ -101,7 +95,7 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   options.first_seed = arguments.study.first_seed;
   options.captures = arguments.captures;
   options.allowed = arguments.allowed;
-  options.how = returns.at(arguments.how);
+  options.how = value_of<CameraReturn>(arguments.how).value();
   options.octree = arguments.octree;
   options.lamp = arguments.lamp;
   options.color = arguments.color;
@@ -183,7 +177,7 @@ void add_evaluate_command(CLI::App& program) {
           "--return", arguments->how,
           "--moved: where the camera came back to: elsewhere (the robot was lifted out), near (one or "
           "two servo steps off), exact, rest (as the console's robot: within half a step)")
-      ->check(CLI::IsMember(returns))
+      ->check(name_among<CameraReturn>())
       ->type_name("WHERE")
       ->capture_default_str()
       ->needs(moved);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "capture/capture.hpp"
+#include "core/enum_names.hpp"
 #include "core/error.hpp"
 #include "core/options.hpp"
 #include "core/path_text.hpp"
@@ -39,6 +40,13 @@ CLI::Validator number_within(Number low, Number high) {
 
 /// The number of frames that a written capture may have: their file names have six digits.
 inline CLI::Validator frame_count() { return number_within<std::size_t>(1, 1'000'000); }
+
+/// Refuses what is not the name of a value of this enumeration.
+template <typename Value>
+CLI::Validator name_among() {
+  const auto names = names_of<Value>();
+  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
+}
 
 inline CLI::Validator any_seed() {
   return number_within<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max());

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/enum_names.hpp"
 #include "core/options.hpp"
 #include "core/progress.hpp"
 #include "depth/image.hpp"

@@ -1,10 +1,11 @@
 // The detection methods: their names, and the options that each of them uses.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "core/enum_names.hpp"
 
 namespace rva {
 
@@ -17,13 +18,16 @@ enum class DetectionMethod {
   octree,      ///< moved camera: the pipeline of the thesis
 };
 
-/// All methods, in the order in which they are listed to users.
-[[nodiscard]] std::vector<DetectionMethod> detection_methods();
-
-/// The name by which the command line and `detections.json` refer to a method.
-[[nodiscard]] std::string_view name_of(DetectionMethod method);
-/// @return empty if no method has this name
-[[nodiscard]] std::optional<DetectionMethod> detection_method_from_name(std::string_view name);
+/// The names by which the command line and `detections.json` refer to the methods.
+template <>
+inline constexpr auto enum_names<DetectionMethod> = std::to_array<EnumName<DetectionMethod>>({
+    {DetectionMethod::automatic, "auto"},
+    {DetectionMethod::constant, "constant"},
+    {DetectionMethod::gaussian, "gaussian"},
+    {DetectionMethod::calibrated, "calibrated"},
+    {DetectionMethod::spatial, "spatial"},
+    {DetectionMethod::octree, "octree"},
+});
 
 /// Names of the options (OptionField::name) that have an effect with a method; other options have none.
 [[nodiscard]] std::vector<std::string> options_of(DetectionMethod method);

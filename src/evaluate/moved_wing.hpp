@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/enum_names.hpp"
 #include "evaluate/random_wing.hpp"
 #include "scene/scene.hpp"
 
@@ -15,6 +16,13 @@ enum class CameraReturn {
   exact,      ///< the robot stayed and returned to the same servo steps
   rest,       ///< as `exact`, but each pose of either side is off by up to half a step from the reported one
 };
+template <>
+inline constexpr auto enum_names<CameraReturn> = std::to_array<EnumName<CameraReturn>>({
+    {CameraReturn::elsewhere, "elsewhere"},
+    {CameraReturn::exact, "exact"},
+    {CameraReturn::near, "near"},
+    {CameraReturn::rest, "rest"},
+});
 
 /// One bay, seen before and after the work.
 struct MovedWing {

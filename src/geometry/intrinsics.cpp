@@ -3,18 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
 
 #include "core/error.hpp"
 
 namespace rva {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, Distortion>, 3> distortion_names{{
-    {"none", Distortion::none},
-    {"brown_conrady", Distortion::brown_conrady},
-    {"inverse_brown_conrady", Distortion::inverse_brown_conrady},
-}};
 
 // Brown's polynomial at a point of the plane z = 1 (Brown 1966; OpenCV's and librealsense's coefficients).
 Eigen::Vector2d brown(const Eigen::Vector2d& point, const std::array<double, 5>& coefficients) {
@@ -48,20 +41,6 @@ void require_within(double value, double low, double high, const char* field) {
 }
 
 }  // namespace
-
-std::optional<Distortion> distortion_from_name(std::string_view name) {
-  for (const auto& [known, model] : distortion_names) {
-    if (known == name) return model;
-  }
-  return std::nullopt;
-}
-
-std::string_view name_of(Distortion model) {
-  for (const auto& [name, known] : distortion_names) {
-    if (known == model) return name;
-  }
-  return "none";
-}
 
 Eigen::Vector2d Intrinsics::project(const Eigen::Vector3d& point) const {
   Eigen::Vector2d plane = point.head<2>() / point.z();

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <optional>
-#include <string_view>
+
+#include "core/enum_names.hpp"
 
 namespace rva {
 
@@ -15,9 +15,12 @@ enum class Distortion {
   inverse_brown_conrady,  ///< coefficients map distorted to undistorted points (D400 colour imager)
 };
 
-/// @return the model that has this name in files; empty for an unknown name
-[[nodiscard]] std::optional<Distortion> distortion_from_name(std::string_view name);
-[[nodiscard]] std::string_view name_of(Distortion model);
+template <>
+inline constexpr auto enum_names<Distortion> = std::to_array<EnumName<Distortion>>({
+    {Distortion::none, "none"},
+    {Distortion::brown_conrady, "brown_conrady"},
+    {Distortion::inverse_brown_conrady, "inverse_brown_conrady"},
+});
 
 /// The intrinsics of one imager.
 ///

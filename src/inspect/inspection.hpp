@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/enum_names.hpp"
 #include "detect/findings/findings.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "geometry/pan_tilt.hpp"
@@ -27,8 +27,11 @@ enum class Side {
   initial,  ///< before the work: the baseline
   final,    ///< after the work
 };
-[[nodiscard]] std::string_view name_of(Side side);
-[[nodiscard]] std::optional<Side> side_from_name(std::string_view name);
+template <>
+inline constexpr auto enum_names<Side> = std::to_array<EnumName<Side>>({
+    {Side::initial, "initial"},
+    {Side::final, "final"},
+});
 
 /// One round of captures of a side. Captures are never replaced: taking a side again adds another round.
 struct BegunSide {
@@ -54,8 +57,13 @@ struct RecordedComparison {
 
 /// The verdict of a person who reviewed a finding.
 enum class Verdict { debris_removed, installed_work, false_alarm, second_look };
-[[nodiscard]] std::string_view name_of(Verdict verdict);
-[[nodiscard]] std::optional<Verdict> verdict_from_name(std::string_view name);
+template <>
+inline constexpr auto enum_names<Verdict> = std::to_array<EnumName<Verdict>>({
+    {Verdict::debris_removed, "debris-removed"},
+    {Verdict::installed_work, "installed-work"},
+    {Verdict::false_alarm, "false-alarm"},
+    {Verdict::second_look, "second-look"},
+});
 
 struct Decision {
   Verdict verdict = Verdict::second_look;
@@ -116,7 +124,13 @@ struct Inspection {
 
 /// The next step of an inspection. It is never in review or done unless all of its views were compared.
 enum class Stage { baseline, work, review, done };
-[[nodiscard]] std::string_view name_of(Stage stage);
+template <>
+inline constexpr auto enum_names<Stage> = std::to_array<EnumName<Stage>>({
+    {Stage::baseline, "baseline"},
+    {Stage::work, "work"},
+    {Stage::review, "review"},
+    {Stage::done, "done"},
+});
 [[nodiscard]] Stage stage_of(const Inspection& inspection);
 
 /// An inspection as an entry of the list of inspections.

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/enum_names.hpp"
 #include "inspect/inspection.hpp"
 
 namespace rva {
@@ -17,8 +17,12 @@ enum class PersonRole {
   operator_,  ///< drive, begin inspections, take captures, leave out regions
   inspector,  ///< decide on findings
 };
-[[nodiscard]] std::string_view name_of(PersonRole role);
-[[nodiscard]] std::optional<PersonRole> role_from_name(std::string_view name);
+template <>
+inline constexpr auto enum_names<PersonRole> = std::to_array<EnumName<PersonRole>>({
+    {PersonRole::viewer, "viewer"},
+    {PersonRole::operator_, "operator"},
+    {PersonRole::inspector, "inspector"},
+});
 
 struct Account {
   std::string name;

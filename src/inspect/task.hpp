@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "core/enum_names.hpp"
 #include "inspect/inspection.hpp"
 #include "inspect/noise_watch.hpp"
 #include "inspect/side_capture.hpp"
@@ -18,7 +19,13 @@ enum class TaskKind {
   check,  ///< comparison of a complete baseline with itself (check_baseline())
   comparison,
 };
-[[nodiscard]] std::string_view name_of(TaskKind kind);
+template <>
+inline constexpr auto enum_names<TaskKind> = std::to_array<EnumName<TaskKind>>({
+    {TaskKind::readiness, "readiness"},
+    {TaskKind::capture, "capture"},
+    {TaskKind::check, "check"},
+    {TaskKind::comparison, "comparison"},
+});
 
 enum class TaskEnd {
   running,
@@ -26,7 +33,13 @@ enum class TaskEnd {
   cancelled,  ///< by the user, by the next task or by a signal; what was complete is kept
   failed,     ///< see `problem`
 };
-[[nodiscard]] std::string_view name_of(TaskEnd end);
+template <>
+inline constexpr auto enum_names<TaskEnd> = std::to_array<EnumName<TaskEnd>>({
+    {TaskEnd::running, "running"},
+    {TaskEnd::done, "done"},
+    {TaskEnd::cancelled, "cancelled"},
+    {TaskEnd::failed, "failed"},
+});
 
 struct TaskState {
   std::uint64_t number = 0;  ///< from 1, in the order of the tasks since the program started; 0: none yet

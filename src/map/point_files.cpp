@@ -27,11 +27,6 @@ void append(const Eigen::Vector3f& position_m, std::string& bytes) {
   for (const float coordinate_m : position_m) append(coordinate_m, bytes);
 }
 
-std::string_view name_of(PointFrame frame) {
-  return frame == PointFrame::robot_foot ? "the robot's foot (x right, y forward, z up)"
-                                         : "the depth camera (x right, y down, z forward)";
-}
-
 }  // namespace
 
 // Both formats are a short header and numbers. PCL's writers are not used: they add a camera to one of the

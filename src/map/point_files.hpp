@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/enum_names.hpp"
 #include "map/map_cloud.hpp"
 
 namespace rva {
@@ -14,6 +15,11 @@ enum class PointFrame {
   robot_foot,    ///< x right, y forward, z up, origin in the robot's foot
   depth_camera,  ///< x right, y down, z forward, origin in the depth imager
 };
+template <>
+inline constexpr auto enum_names<PointFrame> = std::to_array<EnumName<PointFrame>>({
+    {PointFrame::robot_foot, "the robot's foot (x right, y forward, z up)"},
+    {PointFrame::depth_camera, "the depth camera (x right, y down, z forward)"},
+});
 
 // Encode points: binary, in metres, with colour. CloudCompare and MeshLab open such files, Open3D and PCL
 // open both formats.

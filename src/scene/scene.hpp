@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.hpp"
 #include "geometry/transform.hpp"
 #include "scene/material.hpp"
 #include "scene/solids/mesh.hpp"
@@ -27,6 +28,13 @@ enum class Role {
   work,  ///< installed or moved by a mechanic as planned: a change, but not debris
   room,
 };
+template <>
+inline constexpr auto enum_names<Role> = std::to_array<EnumName<Role>>({
+    {Role::structure, "structure"},
+    {Role::debris, "debris"},
+    {Role::work, "work"},
+    {Role::room, "room"},
+});
 
 struct SceneObject {
   std::string name;  ///< unique in its scene: "rib-1", "collar-0.27-2"

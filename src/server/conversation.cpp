@@ -119,7 +119,7 @@ void Conversation::greet(const Json& message) {
 }
 
 void Conversation::watch(const Json& message) {
-  const std::optional<Stream> wanted = stream_from_name(text_field(message, "stream"));
+  const std::optional<Stream> wanted = value_of<Stream>(text_field(message, "stream"));
   if (watched_) pictures_.watch(*watched_, -1);
   watched_ = wanted;
   if (watched_) pictures_.watch(*watched_, 1);

@@ -87,7 +87,7 @@ ApiResponse Api::check_readiness(const Call& /*call*/) const {
 }
 
 ApiResponse Api::take_side(const Call& call) const {
-  const std::optional<Side> side = side_from_name(text_field(call.body, "side"));
+  const std::optional<Side> side = value_of<Side>(text_field(call.body, "side"));
   if (!side) throw ApiError(400, "bad-request", "side", "is neither initial nor final", "see docs/api.md");
   require_robot_free(call);
   parts_.inspector.capture(inspection_id(call), *side, person_of(call), flag_field(call.body, "replaced"));
@@ -112,7 +112,7 @@ ApiResponse Api::decide(const Call& call) const {
   if (failure != std::errc{} || end != text.data() + text.size())
     throw ApiError(404, "not-found", "finding", printable(text) + " is not a number",
                    "see the list of findings");
-  const std::optional<Verdict> verdict = verdict_from_name(text_field(call.body, "verdict"));
+  const std::optional<Verdict> verdict = value_of<Verdict>(text_field(call.body, "verdict"));
   if (!verdict)
     throw ApiError(400, "bad-request", "verdict", "is missing or unknown",
                    "give debris-removed, installed-work, false-alarm or second-look");

@@ -45,24 +45,6 @@ Image<float> metres(const LiveFrame& live) {
 
 }  // namespace
 
-std::string_view name_of(Stream stream) {
-  switch (stream) {
-    case Stream::color:
-      return "color";
-    case Stream::depth:
-      return "depth";
-    case Stream::infrared:
-      return "infrared";
-  }
-  return "";
-}
-
-std::optional<Stream> stream_from_name(std::string_view name) {
-  const auto* const found =
-      std::ranges::find_if(all_streams, [&](Stream stream) { return name == name_of(stream); });
-  return found == all_streams.end() ? std::nullopt : std::optional(*found);
-}
-
 LivePictures::LivePictures(const LiveCamera& camera, Listener listener)
     : camera_(camera),
       listener_(std::move(listener)),
@@ -88,7 +70,7 @@ void LivePictures::run(const std::stop_token& stop) {
     const std::shared_ptr<const LiveFrame> live = camera_.wait_for_other(seen.get(), patience);
     if (!live) continue;
     seen = live;
-    for (const Stream stream : all_streams) {
+    for (const auto& [stream, name] : enum_names<Stream>) {
       if (watchers_.at(index_of(stream)) > 0 && brings(live->frame, stream)) listener_(encode(*live, stream));
     }
   }

@@ -11,19 +11,22 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "camera/live_camera.hpp"
+#include "core/enum_names.hpp"
 #include "depth/colorize.hpp"
 
 namespace rva {
 
 enum class Stream { color, depth, infrared };
-inline constexpr std::array all_streams{Stream::color, Stream::depth, Stream::infrared};
-[[nodiscard]] std::string_view name_of(Stream stream);
-[[nodiscard]] std::optional<Stream> stream_from_name(std::string_view name);
+template <>
+inline constexpr auto enum_names<Stream> = std::to_array<EnumName<Stream>>({
+    {Stream::color, "color"},
+    {Stream::depth, "depth"},
+    {Stream::infrared, "infrared"},
+});
 
 /// A frame as a JPEG.
 struct LivePicture {
@@ -58,7 +61,7 @@ class LivePictures {
 
   const LiveCamera& camera_;
   Listener listener_;
-  std::array<std::atomic<int>, all_streams.size()> watchers_{};
+  std::array<std::atomic<int>, enum_names<Stream>.size()> watchers_{};
   std::optional<ColorScale> scale_m_;
   std::uint64_t scale_number_ = 0;  // of the frame from which the scale was computed
   std::jthread thread_;             // last: it uses all above

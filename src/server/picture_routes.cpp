@@ -112,7 +112,7 @@ ApiResponse Api::get_changes(const Call& call) const {
 }
 
 ApiResponse Api::measure_points(const Call& call) const {
-  const std::optional<Stream> stream = stream_from_name(text_field(call.body, "stream"));
+  const std::optional<Stream> stream = value_of<Stream>(text_field(call.body, "stream"));
   const auto points = call.body.find("points");
   constexpr std::size_t most_points = 2;
   if (!stream || points == call.body.end() || !points->is_array() || points->empty() ||

@@ -46,20 +46,6 @@ std::vector<Seen> find_seen(const LabelImage& labels, std::size_t objects) {
   return seen;
 }
 
-const char* name_of(Role role) {
-  switch (role) {
-    case Role::debris:
-      return "debris";
-    case Role::work:
-      return "work";
-    case Role::room:
-      return "room";
-    case Role::structure:
-      break;
-  }
-  return "structure";
-}
-
 Json to_json(const SceneObject& object, int label, const Seen& seen) {
   const Eigen::Vector3d size_mm = mm_per_m * size_m(object);
   Json json{{"label", label},

@@ -45,7 +45,7 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
   query.bind(2, comparison);
   query.bind(3, finding);
   if (!query.executeStep()) return std::nullopt;
-  return Decision{.verdict = verdict_from_name(query.getColumn(0).getString()).value_or(Verdict::second_look),
+  return Decision{.verdict = value_of<Verdict>(query.getColumn(0).getString()).value_or(Verdict::second_look),
                   .note = query.getColumn(1),
                   .person = query.getColumn(2),
                   .decided_at = query.getColumn(3)};
@@ -54,7 +54,7 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
 Finding finding_of(SQLite::Statement& row) {
   Finding finding;
   finding.id = row.getColumn("number");
-  finding.kind = change_kind_from_name(row.getColumn("kind").getString()).value_or(ChangeKind::appearance);
+  finding.kind = value_of<ChangeKind>(row.getColumn("kind").getString()).value_or(ChangeKind::appearance);
   const auto box = numbers<std::array<int, 4>>(row.getColumn("box")).value();
   finding.box = {box[0], box[1], box[2], box[3]};
   const auto centroid = numbers<std::array<double, 2>>(row.getColumn("centroid")).value();

@@ -30,7 +30,7 @@ void read_sides(SQLite::Database& database, Inspection& inspection) {
                           "order by round");
   query.bind(1, inspection.id);
   while (query.executeStep()) {
-    const std::optional<Side> side = side_from_name(query.getColumn(0).getString());
+    const std::optional<Side> side = value_of<Side>(query.getColumn(0).getString());
     if (!side) continue;
     const int round = query.getColumn(1);
     const std::string person = query.getColumn(3);

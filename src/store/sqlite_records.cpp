@@ -186,7 +186,7 @@ std::vector<Account> SqliteRecords::accounts() const {
                             "select name, role, password_hash, generation from account order by name");
     std::vector<Account> accounts;
     while (query.executeStep()) {
-      const std::optional<PersonRole> role = role_from_name(query.getColumn(1).getString());
+      const std::optional<PersonRole> role = value_of<PersonRole>(query.getColumn(1).getString());
       if (!role) throw Error(source_, "contains an account with an unknown role", "add that account again");
       accounts.push_back({query.getColumn(0), *role, query.getColumn(2), query.getColumn(3)});
     }

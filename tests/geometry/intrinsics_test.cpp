@@ -82,9 +82,9 @@ TEST(Intrinsics, RefusesWhatIsNoCamera) {
 TEST(Distortion, NamesAreTheirOwnInverse) {
   for (const Distortion model :
        {Distortion::none, Distortion::brown_conrady, Distortion::inverse_brown_conrady}) {
-    EXPECT_EQ(distortion_from_name(name_of(model)), model);
+    EXPECT_EQ(value_of<Distortion>(name_of(model)), model);
   }
-  EXPECT_FALSE(distortion_from_name("fisheye"));
+  EXPECT_FALSE(value_of<Distortion>("fisheye"));
 }
 
 }  // namespace

@@ -38,10 +38,10 @@ TEST(InspectionStage, FollowsFromWhatIsThere) {
 TEST(InspectionNames, LeadBackToWhatTheyName) {
   for (const Verdict verdict :
        {Verdict::debris_removed, Verdict::installed_work, Verdict::false_alarm, Verdict::second_look})
-    EXPECT_EQ(verdict_from_name(name_of(verdict)), verdict);
-  for (const Side side : {Side::initial, Side::final}) EXPECT_EQ(side_from_name(name_of(side)), side);
-  EXPECT_FALSE(verdict_from_name("maybe"));
-  EXPECT_FALSE(side_from_name(""));
+    EXPECT_EQ(value_of<Verdict>(name_of(verdict)), verdict);
+  for (const Side side : {Side::initial, Side::final}) EXPECT_EQ(value_of<Side>(name_of(side)), side);
+  EXPECT_FALSE(value_of<Verdict>("maybe"));
+  EXPECT_FALSE(value_of<Side>(""));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Intrinsics parse_intrinsics(const JsonObject& object) {
   camera.cx = object.number("cx");
   camera.cy = object.number("cy");
   if (const auto name = object.optional_string("distortion_model")) {
-    const auto model = distortion_from_name(*name);
+    const auto model = value_of<Distortion>(*name);
     if (!model) {
       throw Error(object.name_of("distortion_model"),
                   fmt::format("the model '{}' is unknown", printable(*name)),

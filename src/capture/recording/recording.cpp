@@ -63,7 +63,7 @@ Intrinsics with_lens(Intrinsics camera, std::string_view model, const std::vecto
   });
   if (name == "plumb_bob") name = name_of(Distortion::brown_conrady);  // its name in ROS
   const bool straight = std::ranges::all_of(coefficients, [](double number) { return number == 0.0; });
-  const auto known = distortion_from_name(name);
+  const auto known = value_of<Distortion>(name);
   if (!known && !straight) {
     throw Error(std::string(source), fmt::format("the distortion model '{}' is unknown", printable(name)),
                 "record it again");

@@ -80,25 +80,6 @@ Mask changed_to(ChangeKind kind, const Comparison& comparison) {
 
 }  // namespace
 
-std::string_view name_of(ChangeKind kind) {
-  switch (kind) {
-    case ChangeKind::added:
-      return "added";
-    case ChangeKind::removed:
-      return "removed";
-    case ChangeKind::appearance:
-      break;
-  }
-  return "appearance";
-}
-
-std::optional<ChangeKind> change_kind_from_name(std::string_view name) {
-  for (const ChangeKind kind : {ChangeKind::added, ChangeKind::removed, ChangeKind::appearance}) {
-    if (name == name_of(kind)) return kind;
-  }
-  return std::nullopt;
-}
-
 void locate(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding) {
   if (depths_m.empty()) return;
   const double depth_m = quantile(depths_m, 0.5);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/options.hpp"
+#include "core/enum_names.hpp"
 #include "detect/regions/comparison.hpp"
 #include "detect/regions/regions.hpp"
 #include "geometry/intrinsics.hpp"
@@ -25,8 +26,12 @@ enum class ChangeKind {
   removed,     ///< farther than before, or depth appeared where there was none
   appearance,  ///< brighter or darker than before; depth shows no reliable change
 };
-[[nodiscard]] std::string_view name_of(ChangeKind kind);
-[[nodiscard]] std::optional<ChangeKind> change_kind_from_name(std::string_view name);
+template <>
+inline constexpr auto enum_names<ChangeKind> = std::to_array<EnumName<ChangeKind>>({
+    {ChangeKind::added, "added"},
+    {ChangeKind::removed, "removed"},
+    {ChangeKind::appearance, "appearance"},
+});
 
 /// Which images support a finding.
 struct Evidence {

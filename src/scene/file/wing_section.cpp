@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "scene/file/object_fields.hpp"
 #include "scene/wing/stringers.hpp"
 
@@ -45,8 +43,8 @@ void check_stringers(const YamlNode& group, const WingBay& bay) {
 void read_stringers(const YamlNode& group, WingBay& bay) {
   group.allow_only({"profile", "count", "height_mm", "flange_mm", "thickness_mm", "material"});
   if (const auto profile = group.find("profile")) {
-    constexpr std::array<std::string_view, 3> names{"l", "z", "hat"};
-    bay.stringers.profile = static_cast<StringerProfile>(profile->choice("profile", names));
+    const std::size_t chosen = profile->choice("profile", names_of<StringerProfile>());
+    bay.stringers.profile = enum_names<StringerProfile>.at(chosen).value;
   }
   group.read("count", bay.stringers.count, 0, 100);
   group.read("height_mm", bay.stringers.height_mm, profile_mm);

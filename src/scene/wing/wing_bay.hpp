@@ -5,12 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.hpp"
 #include "scene/scene.hpp"
 #include "scene/wing/fittings.hpp"
 
 namespace rva {
 
 enum class StringerProfile { l, z, hat };
+template <>
+inline constexpr auto enum_names<StringerProfile> = std::to_array<EnumName<StringerProfile>>({
+    {StringerProfile::l, "l"},
+    {StringerProfile::z, "z"},
+    {StringerProfile::hat, "hat"},
+});
 
 /// The parameters of a bay. Its lengths are inner ones, between visible faces. Defaults are those of the
 /// thesis' test section, as far as its figures show it.

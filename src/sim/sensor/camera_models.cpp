@@ -116,15 +116,9 @@ std::function<StereoSensorOptions(std::uint64_t)> camera_of_each(const std::stri
 }
 
 std::string name_of_matcher(const StereoSensorOptions& sensor) {
-  switch (sensor.matcher) {
-    case Matcher::census:
-      return fmt::format("census {}", sensor.window_px);
-    case Matcher::semi_global:
-      return "semi-global";
-    case Matcher::correlation:
-      return fmt::format("correlation {}", sensor.window_px);
-  }
-  return "";
+  const std::string_view matcher = name_of(sensor.matcher);
+  return sensor.matcher == Matcher::semi_global ? std::string(matcher)
+                                                : fmt::format("{} {}", matcher, sensor.window_px);
 }
 
 }  // namespace rva

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "core/enum_names.hpp"
 #include "core/options.hpp"
 
 namespace rva {
@@ -17,6 +18,12 @@ enum class Matcher {
   /// Differences of brightness in a window, a parabola for the subpixel part (correlation.hpp).
   correlation,
 };
+template <>
+inline constexpr auto enum_names<Matcher> = std::to_array<EnumName<Matcher>>({
+    {Matcher::census, "census"},
+    {Matcher::semi_global, "semi-global"},
+    {Matcher::correlation, "correlation"},
+});
 
 /// A stereo depth camera with a dot projector. Defaults are those of a D435 at 848 x 480.
 struct StereoSensorOptions {
