@@ -40,9 +40,9 @@ std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
 }
 
 // An existing account keeps its role unless another one is given.
-PersonRole role_of(const AccountArguments& arguments, const Records& records) {
+PersonRole role_of(const AccountArguments& arguments, const Accounts& accounts) {
   if (const auto given = value_of<PersonRole>(arguments.role)) return *given;
-  for (const Account& account : records.accounts()) {
+  for (const Account& account : accounts.accounts()) {
     if (account.name == arguments.name) return account.role;
   }
   return PersonRole::viewer;

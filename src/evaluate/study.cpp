@@ -44,7 +44,7 @@ class Take {
 // The number of a detector is the setting that decides how much a method finds.
 StaticDetectionOptions options_of(const Detector& detector) {
   StaticDetectionOptions options;
-  options.method = detection_method_from_name(detector.method).value();
+  options.method = value_of<DetectionMethod>(detector.method).value();
   options.constant.threshold_m = options.gaussian.sigmas = options.calibrated.false_findings =
       detector.setting;
   return options;

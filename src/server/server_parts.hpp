@@ -5,7 +5,6 @@
 
 #include "camera/live_camera.hpp"
 #include "inspect/inspector.hpp"
-#include "inspect/records.hpp"
 #include "robot/drive.hpp"
 #include "server/lease.hpp"
 #include "server/sessions.hpp"

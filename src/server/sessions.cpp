@@ -7,7 +7,7 @@
 namespace rva {
 
 std::optional<Account> Sessions::account(const std::string& name) const {
-  for (const Account& account : records_.accounts()) {
+  for (const Account& account : accounts_.accounts()) {
     if (account.name == name) return account;
   }
   return std::nullopt;

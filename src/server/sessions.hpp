@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "inspect/records.hpp"
+#include "server/accounts.hpp"
 
 namespace rva {
 
@@ -31,7 +31,7 @@ class Sessions {
   static constexpr int most_failures_of_name_from_all = 100;
   static constexpr double pause_s = 60.0;
 
-  explicit Sessions(const Records& records) : records_(records) {}
+  explicit Sessions(const Accounts& accounts) : accounts_(accounts) {}
 
   enum class Answer { signed_in, wrong, too_many };
   struct SignIn {
@@ -51,7 +51,7 @@ class Sessions {
   /// Whether people must sign in: true from the first account on. While the program runs, it stays true when
   /// the last account is removed, which locks everybody out rather than letting everybody in.
   [[nodiscard]] bool needed() const {
-    if (!needed_ && !records_.accounts().empty()) needed_ = true;
+    if (!needed_ && !accounts_.accounts().empty()) needed_ = true;
     return needed_;
   }
 
@@ -71,7 +71,7 @@ class Sessions {
   [[nodiscard]] bool too_many(const std::string& name, const std::string& from, double now_s);
   [[nodiscard]] std::optional<Account> account(const std::string& name) const;
 
-  const Records& records_;
+  const Accounts& accounts_;
   mutable std::atomic<bool> needed_ = false;
   mutable std::mutex mutex_;                 // guards all below
   std::map<std::string, Session> sessions_;  // by token

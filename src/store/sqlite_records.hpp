@@ -1,4 +1,4 @@
-// Records in one SQLite file.
+// Records and accounts in one SQLite file.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -7,12 +7,13 @@
 #include <mutex>
 
 #include "inspect/records.hpp"
+#include "server/accounts.hpp"
 
 namespace rva {
 
 /// Several programs may have the file open. Each change is one transaction, which is on the disk when it ends
 /// (write-ahead log, full synchronisation).
-class SqliteRecords : public Records {
+class SqliteRecords : public Records, public Accounts {
  public:
   /// Creates the file if it does not exist.
   /// @throws Error when the file cannot be opened or created, belongs to another program, or was written by a

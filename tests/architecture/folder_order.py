@@ -8,7 +8,7 @@ import re
 import sys
 
 ORDER = ['core', 'geometry', 'depth', 'capture', 'infrared', 'stereo', 'views', 'detect', 'camera', 'robot', 'map', 'scene',
-         'sim', 'inspect', 'evaluate', 'store', 'server', 'cli']
+         'sim', 'inspect', 'evaluate', 'server', 'store', 'cli']
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
