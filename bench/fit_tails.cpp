@@ -254,7 +254,7 @@ void fit(const fs::path& file, int inspections, std::uint64_t first_seed, const 
     for (PeaksOfTails& of_inspection : of_inspections) images.push_back(std::move(of_inspection[tail]));
     json["tails"][std::string(tails()[tail].name)] = json_of(fit_usual_slope(images));
   }
-  write_file(file, json.dump(1) + "\n");
+  write_file(file, json_file_text(json));
 }
 
 bool check(const fs::path& file) {

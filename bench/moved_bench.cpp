@@ -16,6 +16,7 @@
 
 #include "bench/interleaved.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "depth/depth_statistics.hpp"
 #include "detect/findings/detection.hpp"
 #include "detect/spatial/spatial_comparison.hpp"
@@ -240,7 +241,7 @@ int main(int argc, char** argv) {
     MovedCamera moved(initial, final);
     moved.bench_registration(rows);
     if (!quick) moved.bench_whole(rows);
-    rva::write_file(argv[3], rows.dump(1) + "\n");
+    rva::write_file(argv[3], rva::json_file_text(rows));
   } catch (const std::exception& error) {
     fmt::print(stderr, "rva_moved_bench: {}\n", error.what());
     return 1;

@@ -16,6 +16,7 @@
 #include "bench/interleaved.hpp"
 #include "bench/read_only.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "depth/depth_statistics.hpp"
 #include "depth/image_file.hpp"
 #include "depth/mat_view.hpp"
@@ -198,7 +199,7 @@ void run(const std::filesystem::path& out) {
   bench_live(rows, frames);
   bench_regions(rows);
   bench_last_frame(rows, frames);
-  write_file(out, rows.dump(1) + "\n");
+  write_file(out, json_file_text(rows));
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ std::string check_line(const CameraCheck& check) {
             {"measured", check.measured}, {"drifting", check.drifting}, {"distance_m", check.distance_m}};
   if (check.temperature_c) line["temperature_c"] = *check.temperature_c;
   line["fit"] = check.fit;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(line);
 }
 
 std::vector<CameraCheck> parse_checks(const std::string& text, const std::string& source) {

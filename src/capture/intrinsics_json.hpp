@@ -8,7 +8,7 @@
 namespace rva {
 
 /// The keys of `depth` and `color` in capture.json (docs/captures.md), except the depth unit.
-[[nodiscard]] inline nlohmann::ordered_json intrinsics_json(const Intrinsics& camera) {
+[[nodiscard]] inline nlohmann::ordered_json json_of(const Intrinsics& camera) {
   return {{"width", camera.width},
           {"height", camera.height},
           {"fx", camera.fx},

@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "map/calibration.hpp"
@@ -113,7 +114,7 @@ void print_json(const Calibration& calibration, const std::vector<MapView>& view
                              {"before", json_of(view.before)},
                              {"after", json_of(view.after)}});
   }
-  print("{}\n", json.dump(2));
+  print("{}", json_file_text(json, 2));
 }
 
 void print_table(const Calibration& calibration, const std::vector<MapView>& views) {
@@ -155,7 +156,7 @@ void calibrate_robot(const CalibrateArguments& arguments) {
     throw Error("views", calibration.doubt,
                 "take more of them, over the whole range of the joints, in front of structured surfaces");
   throw_if_interrupted();
-  replace_file(arguments.out, robot_geometry_json(calibration.chain));
+  replace_file(arguments.out, json_file_text(json_of(calibration.chain), 2));
   if (arguments.json)
     print_json(calibration, views);
   else

@@ -15,6 +15,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 
 namespace fs = std::filesystem;
@@ -82,7 +83,7 @@ std::string limits_of(const CheckedQuantity& quantity) {
   return "-";
 }
 
-Json to_json(const CameraCheck& check, const CameraJudgement& judgement, const fs::path& file) {
+Json json_of(const CameraCheck& check, const CameraJudgement& judgement, const fs::path& file) {
   Json json{{"format", "rva-camera-check"}, {"version", 1},
             {"taken_at", check.taken_at},   {"frames", check.frames},
             {"known", judgement.known},     {"fit", judgement.fit},
@@ -133,7 +134,7 @@ bool check_before_work(Camera& camera, const CameraCheckArguments& arguments) {
   check.fit = judgement.fit;
   add_to_history(file, check);
   if (arguments.json) {
-    print("{}\n", to_json(check, judgement, file).dump(1, ' ', false, Json::error_handler_t::replace));
+    print("{}\n", json_text(json_of(check, judgement, file), 1));
   } else {
     print_for_a_person(check, judgement, arguments.options);
   }

@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 
 namespace rva::cli {
@@ -32,7 +33,7 @@ Cameras find_cameras() {
 
 std::string uri_of(const FoundCamera& camera) { return "realsense:" + camera.serial; }
 
-Json to_json(const Cameras& cameras) {
+Json json_of(const Cameras& cameras) {
   Json json{{"format", "rva-cameras"}, {"version", 1}, {"cameras", Json::array()}};
   for (const FoundCamera& camera : cameras.found) {
     json["cameras"].push_back({{"uri", uri_of(camera)},
@@ -61,7 +62,7 @@ void print_for_a_person(const Cameras& cameras) {
 void list(bool json) {
   const Cameras cameras = find_cameras();
   if (json) {
-    print("{}\n", to_json(cameras).dump(1, ' ', false, Json::error_handler_t::replace));
+    print("{}\n", json_text(json_of(cameras), 1));
   } else {
     print_for_a_person(cameras);
   }

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "detect/detect.hpp"
@@ -183,7 +185,7 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   for (const std::string& warning : warnings) fmt::print(stderr, "rva: warning: {}\n", warning);
 
   if (arguments.json) {
-    print("{}", to_json(detection.findings));
+    print("{}", json_file_text(json_of(detection.findings)));
   } else {
     print_for_a_person(arguments, detection);
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "core/random.hpp"
@@ -71,8 +73,8 @@ void evaluate(const EvaluateArguments& arguments) {
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<SimulatedInspection>& inspections) {
     OutputFolder out(arguments.out, {file_name}, existing);
-    write_file(out.path(file_name),
-               to_json({arguments.scene, arguments.cameras, name_of_bay(arguments), inspections}));
+    write_file(out.path(file_name), json_file_text(json_of(Evaluation{arguments.scene, arguments.cameras,
+                                                                      name_of_bay(arguments), inspections})));
     out.commit();
     existing = Existing::replace;
   };
@@ -116,7 +118,7 @@ void evaluate_moved(const EvaluateArguments& arguments) {
   (void)OutputFolder(arguments.out, {file_name}, existing);  // refuses at once, not after an inspection
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
     OutputFolder out(arguments.out, {file_name}, existing);
-    write_file(out.path(file_name), to_json(inspections, begun_with));
+    write_file(out.path(file_name), json_file_text(json_of(inspections, begun_with)));
     out.commit();
     existing = Existing::replace;
   };
@@ -129,7 +131,7 @@ void evaluate_recorded(const EvaluateArguments& arguments) {
   OutputFolder out(arguments.out, {file_name}, arguments.overwrite ? Existing::replace : Existing::refuse);
   const std::vector<RecordedInspection> inspections =
       run_recorded_study(arguments.recorded, terminal_progress());
-  write_file(out.path(file_name), to_json(inspections));
+  write_file(out.path(file_name), json_file_text(json_of(inspections)));
   out.commit();
   print("{}{}\n", to_table(inspections), arguments.out);
 }

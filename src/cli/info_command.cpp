@@ -14,6 +14,7 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/interrupt.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "core/units.hpp"
 
@@ -65,7 +66,7 @@ FrameSummary read_all_frames(const Capture& capture) {
   return summary;
 }
 
-Json to_json(const Pose& pose) {
+Json json_of(const Pose& pose) {
   Json json = Json::object();
   if (pose.base) json["base"] = *pose.base;
   if (pose.pan_deg) json["pan_deg"] = *pose.pan_deg;
@@ -76,17 +77,17 @@ Json to_json(const Pose& pose) {
   return json;
 }
 
-Json to_json(const Capture& capture, const FrameSummary& summary) {
+Json json_of(const Capture& capture, const FrameSummary& summary) {
   const CaptureInfo& info = capture.info();
   Json json{{"format", info.format},
             {"sound", true},
             {"depth_frames", capture.depth_frames()},
             {"color_frames", capture.color_frames()}};
-  json["depth"] = intrinsics_json(info.depth);
+  json["depth"] = json_of(info.depth);
   json["depth"]["unit_m"] = info.depth_unit_m;
-  if (info.color) json["color"] = intrinsics_json(*info.color);
+  if (info.color) json["color"] = json_of(*info.color);
   if (info.color_from_depth) json["color_from_depth"] = to_row_major(*info.color_from_depth);
-  if (info.pose) json["pose"] = to_json(*info.pose);
+  if (info.pose) json["pose"] = json_of(*info.pose);
   if (info.camera) {
     json["camera"] = {{"model", info.camera->model}, {"serial", info.camera->serial}};
     if (info.camera->baseline_m) json["camera"]["baseline_m"] = *info.camera->baseline_m;
@@ -159,7 +160,7 @@ void show(const InfoArguments& arguments) {
   const auto capture = open_capture(arguments.capture, arguments.captures.options());
   const FrameSummary summary = read_all_frames(*capture);
   if (arguments.json) {
-    print("{}\n", to_json(*capture, summary).dump(1));
+    print("{}\n", json_text(json_of(*capture, summary), 1));
   } else {
     print_for_a_person(*capture, summary);
   }

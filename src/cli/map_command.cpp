@@ -17,6 +17,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "core/stopwatch.hpp"
 #include "geometry/robot_geometry_file.hpp"
@@ -140,7 +141,7 @@ void print_summary(const MapFiles& files, const std::vector<MapView>& views, con
     for (std::size_t i = 0; i < views.size(); ++i) {
       if (!map.poses[i].doubt.empty()) json["doubted"].push_back(views[i].name);
     }
-    print("{}\n", json.dump(2));
+    print("{}\n", json_text(json, 2));
     return;
   }
   print("{}: {} points of {} views\n", printable(files.ply), points, views.size());

@@ -14,6 +14,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "depth/colorize.hpp"
 #include "depth/image_file.hpp"
@@ -36,7 +37,7 @@ struct NoiseArguments {
   bool json = false;
 };
 
-Json to_json(const NoiseBin& bin) {
+Json json_of(const NoiseBin& bin) {
   Json json{{"from_m", bin.from_m}, {"to_m", bin.to_m}, {"pixels", bin.pixels}};
   if (bin.pixels == 0) return json;
   json["median_std_mm"] = bin.median_std_mm;
@@ -45,18 +46,18 @@ Json to_json(const NoiseBin& bin) {
   return json;
 }
 
-std::string to_json(const NoiseReport& report) {
+Json json_of(const NoiseReport& report) {
   Json json{{"format", "rva-noise"},
             {"version", 1},
             {"frames", report.frames},
             {"fill_rate", report.fill_rate},
-            {"overall", to_json(report.overall)}};
+            {"overall", json_of(report.overall)}};
   json["by_distance"] = Json::array();
-  for (const NoiseBin& bin : report.bins) json["by_distance"].push_back(to_json(bin));
+  for (const NoiseBin& bin : report.bins) json["by_distance"].push_back(json_of(bin));
   json["welch"] = {
       {"frames", report.welch_frames}, {"alpha", report.alpha}, {"tested_px", report.welch_tested_px}};
   if (report.welch_tested_px > 0) json["welch"]["rejected"] = report.welch_rejected;
-  return json.dump(1) + "\n";
+  return json;
 }
 
 // White where the first and the last frames differ, black where they do not, grey where there was nothing to
@@ -100,7 +101,7 @@ void measure(const NoiseArguments& arguments) {
   const auto capture = open_capture(arguments.capture, capture_options);
   const Noise noise = measure_noise(*capture, arguments.noise, terminal_progress());
   const ColorScale scale = scale_from_zero(noise.std_mm);
-  const std::string json = to_json(noise.report);
+  const std::string json = json_file_text(json_of(noise.report));
   write_file(out.path("std.png"), encode_png(with_scale_bar(colorize(noise.std_mm, scale), scale, "std mm")));
   write_file(out.path("drift.png"), encode_png(drift_picture(noise)));
   write_file(out.path("noise.json"), json);

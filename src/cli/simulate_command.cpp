@@ -14,6 +14,7 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
 #include "scene/file/scene_file.hpp"
@@ -58,8 +59,7 @@ SceneOverrides overrides_from(const CLI::App& command, const SimulateArguments& 
 }
 
 // The settings of the simulation, so that the capture can be reproduced.
-std::string origin_json(const SimulateArguments& arguments, const SceneOverrides& overrides,
-                        const Scene& scene) {
+Json json_of(const SimulateArguments& arguments, const SceneOverrides& overrides, const Scene& scene) {
   Json options;
   StereoSensorOptions::describe(arguments.sensor, [&](const auto& value, const OptionField& field) {
     options[json_name(field)] = value;
@@ -71,8 +71,7 @@ std::string origin_json(const SimulateArguments& arguments, const SceneOverrides
                   {"options", options}};
   if (!arguments.debris.empty()) simulation["debris"] = arguments.debris;
   if (overrides.debris_seed) simulation["debris_seed"] = *overrides.debris_seed;
-  // A file name need not be UTF-8; JSON must.
-  return Json{{"simulation", simulation}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json{{"simulation", simulation}};
 }
 
 std::vector<std::string> files_of_a_simulated_capture() {
@@ -109,7 +108,7 @@ void simulate(const CLI::App& command, SimulateArguments arguments) {
                          arguments.all_colors ? ColorFrames::all : ColorFrames::first);
   if (arguments.lamp && !camera.has_lamp())
     throw UsageError("--lamp", "there is none with --lamp-light 0", "leave one of them out");
-  CaptureWriter writer(out.path(""), camera.info(), origin_json(arguments, overrides, camera.scene()));
+  CaptureWriter writer(out.path(""), camera.info(), json_text(json_of(arguments, overrides, camera.scene())));
   write_truth(camera, out);
   record(camera, arguments.frames, writer, terminal_progress());
   if (arguments.infrared) write_infrared(camera, out);

@@ -30,6 +30,18 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
   }
 }
 
+std::string json_text(const nlohmann::json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_text(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string json_file_text(const nlohmann::ordered_json& json, int indent) {
+  return json_text(json, indent) + "\n";
+}
+
 JsonObject::JsonObject(const nlohmann::json& value, std::string source, std::string field)
     : value_(&value), source_(std::move(source)), field_(std::move(field)) {
   if (!value.is_object())

@@ -1,4 +1,5 @@
-// Reading JSON that users may have written: every error names the file and the field.
+// Reading JSON that users may have written, so that every error names the file and the field; writing JSON as
+// text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,6 +13,14 @@ namespace rva {
 /// @param source the file's name, for errors
 /// @throws Error when the text is not JSON or not UTF-8, naming the line; when a number does not fit a double
 [[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& source);
+
+/// JSON as text. Bytes that are not UTF-8, as names of files and devices may have, become U+FFFD.
+/// @param indent spaces for each level; below 0, everything is in one line
+[[nodiscard]] std::string json_text(const nlohmann::json& json, int indent = -1);
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = -1);
+
+/// The content of a file: JSON as text, with a line feed at the end.
+[[nodiscard]] std::string json_file_text(const nlohmann::ordered_json& json, int indent = 1);
 
 /// An object inside a JSON document, with its location there for errors. Keys that are not read are ignored.
 /// The document must outlive it.

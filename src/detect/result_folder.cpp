@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "depth/image_file.hpp"
 #include "detect/findings/drawing.hpp"
 
@@ -57,7 +59,7 @@ std::vector<std::string> write_result(const SidesDetection& result, const Captur
                                       const std::filesystem::path& folder) {
   const Detection& detection = result.detection;
   std::vector<std::string> warnings;
-  write_file(folder / result_file::detections, to_json(detection.findings));
+  write_file(folder / result_file::detections, json_file_text(json_of(detection.findings)));
   write_file(folder / result_file::changes, encode_png(detection.changed));
   write_file(folder / result_file::depth_overlay,
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out)));
@@ -68,10 +70,11 @@ std::vector<std::string> write_result(const SidesDetection& result, const Captur
       write_file(folder / result_file::changed_points,
                  encode_png(draw_changed_points(*color, detection.changed, detection.final_m, final.info())));
   }
-  if (result.registration) write_file(folder / result_file::registration, to_json(*result.registration));
+  if (result.registration)
+    write_file(folder / result_file::registration, json_file_text(json_of(*result.registration)));
   if (const auto& level = detection.level_of_detection) {
     write_file(folder / result_file::level_picture, encode_png(draw_level_of_detection(level->least_mm)));
-    write_file(folder / result_file::level, to_json(level->summary));
+    write_file(folder / result_file::level, json_file_text(json_of(level->summary)));
   }
   return warnings;
 }

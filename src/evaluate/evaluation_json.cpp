@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json_value(const Target& target) {
+Json json_of(const Target& target) {
   return {{"kind", target.kind},
           {"visible_px", target.visible_px},
           {"unhidden_px", target.unhidden_px},
@@ -19,7 +19,7 @@ Json to_json_value(const Target& target) {
           {"shown_px", target.shown_px}};
 }
 
-Json to_json_value(const Result& result) {
+Json json_of(const Result& result) {
   return {{"frames", result.frames},
           {"method", result.detector.method},
           {"setting", result.detector.setting},
@@ -29,7 +29,7 @@ Json to_json_value(const Result& result) {
           {"found_when_clean", result.found_when_clean}};
 }
 
-Json to_json_value(const Tally& tally) {
+Json json_of(const Tally& tally) {
   const auto interval = [](const Interval& of) { return Json{of.low, of.high}; };
   return {
       {"frames", tally.frames},
@@ -55,10 +55,10 @@ Json to_json_value(const Tally& tally) {
       {"all_found", tally.all_found}};
 }
 
-Json to_json_value(const SimulatedInspection& inspection) {
+Json json_of(const SimulatedInspection& inspection) {
   Json json{{"seed", inspection.seed}, {"targets", Json::array()}, {"results", Json::array()}};
-  for (const Target& target : inspection.targets) json["targets"].push_back(to_json_value(target));
-  for (const Result& result : inspection.results) json["results"].push_back(to_json_value(result));
+  for (const Target& target : inspection.targets) json["targets"].push_back(json_of(target));
+  for (const Result& result : inspection.results) json["results"].push_back(json_of(result));
   return json;
 }
 
@@ -102,18 +102,18 @@ Evaluation evaluation_from(const nlohmann::json& json) {
 
 }  // namespace
 
-std::string to_json(const Evaluation& evaluation) {
+Json json_of(const Evaluation& evaluation) {
   Json json{{"format", "rva-evaluation"},
             {"version", 1},
             {"scene", evaluation.scene},
             {"cameras", evaluation.cameras},
             {"bay", evaluation.bay}};
   json["tallies"] = Json::array();
-  for (const Tally& of : tally(evaluation.inspections)) json["tallies"].push_back(to_json_value(of));
+  for (const Tally& of : tally(evaluation.inspections)) json["tallies"].push_back(json_of(of));
   json["inspections"] = Json::array();
   for (const SimulatedInspection& inspection : evaluation.inspections)
-    json["inspections"].push_back(to_json_value(inspection));
-  return json.dump(1) + "\n";
+    json["inspections"].push_back(json_of(inspection));
+  return json;
 }
 
 Evaluation evaluation_from_json(const std::string& text, const std::string& source) {

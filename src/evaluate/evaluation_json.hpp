@@ -1,6 +1,7 @@
 // `evaluation.json` (docs/calibrated.md): the inspections of a study and their totals.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ struct Evaluation {
   std::vector<SimulatedInspection> inspections;
 };
 
-/// The JSON text of an evaluation, ending in a line feed. It includes tallies, but not the pixels of targets.
-[[nodiscard]] std::string to_json(const Evaluation& evaluation);
+/// The content of `evaluation.json`. It includes tallies, but not the pixels of targets.
+[[nodiscard]] nlohmann::ordered_json json_of(const Evaluation& evaluation);
 
 /// Reads the inspections of an evaluation, without the pixels of their targets.
 /// @param source name of the file, for errors

@@ -131,29 +131,29 @@ Shares shares_at_usual_setting(const std::vector<MovedInspection>& inspections) 
   return shares;
 }
 
-Json to_json_value(const Interval& interval) { return {interval.low, interval.high}; }
+Json json_of(const Interval& interval) { return {interval.low, interval.high}; }
 
-Json to_json_value(const MovedTally& of) {
+Json json_of(const MovedTally& of) {
   return {{"method", of.method},
           {"captures", of.captures},
           {"setting", of.setting},
           {"inspections", of.inspections},
           {"false_when_clean", of.false_when_clean},
-          {"false_rate_95", to_json_value(rate_interval(of.false_when_clean, of.inspections))},
+          {"false_rate_95", json_of(rate_interval(of.false_when_clean, of.inspections))},
           {"false_with_debris", of.false_with_debris},
           {"work_findings", of.work_findings},
           {"trace_findings", of.trace_findings},
           {"targets", of.targets},
           {"found", of.found},
-          {"found_share_95", to_json_value(share_interval(of.found, of.targets))},
+          {"found_share_95", json_of(share_interval(of.found, of.targets))},
           {"big", of.big},
           {"big_found", of.big_found},
-          {"big_share_95", to_json_value(share_interval(of.big_found, of.big))},
+          {"big_share_95", json_of(share_interval(of.big_found, of.big))},
           {"large", of.large},
           {"large_found", of.large_found}};
 }
 
-Json to_json_value(const MovedInspection& inspection) {
+Json json_of(const MovedInspection& inspection) {
   Json json{{"seed", inspection.seed},         {"move_m", inspection.move_m},
             {"turn_deg", inspection.turn_deg}, {"matcher", inspection.matcher},
             {"ambient", inspection.ambient},   {"targets", Json::array()},
@@ -266,7 +266,7 @@ std::string stated_return(const std::vector<MovedInspection>& inspections) {
       approaches, quantile(off_deg, 0.5));
 }
 
-Json to_json_value(const CollarDetection& of) {
+Json json_of(const CollarDetection& of) {
   Json json{{"method", of.method}, {"captures", of.captures}, {"setting", of.setting}, {"from_m", of.from_m},
             {"to_m", of.to_m},     {"collars", of.collars},   {"found", of.found}};
   if (!of.sizes) return json;
@@ -365,17 +365,16 @@ std::string to_table(const std::vector<MovedInspection>& inspections) {
   return table;
 }
 
-std::string to_json(const std::vector<MovedInspection>& inspections, const std::string& arguments) {
+Json json_of(const std::vector<MovedInspection>& inspections, const std::string& arguments) {
   Json json{{"format", "rva-evaluation-moved"}, {"version", 2}, {"arguments", arguments}};
   json["tallies"] = Json::array();
-  for (const MovedTally& of : tally(inspections)) json["tallies"].push_back(to_json_value(of));
+  for (const MovedTally& of : tally(inspections)) json["tallies"].push_back(json_of(of));
   json["probability_of_detection"] = Json::array();
   for (const CollarDetection& of : collar_detection(inspections))
-    json["probability_of_detection"].push_back(to_json_value(of));
+    json["probability_of_detection"].push_back(json_of(of));
   json["inspections"] = Json::array();
-  for (const MovedInspection& inspection : inspections)
-    json["inspections"].push_back(to_json_value(inspection));
-  return json.dump(1) + "\n";
+  for (const MovedInspection& inspection : inspections) json["inspections"].push_back(json_of(inspection));
+  return json;
 }
 
 std::vector<MovedInspection> moved_inspections_from_json(const std::string& text, const std::string& source,

@@ -1,6 +1,7 @@
 // Summaries of a study of moved cameras.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,10 +51,10 @@ struct CollarDetection {
 /// 95 %.
 [[nodiscard]] std::string to_table(const std::vector<MovedInspection>& inspections);
 
-/// `evaluation.json` of a study of moved cameras (docs/spatial.md).
+/// The content of `evaluation.json` of a study of moved cameras (docs/spatial.md).
 /// @param arguments the arguments of the study, which a resumed run must match
-[[nodiscard]] std::string to_json(const std::vector<MovedInspection>& inspections,
-                                  const std::string& arguments);
+[[nodiscard]] nlohmann::ordered_json json_of(const std::vector<MovedInspection>& inspections,
+                                             const std::string& arguments);
 
 /// Reads the inspections of a study that is to be resumed, without the pixels of their targets.
 /// @throws Error if the text is not such an evaluation; UsageError if the study had other arguments

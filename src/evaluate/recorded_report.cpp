@@ -112,10 +112,10 @@ std::string to_table(const std::vector<RecordedInspection>& inspections) {
   return table;
 }
 
-std::string to_json(const std::vector<RecordedInspection>& inspections) {
+Json json_of(const std::vector<RecordedInspection>& inspections) {
   Json json{{"format", "rva-evaluation-recorded"}, {"version", 1}, {"inspections", Json::array()}};
   for (const RecordedInspection& inspection : inspections) json["inspections"].push_back(json_of(inspection));
-  return json.dump(1) + "\n";
+  return json;
 }
 
 }  // namespace rva

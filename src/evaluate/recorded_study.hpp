@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct RecordedInspection {
 /// of all objects that shows which comparisons found them.
 [[nodiscard]] std::string to_table(const std::vector<RecordedInspection>& inspections);
 
-/// The text of `evaluation.json`.
-[[nodiscard]] std::string to_json(const std::vector<RecordedInspection>& inspections);
+/// The content of `evaluation.json`.
+[[nodiscard]] nlohmann::ordered_json json_of(const std::vector<RecordedInspection>& inspections);
 
 }  // namespace rva

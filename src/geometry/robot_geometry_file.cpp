@@ -82,19 +82,17 @@ PanTiltChain load_robot_geometry(const std::filesystem::path& path) {
       camera(object.object("camera"))};
 }
 
-std::string robot_geometry_json(const PanTiltChain& chain) {
+Json json_of(const PanTiltChain& chain) {
   const Eigen::Matrix3d axes = chain.bracket_from_camera.linear();
-  const Json json = {
-      {"format", "rva-robot-geometry"},
-      {"version", 1},
-      {"servo1", {{"at_m", numbers(chain.servo1.at_m)}, {"axis", numbers(chain.servo1.axis)}}},
-      {"bracket", {{"at_m", numbers(chain.bracket.at_m)}, {"axis", numbers(chain.bracket.axis)}}},
-      {"camera",
-       {{"at_m", numbers(chain.bracket_from_camera.translation())},
-        {"right", numbers(axes.col(0))},
-        {"down", numbers(axes.col(1))},
-        {"forward", numbers(axes.col(2))}}}};
-  return json.dump(2) + "\n";
+  return {{"format", "rva-robot-geometry"},
+          {"version", 1},
+          {"servo1", {{"at_m", numbers(chain.servo1.at_m)}, {"axis", numbers(chain.servo1.axis)}}},
+          {"bracket", {{"at_m", numbers(chain.bracket.at_m)}, {"axis", numbers(chain.bracket.axis)}}},
+          {"camera",
+           {{"at_m", numbers(chain.bracket_from_camera.translation())},
+            {"right", numbers(axes.col(0))},
+            {"down", numbers(axes.col(1))},
+            {"forward", numbers(axes.col(2))}}}};
 }
 
 }  // namespace rva

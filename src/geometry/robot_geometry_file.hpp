@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <nlohmann/json_fwd.hpp>
 
 #include "geometry/pan_tilt.hpp"
 
@@ -17,7 +17,7 @@ namespace rva {
 ///         geometry/pan_tilt.hpp defines
 [[nodiscard]] PanTiltChain load_robot_geometry(const std::filesystem::path& path);
 
-/// The text of such a file. The chain that is read back from it differs in the last digits only.
-[[nodiscard]] std::string robot_geometry_json(const PanTiltChain& chain);
+/// The content of such a file. The chain that is read back from it differs in the last digits only.
+[[nodiscard]] nlohmann::ordered_json json_of(const PanTiltChain& chain);
 
 }  // namespace rva

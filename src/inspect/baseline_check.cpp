@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
 #include "detect/detect.hpp"
@@ -54,8 +55,7 @@ void write_pictures(const Detection& detection, const fs::path& folder) {
 
 Json json_of(const Detection& detection) {
   Json json{{"false_findings", detection.findings.findings.size()}};
-  if (const auto& level = detection.level_of_detection)
-    json["level_of_detection"] = Json::parse(to_json(level->summary));
+  if (const auto& level = detection.level_of_detection) json["level_of_detection"] = json_of(level->summary);
   return json;
 }
 
@@ -101,7 +101,7 @@ void check_baseline(const InspectionFolder& folder, const Inspection& inspection
                    {"version", 1},
                    {"captures", inspection.dither / 2},
                    {"views", std::move(views)}};
-  write_file(out.path("check.json"), check.dump(1) + "\n");
+  write_file(out.path("check.json"), json_file_text(check));
   out.commit();
 }
 

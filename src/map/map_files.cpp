@@ -42,15 +42,14 @@ Json json_of(const MapView& view, const RefinedPose& pose, const MapPoses& map) 
   return json;
 }
 
-std::string poses_json(std::span<const MapPoint> points, std::span<const MapView> views,
-                       const MapPoses& map) {
+Json json_of(std::span<const MapPoint> points, std::span<const MapView> views, const MapPoses& map) {
   Json json = {{"format", "rva-map"},
                {"version", 1},
                {"base", map.base},
                {"refined", map.refined},
                {"points", points.size()},
                {"parameters", Json::object()},
-               {"geometry", Json::parse(robot_geometry_json(map.chain))},
+               {"geometry", json_of(map.chain)},
                {"views", Json::array()}};
   const auto add = [&json](const auto& value, const OptionField& field) {
     json["parameters"][json_name(field)] = value;
@@ -59,7 +58,7 @@ std::string poses_json(std::span<const MapPoint> points, std::span<const MapView
   if (map.refined) RefinementOptions::describe(map.refinement, add);
   for (std::size_t i = 0; i < views.size(); ++i)
     json["views"].push_back(json_of(views[i], map.poses[i], map));
-  return json.dump(2) + "\n";
+  return json;
 }
 
 bool describes_a_map(const fs::path& poses) {
@@ -166,7 +165,7 @@ void write_map(const MapFiles& files, std::span<const MapPoint> points, std::spa
   OutputFolder out(files.commit, {ply_part, pcd_part, poses_part}, Existing::refuse);
   write_ply(out.path(ply_part), points, PointFrame::robot_foot);
   write_pcd(out.path(pcd_part), points, PointFrame::robot_foot);
-  write_file(out.path(poses_part), poses_json(points, views, poses));
+  write_file(out.path(poses_part), json_file_text(json_of(points, views, poses), 2));
   out.commit();
   put_in_place(files);
 }

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "core/clock.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "server/private_paths.hpp"
 #include "server/request_body.hpp"
@@ -39,7 +40,7 @@ std::optional<std::vector<std::string>> match(std::string_view route, std::strin
 
 ApiResponse refusal(int status, const std::string& code, const std::string& message) {
   const Json body{{"error", {{"code", code}, {"message", message}}}};
-  return {status, "application/json", body.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  return {status, "application/json", json_text(body)};
 }
 
 Api::Api(const ServerParts& parts, bool secure_cookie) : parts_(parts), secure_cookie_(secure_cookie) {}

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/clock.hpp"
+#include "core/json_object.hpp"
 #include "inspect/person_name.hpp"
 #include "server/request_body.hpp"
 
@@ -27,7 +28,7 @@ Message message_of(const LivePicture& picture) {
             {"height", picture.height},
             {"taken_ms", unix_ms(picture.taken_at)}};
   if (picture.scale_m) head["scale_m"] = {picture.scale_m->low, picture.scale_m->high};
-  const std::string text = head.dump();
+  const std::string text = json_text(head);
   Message message{true, {}};
   message.bytes.reserve(4 + text.size() + picture.jpeg.size());
   for (unsigned shift = 0; shift < 32; shift += 8)
@@ -179,8 +180,7 @@ void Conversation::lease(const Json& message, double now_s) {
 
 void Conversation::refuse(const std::string& code, const std::string& message) {
   if (replies_.size() == most_replies) replies_.pop_front();
-  replies_.push_back(Json{{"type", "refused"}, {"code", code}, {"message", message}}.dump(
-      -1, ' ', false, Json::error_handler_t::replace));
+  replies_.push_back(json_text(Json{{"type", "refused"}, {"code", code}, {"message", message}}));
 }
 
 void Conversation::offer(const std::shared_ptr<const LivePicture>& picture) {
@@ -191,7 +191,7 @@ std::optional<Message> Conversation::lease_news(double now_s) {
   const auto holder = parts_.lease.holder(now_s);
   Json news{{"type", "lease"}, {"yours", holder && holder->client == client_}};
   if (holder) news["holder"] = holder->name;
-  std::string text = news.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = json_text(news);
   if (text == sent_lease_) return std::nullopt;
   sent_lease_ = text;
   return Message{false, std::move(text)};

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/date_time.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "server/api.hpp"
@@ -11,7 +12,7 @@ namespace rva {
 namespace {
 
 ApiResponse json_answer(const Json& body, int status = 200) {
-  return {status, "application/json", body.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  return {status, "application/json", json_text(body)};
 }
 
 ApiResponse started() { return {202, "application/json", "{}"}; }
@@ -77,7 +78,8 @@ ApiResponse Api::set_regions(const Call& call) const {
   if (!(view >= 0.0 && view < 1000.0))
     throw ApiError(404, "not-found", "view", "does not exist", "give one of the inspection's views");
   const Json regions{{"format", "rva-regions"}, {"version", 1}, {"ignore", *ignore}};
-  parts_.inspector.set_ignored(id, static_cast<int>(view), parse_regions(regions.dump(), "regions").ignore);
+  parts_.inspector.set_ignored(id, static_cast<int>(view),
+                               parse_regions(json_text(regions), "regions").ignore);
   return json_answer(json_of(parts_.inspector.inspection(id)));
 }
 

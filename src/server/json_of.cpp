@@ -24,6 +24,26 @@ Json list_of(const std::vector<Polygon>& polygons) {
   return list;
 }
 
+Json list_of(const std::vector<DetectionLevels>& by_distance) {
+  Json list = Json::array();
+  for (const DetectionLevels& level : by_distance)
+    list.push_back({{"from_m", rounded(level.from_m, 1)},
+                    {"to_m", rounded(level.to_m, 1)},
+                    {"median_mm", rounded(level.median_mm, 1)},
+                    {"p90_mm", rounded(level.p90_mm, 1)}});
+  return list;
+}
+
+Json json_of(const NoiseSoFar& noise) {
+  return {{"frames", noise.frames},
+          {"measured", noise.measured},
+          {"median_std_mm", rounded(noise.median_std_mm, 2)},
+          {"findable",
+           {{"judged", noise.findable.judged},
+            {"window_px", noise.findable.window_px},
+            {"by_distance", list_of(noise.findable.by_distance)}}}};
+}
+
 Json json_of(const TakenSide& side) {
   return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}, {"round", side.round}};
 }
@@ -118,16 +138,6 @@ Json json_of(const Readiness& readiness) {
   return {{"ready", readiness.ready()}, {"checked_at", readiness.checked_at}, {"items", items}};
 }
 
-Json json_of(const DetectionLevelSummary& levels) {
-  Json by_distance = Json::array();
-  for (const DetectionLevels& level : levels.by_distance)
-    by_distance.push_back({{"from_m", rounded(level.from_m, 1)},
-                           {"to_m", rounded(level.to_m, 1)},
-                           {"median_mm", rounded(level.median_mm, 1)},
-                           {"p90_mm", rounded(level.p90_mm, 1)}});
-  return {{"judged", levels.judged}, {"window_px", levels.window_px}, {"by_distance", by_distance}};
-}
-
 Json json_of(const TaskState& task) {
   Json json{{"number", task.number}, {"kind", name_of(task.kind)}, {"end", name_of(task.end)}};
   if (task.inspection > 0) json["inspection"] = task.inspection;
@@ -144,11 +154,7 @@ Json json_of(const TaskState& task) {
   json["total"] = task.total;
   if (!task.waiting.empty()) json["waiting"] = without_folders(task.waiting);
   if (!task.problem.empty()) json["problem"] = without_folders(task.problem);
-  if (task.noise)
-    json["noise"] = {{"frames", task.noise->frames},
-                     {"measured", task.noise->measured},
-                     {"median_std_mm", rounded(task.noise->median_std_mm, 2)},
-                     {"findable", json_of(task.noise->findable)}};
+  if (task.noise) json["noise"] = json_of(*task.noise);
   return json;
 }
 

@@ -20,6 +20,5 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const Readiness& readiness);
 [[nodiscard]] Json json_of(const TaskState& task);
 [[nodiscard]] Json json_of(const DriveState& state, const RobotLimits& limits);
-[[nodiscard]] Json json_of(const DetectionLevelSummary& levels);
 
 }  // namespace rva

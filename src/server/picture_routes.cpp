@@ -5,6 +5,7 @@
 
 #include "capture/capture.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/units.hpp"
 #include "depth/image_file.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
@@ -129,6 +130,8 @@ ApiResponse Api::measure_points(const Call& call) const {
   if (measured.size() == most_points && measured[0] && measured[1])
     answer["length_mm"] = mm_per_m * (measured[0]->position_m - measured[1]->position_m).norm();
   return {200, "application/json", answer.dump()};
+  answer["length_mm"] = 1000.0 * (measured[0]->position_m - measured[1]->position_m).norm();
+  return {200, "application/json", json_text(answer)};
 }
 
 ApiResponse Api::simulate_work(const Call& call) const {

@@ -1,4 +1,5 @@
 #include "core/clock.hpp"
+#include "core/json_object.hpp"
 #include "server/api.hpp"
 #include "server/conversation.hpp"
 #include "server/request_body.hpp"
@@ -21,7 +22,7 @@ ApiResponse Api::get_session(const Call& call) const {
     body["name"] = call.person->name;
     body["role"] = name_of(call.person->role);
   }
-  return {200, "application/json", body.dump()};
+  return {200, "application/json", json_text(body)};
 }
 
 ApiResponse Api::sign_in(const Call& call) const {

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "core/json_object.hpp"
 #include "server/json_of.hpp"
 #include "server/private_paths.hpp"
 
 namespace rva {
 namespace {
 
-Json camera_json(const LiveCamera& camera, const LivePictures& pictures) {
+Json json_of(const LiveCamera& camera, const LivePictures& pictures) {
   const CameraHealth health = camera.health();
   Json json{{"rate_hz", std::round(10.0 * health.rate_hz) / 10.0}, {"lost", health.lost}};
   if (!health.problem.empty()) json["problem"] = without_folders(health.problem);
@@ -25,13 +26,13 @@ Json camera_json(const LiveCamera& camera, const LivePictures& pictures) {
 }  // namespace
 
 std::string status_message(const ServerParts& parts, const LivePictures& pictures, std::size_t consoles) {
-  Json json{{"type", "status"}, {"camera", camera_json(parts.camera, pictures)}};
+  Json json{{"type", "status"}, {"camera", json_of(parts.camera, pictures)}};
   if (parts.drive != nullptr) json["robot"] = json_of(parts.drive->state(), parts.drive->limits());
   json["task"] = json_of(parts.inspector.task());
   if (const auto readiness = parts.inspector.readiness()) json["readiness"] = json_of(*readiness);
   json["consoles"] = consoles;
   json["simulation"] = static_cast<bool>(parts.simulated_work);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(json);
 }
 
 }  // namespace rva

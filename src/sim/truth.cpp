@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/units.hpp"
 #include "depth/image_file.hpp"
 
@@ -46,7 +47,7 @@ std::vector<Seen> find_seen(const LabelImage& labels, std::size_t objects) {
   return seen;
 }
 
-Json to_json(const SceneObject& object, int label, const Seen& seen) {
+Json json_of(const SceneObject& object, int label, const Seen& seen) {
   const Eigen::Vector3d size_mm = mm_per_m * size_m(object);
   Json json{{"label", label},
             {"name", object.name},
@@ -59,7 +60,7 @@ Json to_json(const SceneObject& object, int label, const Seen& seen) {
   return json;
 }
 
-std::string truth_json(const SimulatedCamera& camera, const TrueView& view) {
+Json json_of(const SimulatedCamera& camera, const TrueView& view) {
   Json json{{"format", "rva-truth"},
             {"version", 1},
             {"scene", camera.scene().name},
@@ -70,9 +71,9 @@ std::string truth_json(const SimulatedCamera& camera, const TrueView& view) {
   json["objects"] = Json::array();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const int label = Scene::label_of(i);
-    json["objects"].push_back(to_json(objects[i], label, seen[static_cast<std::size_t>(label)]));
+    json["objects"].push_back(json_of(objects[i], label, seen[static_cast<std::size_t>(label)]));
   }
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
 }
 
 DepthImage to_units(const Image<float>& depth_m) {
@@ -92,7 +93,7 @@ void write_truth(const SimulatedCamera& camera, const OutputFolder& capture) {
   std::filesystem::create_directory(capture.path("truth"), ignored);
   write_file(capture.path("truth") / "labels.png", encode_png(view.labels));
   write_file(capture.path("truth") / "depth.png", encode_png(to_units(view.depth_m)));
-  write_file(capture.path("truth") / "truth.json", truth_json(camera, view));
+  write_file(capture.path("truth") / "truth.json", json_file_text(json_of(camera, view)));
 }
 
 }  // namespace rva

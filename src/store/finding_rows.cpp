@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/json_object.hpp"
+
 namespace rva {
 namespace {
 
@@ -18,7 +20,7 @@ void bind(SQLite::Statement& statement, int index, const std::optional<double>& 
 }
 
 void bind(SQLite::Statement& statement, int index, const std::optional<Eigen::Vector3d>& point) {
-  if (point) statement.bind(index, to_list(*point).dump());
+  if (point) statement.bind(index, json_text(to_list(*point)));
 }
 
 std::optional<double> number(const SQLite::Column& column) {
@@ -85,11 +87,11 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   insert.bind(4, reviewed.view);
   insert.bind(5, reviewed.same_as);
   insert.bind(6, std::string(name_of(finding.kind)));
-  insert.bind(7, json{box.x, box.y, box.width, box.height}.dump());
-  insert.bind(8, json{finding.centroid.x(), finding.centroid.y()}.dump());
+  insert.bind(7, json_text(json{box.x, box.y, box.width, box.height}));
+  insert.bind(8, json_text(json{finding.centroid.x(), finding.centroid.y()}));
   bind(insert, 9, finding.position_m);
   bind(insert, 10, reviewed.in_foot_m);
-  if (finding.size_mm) insert.bind(11, json(*finding.size_mm).dump());
+  if (finding.size_mm) insert.bind(11, json_text(json(*finding.size_mm)));
   bind(insert, 12, finding.height_mm);
   bind(insert, 13, finding.score);
   bind(insert, 14, finding.p_value);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "store/finding_rows.hpp"
 
 namespace rva {
@@ -167,7 +168,7 @@ void replace_compared_views(SQLite::Database& database, std::int64_t id,
     insert.bind(5, view.coverage.unseen);
     insert.bind(6, view.coverage.invalid);
     insert.bind(7, view.judged);
-    insert.bind(8, nlohmann::json(view.warnings).dump());
+    insert.bind(8, json_text(nlohmann::json(view.warnings)));
     if (view.coverage.left_out) insert.bind(9, *view.coverage.left_out);
     insert.exec();
   }

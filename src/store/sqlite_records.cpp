@@ -5,9 +5,11 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "store/finding_rows.hpp"
 #include "store/inspection_rows.hpp"
@@ -115,7 +117,7 @@ void SqliteRecords::set_ignored(std::int64_t id, int view, const std::vector<Pol
         database, "insert or replace into ignored_region (inspection, view, regions) values (?, ?, ?)");
     insert.bind(1, id);
     insert.bind(2, view);
-    insert.bind(3, to_json(IgnoredRegions{ignored, {}}));
+    insert.bind(3, json_text(json_of(IgnoredRegions{ignored, {}})) + "\n");
     insert.exec();
     forget_comparison(database, id);
     return true;

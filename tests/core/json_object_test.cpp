@@ -59,5 +59,15 @@ TEST(JsonObject, NamesTheFieldThatIsWrong) {
               testing::StartsWith("file: s: not an object"));
 }
 
+TEST(JsonText, IsUtf8WhateverTheStringsAre) {
+  EXPECT_EQ(json_text(nlohmann::json{{"b", 1}, {"a", "\xFF"}}), "{\"a\":\"\xEF\xBF\xBD\",\"b\":1}");
+  EXPECT_EQ(json_text(nlohmann::ordered_json{{"b", 1}, {"a", 2}}), R"({"b":1,"a":2})") << "keeps the order";
+}
+
+TEST(JsonText, OfAFileIsIndentedAndEndsInALineFeed) {
+  EXPECT_EQ(json_file_text({{"a", 1}}), "{\n \"a\": 1\n}\n");
+  EXPECT_EQ(json_file_text({{"a", 1}}, 2), "{\n  \"a\": 1\n}\n");
+}
+
 }  // namespace
 }  // namespace rva

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "evaluate/moved_report.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "scene/camera_stand.hpp"
@@ -95,7 +96,7 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   EXPECT_THAT(table, testing::HasSubstr("1/2 50 %"));
   EXPECT_THAT(table,
               testing::HasSubstr("2 of 3 within 4 mm and 0.25 degrees; 1 refused; 0 trusted and wrong"));
-  const auto json = nlohmann::json::parse(to_json({inspection()}, "some"));
+  const auto json = json_of({inspection()}, "some");
   EXPECT_THAT(table, testing::HasSubstr("errors within the 95 % of the stated covariance: 1/2 50 %"));
   EXPECT_EQ(json["inspections"][0]["registrations"][2]["doubt"], "two places");
   EXPECT_EQ(json["inspections"][0]["registrations"][1]["normalised"], 20.0);
@@ -126,16 +127,16 @@ TEST(MovedReport, StatesHowLargeACollarHasToBe) {
   EXPECT_GT(far.sizes->a90_mm, 0.27 * 25.4);
   EXPECT_LT(*far.sizes->a90_95_mm, 0.36 * 25.4);
   EXPECT_THAT(to_table({collars}), testing::HasSubstr("collars at 0.6 to 1.0 m: 150/175"));
-  const auto json = nlohmann::json::parse(to_json({collars}, "some"))["probability_of_detection"];
+  const auto json = json_of({collars}, "some")["probability_of_detection"];
   EXPECT_EQ(json[2]["a90_95_mm"], *far.sizes->a90_95_mm);
   EXPECT_FALSE(json[0].contains("a90_mm"));
 }
 
 TEST(MovedReport, IsReadBackToGoOnWith) {
-  const std::string text = to_json({inspection(), inspection()}, "return near");
+  const std::string text = json_text(json_of({inspection(), inspection()}, "return near"));
   const std::vector<MovedInspection> back = moved_inspections_from_json(text, "here", "return near");
   ASSERT_EQ(back.size(), 2U);
-  EXPECT_EQ(to_json(back, "return near"), text);
+  EXPECT_EQ(json_text(json_of(back, "return near")), text);
   EXPECT_THROW((void)moved_inspections_from_json(text, "here", "return far"), UsageError);
   EXPECT_THROW((void)moved_inspections_from_json("{}", "here", "return near"), Error);
 }

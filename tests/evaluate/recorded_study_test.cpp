@@ -76,7 +76,7 @@ TEST_F(Recorded, WhatIsThereIsFoundAndNothingElse) {
     EXPECT_EQ(result.false_findings, 0U);
   }
   EXPECT_THAT(to_table(study), HasSubstr("1/1 100 %"));
-  EXPECT_EQ(nlohmann::json::parse(to_json(study))["inspections"][0]["targets"][0]["name"], "box");
+  EXPECT_EQ(json_of(study)["inspections"][0]["targets"][0]["name"], "box");
 }
 
 TEST_F(Recorded, WhatTheTruthDoesNotNameIsFalse) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/json_object.hpp"
 #include "evaluate/evaluation_json.hpp"
 
 namespace rva {
@@ -51,7 +52,7 @@ TEST(Report, SaysTheSameToAPersonAndToAProgram) {
   const std::vector<Tally> tallies = tally(inspections);
   EXPECT_THAT(to_table(tallies), testing::HasSubstr("1.5 (0.31-4.4)"));
   EXPECT_THAT(to_table(tallies), testing::HasSubstr("5/6 83 % (36-100)"));
-  const auto json = nlohmann::json::parse(to_json({"bay.yaml", "d435", "", inspections}));
+  const auto json = json_of(Evaluation{"bay.yaml", "d435", "", inspections});
   EXPECT_EQ(json["format"], "rva-evaluation");
   EXPECT_EQ(json["tallies"][0]["found"], 5);
   EXPECT_EQ(json["inspections"][1]["seed"], 8);
@@ -60,18 +61,18 @@ TEST(Report, SaysTheSameToAPersonAndToAProgram) {
 }
 
 TEST(EvaluationJson, ComesBackAsItWas) {
-  const std::string text =
-      to_json({"bay.yaml", "random:3", "dirt", {inspection(7, true, 0), inspection(8, false, 3)}});
+  const std::string text = json_text(
+      json_of(Evaluation{"bay.yaml", "random:3", "dirt", {inspection(7, true, 0), inspection(8, false, 3)}}));
   const Evaluation evaluation = evaluation_from_json(text, "evaluation.json");
   EXPECT_EQ(evaluation.scene, "bay.yaml");
   EXPECT_EQ(evaluation.cameras, "random:3");
   EXPECT_EQ(evaluation.bay, "dirt");
   EXPECT_EQ(evaluation.inspections.at(1).results.at(0).detector, (Detector{"gaussian", 3.0}));
-  EXPECT_EQ(to_json(evaluation), text);
+  EXPECT_EQ(json_text(json_of(evaluation)), text);
 }
 
 TEST(EvaluationJson, SaysWhatIsWrong) {
-  const std::string good = to_json({"", "d435", "", {inspection(7, true, 0)}});
+  const std::string good = json_text(json_of(Evaluation{"", "d435", "", {inspection(7, true, 0)}}));
   auto without_targets = nlohmann::json::parse(good);
   without_targets["inspections"][0]["targets"].clear();
   auto text_for_seed = nlohmann::json::parse(good);

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rva {
@@ -20,7 +21,7 @@ class RobotGeometryFile : public testing::Test {
  protected:
   // The error on loading a file with one value changed; empty where the file is accepted.
   std::string complaint(const std::string& pointer, const Json& value) {
-    Json json = Json::parse(robot_geometry_json(PanTiltChain{}));
+    Json json = json_of(PanTiltChain{});
     json[Json::json_pointer(pointer)] = value;
     return complaint(json.dump());
   }
@@ -43,7 +44,7 @@ TEST_F(RobotGeometryFile, IsReadBackAsItWasWritten) {
   chain.servo1 = {{0.01, -0.02, 0.2}, Eigen::Vector3d(0.01, 0.02, 1.0).normalized()};
   chain.bracket = {{0.0, 0.003, 0.07}, Eigen::Vector3d(1.0, -0.03, 0.02).normalized()};
   chain.bracket_from_camera.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d(3.0, 2.0, 1.0).normalized()));
-  write_file(path_, robot_geometry_json(chain));
+  write_file(path_, json_text(json_of(chain)));
   const PanTiltChain read = load_robot_geometry(path_);
   for (const PanTilt& joints : {PanTilt{0, 0}, PanTilt{-70, 5}, PanTilt{30, -60}})
     EXPECT_TRUE(foot_from_camera(read, joints).isApprox(foot_from_camera(chain, joints), 1e-12));

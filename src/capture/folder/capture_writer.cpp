@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Null stands for an unknown value: the merge in capture_json() removes such keys (RFC 7396).
+// Null stands for an unknown value: the merge in json_of(CaptureInfo) removes such keys (RFC 7396).
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 template <typename Value>
@@ -35,7 +35,7 @@ Json or_null(const std::optional<Transform>& a_from_b) {
   return a_from_b ? Json(to_row_major(*a_from_b)) : Json();
 }
 
-Json to_json_value(const Pose& pose) {
+Json json_of(const Pose& pose) {
   return {{"base", or_null(pose.base)},
           {"pan_deg", or_null(pose.pan_deg)},
           {"tilt_deg", or_null(pose.tilt_deg)},
@@ -44,7 +44,7 @@ Json to_json_value(const Pose& pose) {
           {"approaches", or_null(pose.approaches)}};
 }
 
-Json to_json_value(const CameraInfo& camera) {
+Json json_of(const CameraInfo& camera) {
   return {{"model", or_null(camera.model)},
           {"serial", or_null(camera.serial)},
           {"baseline_m", or_null(camera.baseline_m)},
@@ -53,7 +53,7 @@ Json to_json_value(const CameraInfo& camera) {
           {"settings", camera.settings.empty() ? Json() : Json(camera.settings)}};
 }
 
-Json to_json_value(const InfraredBurst& burst) {
+Json json_of(const InfraredBurst& burst) {
   return {{"scale", burst.per_grey_level},
           {"frames", burst.frames},
           {"exposure_us", or_null(burst.exposure_us)},
@@ -84,24 +84,24 @@ void write_image(const fs::path& file, const Image<Pixel, Meaning>& image) {
 
 }  // namespace
 
-std::string capture_json(const CaptureInfo& info, const std::string& extra_json_object) {
+Json json_of(const CaptureInfo& info, const std::string& extra_json_object) {
   const std::string source = "the capture's extra keys";
   const nlohmann::json extra = parse_json(extra_json_object, source);
   static_cast<void>(JsonObject(extra, source));
   Json known{{"format", "rva-capture"}, {"version", 1}};
   Json document = known;
   document.update(Json(extra));
-  known["depth"] = intrinsics_json(info.depth);
+  known["depth"] = json_of(info.depth);
   known["depth"]["unit_m"] = info.depth_unit_m;
-  known["color"] = info.color ? intrinsics_json(*info.color) : Json();
+  known["color"] = info.color ? json_of(*info.color) : Json();
   known["color_from_depth"] = or_null(info.color_from_depth);
-  known["pose"] = info.pose ? to_json_value(*info.pose) : Json();
-  known["camera"] = info.camera ? to_json_value(*info.camera) : Json();
-  known["infrared"] = info.infrared ? to_json_value(*info.infrared) : Json();
-  known["lamp"] = info.lamp ? to_json_value(*info.lamp) : Json();
+  known["pose"] = info.pose ? json_of(*info.pose) : Json();
+  known["camera"] = info.camera ? json_of(*info.camera) : Json();
+  known["infrared"] = info.infrared ? json_of(*info.infrared) : Json();
+  known["lamp"] = info.lamp ? json_of(*info.lamp) : Json();
   known["captured_at"] = or_null(info.captured_at);
   document.merge_patch(known);
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return document;
 }
 
 std::string frame_line(std::size_t number, const FrameMetadata& metadata) {
@@ -113,7 +113,7 @@ std::string frame_line(std::size_t number, const FrameMetadata& metadata) {
                    {"temperature_c", or_null(metadata.temperature_c)}};
   Json line{{"frame", number}};
   line.merge_patch(known);
-  return line.dump() + "\n";
+  return json_text(line) + "\n";
 }
 
 std::vector<std::string> capture_files() {
@@ -136,7 +136,7 @@ CaptureWriter::CaptureWriter(fs::path folder, const CaptureInfo& info, const std
   info_.infrared.reset();
   info_.lamp.reset();
   const fs::path file = folder_ / "capture.json";
-  const std::string description = capture_json(info_, extra_json_object_);
+  const std::string description = json_file_text(json_of(info_, extra_json_object_));
   require_possible(parse_capture_json(description, printable(file)), printable(folder_));
   write_file(file, description);
 }
@@ -158,7 +158,7 @@ void CaptureWriter::write_infrared(Imager imager, Light light, const FineGrayIma
   const fs::path file = frame_file(folder_, infrared_folder(imager, light), 0);
   require_size(file, mean, info_.depth);
   (light == Light::lamp ? info_.lamp : info_.infrared) = burst;
-  replace_file(folder_ / "capture.json", capture_json(info_, extra_json_object_));
+  replace_file(folder_ / "capture.json", json_file_text(json_of(info_, extra_json_object_)));
   write_image(file, mean);
 }
 

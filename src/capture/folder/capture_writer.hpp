@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -13,13 +14,14 @@ namespace rva {
 
 /// The description of a capture folder. parse_capture_json() reads every number back to the last bit, except
 /// transforms, which it makes orthonormal. Unknown values and empty texts are left out; info.format and
-/// info.source_json are not written. Bytes that are not UTF-8 become U+FFFD.
+/// info.source_json are not written.
 ///
 /// @param extra_json_object further keys, at any depth, that the format does not define. Keys of the format
 ///                          are taken from `info` alone, so that an earlier info.source_json may be given as
 ///                          it is.
 /// @throws Error when the extra keys are not a JSON object
-[[nodiscard]] std::string capture_json(const CaptureInfo& info, const std::string& extra_json_object = "{}");
+[[nodiscard]] nlohmann::ordered_json json_of(const CaptureInfo& info,
+                                             const std::string& extra_json_object = "{}");
 
 /// The files that a capture folder may contain, for an OutputFolder.
 [[nodiscard]] std::vector<std::string> capture_files();

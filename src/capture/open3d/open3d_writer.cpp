@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
+#include "core/json_object.hpp"
 #include "depth/image_file.hpp"
 
 namespace fs = std::filesystem;
@@ -16,17 +17,14 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-std::string intrinsic_json(const CaptureInfo& info) {
-  const Intrinsics& color = *info.color;
-  const CameraInfo camera = info.camera.value_or(CameraInfo{});
-  const nlohmann::ordered_json json{
+nlohmann::ordered_json json_of(const Intrinsics& color, double depth_unit_m, const CameraInfo& camera) {
+  return {
       {"width", color.width},
       {"height", color.height},
       {"intrinsic_matrix", {color.fx, 0.0, 0.0, 0.0, color.fy, 0.0, color.cx, color.cy, 1.0}},  // by columns
-      {"depth_scale", 1.0 / info.depth_unit_m},
+      {"depth_scale", 1.0 / depth_unit_m},
       {"device_name", camera.model},
       {"serial_number", camera.serial}};
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void require_straight_color(const CaptureInfo& info) {
@@ -56,7 +54,8 @@ void write_open3d_folder(const Capture& capture, const fs::path& folder, const P
   std::error_code ignored;  // if a folder is missing, write_file() fails and reports why
   fs::create_directory(folder / "depth", ignored);
   fs::create_directory(folder / "color", ignored);
-  write_file(folder / "intrinsic.json", intrinsic_json(info));
+  write_file(folder / "intrinsic.json",
+             json_file_text(json_of(*info.color, info.depth_unit_m, info.camera.value_or(CameraInfo{}))));
   ColorImage last = capture.color(0);
   for (std::size_t i = 0; i < capture.depth_frames(); ++i) {
     throw_if_interrupted();

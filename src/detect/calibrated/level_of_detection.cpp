@@ -100,7 +100,7 @@ std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm, co
   return levels;
 }
 
-std::string to_json(const DetectionLevelSummary& summary) {
+nlohmann::ordered_json json_of(const DetectionLevelSummary& summary) {
   nlohmann::ordered_json json{{"format", "rva-level-of-detection"}, {"version", 1}};
   json["judged"] = summary.judged;
   json["window_px"] = summary.window_px;
@@ -115,7 +115,7 @@ std::string to_json(const DetectionLevelSummary& summary) {
                                    {"median_mm", levels.median_mm},
                                    {"p90_mm", levels.p90_mm}});
   }
-  return json.dump(1) + "\n";
+  return json;
 }
 
 ColorImage draw_level_of_detection(const Image<float>& level_mm) {

@@ -1,9 +1,9 @@
 // Level of detection: the least height that an inspection could have found at each pixel.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "depth/image.hpp"
@@ -60,8 +60,8 @@ struct DetectionLevelSummary {
 [[nodiscard]] std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm,
                                                               const Image<float>& depth_m);
 
-/// The content of `level_of_detection.json` (docs/calibrated.md), ending in a line feed.
-[[nodiscard]] std::string to_json(const DetectionLevelSummary& summary);
+/// The content of `level_of_detection.json` (docs/calibrated.md).
+[[nodiscard]] nlohmann::ordered_json json_of(const DetectionLevelSummary& summary);
 
 /// Draws levels with a colour bar: blue where small objects would have been found, red where only large ones,
 /// black where nothing could be judged.

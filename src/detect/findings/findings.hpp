@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -111,7 +112,7 @@ void locate(const Intrinsics& camera, std::vector<float>& depths_m, Finding& fin
 [[nodiscard]] std::vector<Finding> find_findings(const Comparison& comparison, const RegionOptions& options,
                                                  const Intrinsics& camera);
 
-/// The content of `detections.json` (docs/detection.md), ending in a line feed.
-[[nodiscard]] std::string to_json(const Findings& findings);
+/// The content of `detections.json` (docs/detection.md).
+[[nodiscard]] nlohmann::ordered_json json_of(const Findings& findings);
 
 }  // namespace rva

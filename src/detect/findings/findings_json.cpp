@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json_value(const Evidence& evidence) {
+Json json_of(const Evidence& evidence) {
   Json json = Json::array();
   if (evidence.depth) json.push_back("depth");
   if (evidence.appearance) json.push_back("appearance");
@@ -15,7 +15,7 @@ Json to_json_value(const Evidence& evidence) {
 }
 
 // @param of_two true if depth and infrared or colour images were compared, so that the evidence is stated
-Json to_json_value(const Finding& finding, bool of_two) {
+Json json_of(const Finding& finding, bool of_two) {
   Json json;
   json["id"] = finding.id;
   json["kind"] = name_of(finding.kind);
@@ -28,11 +28,11 @@ Json to_json_value(const Finding& finding, bool of_two) {
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   if (finding.moved_from) json["moved_from"] = *finding.moved_from;
-  if (of_two) json["evidence"] = to_json_value(finding.evidence);
+  if (of_two) json["evidence"] = json_of(finding.evidence);
   return json;
 }
 
-Json to_json_value(const Coverage& coverage) {
+Json json_of(const Coverage& coverage) {
   Json json{{"compared", coverage.compared}, {"unseen", coverage.unseen}, {"invalid", coverage.invalid}};
   if (coverage.beyond_clip) json["beyond_clip"] = *coverage.beyond_clip;
   if (coverage.left_out) json["left_out"] = *coverage.left_out;
@@ -41,7 +41,7 @@ Json to_json_value(const Coverage& coverage) {
 
 }  // namespace
 
-std::string to_json(const Findings& findings) {
+Json json_of(const Findings& findings) {
   Json json;
   json["format"] = "rva-detections";
   json["version"] = 1;
@@ -52,7 +52,7 @@ std::string to_json(const Findings& findings) {
   }
   json["frames"] = {{"initial", findings.initial_frames}, {"final", findings.final_frames}};
   json["final_from_initial"] = to_row_major(findings.final_from_initial);
-  json["coverage"] = to_json_value(findings.coverage);
+  json["coverage"] = json_of(findings.coverage);
   if (findings.appearance_judged) json["coverage"]["appearance"] = *findings.appearance_judged;
   const Runtime& runtime = findings.runtime;
   json["runtime_ms"] = {{"load", runtime.load_ms},
@@ -62,8 +62,8 @@ std::string to_json(const Findings& findings) {
                         {"total", runtime.total_ms}};
   json["detections"] = Json::array();
   for (const Finding& finding : findings.findings)
-    json["detections"].push_back(to_json_value(finding, findings.appearance_judged.has_value()));
-  return json.dump(1) + "\n";
+    json["detections"].push_back(json_of(finding, findings.appearance_judged.has_value()));
+  return json;
 }
 
 }  // namespace rva

@@ -92,7 +92,7 @@ std::vector<Polygon> parse_polygons(const nlohmann::json& document, const char* 
   return polygons;
 }
 
-nlohmann::json to_json(const std::vector<Polygon>& polygons) {
+nlohmann::json json_of(const std::vector<Polygon>& polygons) {
   nlohmann::json list = nlohmann::json::array();
   for (const Polygon& polygon : polygons) {
     nlohmann::json corners = nlohmann::json::array();
@@ -150,11 +150,11 @@ IgnoredRegions parse_regions(const std::string& text, const std::string& source)
   return {parse_polygons(document, "ignore", source), parse_polygons(document, "within", source)};
 }
 
-std::string to_json(const IgnoredRegions& regions) {
+nlohmann::ordered_json json_of(const IgnoredRegions& regions) {
   nlohmann::ordered_json json{{"format", format_name}, {"version", 1}};
-  json["ignore"] = to_json(regions.ignore);
-  json["within"] = to_json(regions.within);
-  return json.dump() + "\n";
+  json["ignore"] = json_of(regions.ignore);
+  json["within"] = json_of(regions.within);
+  return json;
 }
 
 Mask read_ignored_mask(const std::filesystem::path& file, int width, int height) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ inline constexpr std::size_t most_corners = 1000;
 /// @param source name of the text in error messages
 /// @throws Error naming the polygon that is malformed
 [[nodiscard]] IgnoredRegions parse_regions(const std::string& text, const std::string& source);
-[[nodiscard]] std::string to_json(const IgnoredRegions& regions);
+[[nodiscard]] nlohmann::ordered_json json_of(const IgnoredRegions& regions);
 
 /// Reads a region file, or a picture in which every pixel that is not black is left out. The content decides
 /// which it is.

@@ -296,7 +296,7 @@ SpatialDetection detect_spatial(const Captures& initial, const Captures& final,
   return Run(options, progress, left_out).run(initial, final);
 }
 
-std::string to_json(const Registration& registration) {
+nlohmann::ordered_json json_of(const Registration& registration) {
   nlohmann::ordered_json json{{"format", "rva-registration"}, {"version", 1}};
   json["initial_from_final"] = to_row_major(registration.initial_from_final);
   json["covariance"] = nlohmann::ordered_json::array();
@@ -307,7 +307,7 @@ std::string to_json(const Registration& registration) {
   json["agreeing"] = registration.agreeing;
   json["overlap"] = registration.overlap;
   json["offset_px"] = registration.offset_px;
-  return json.dump(1) + "\n";
+  return json;
 }
 
 }  // namespace rva

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "capture/capture.hpp"
@@ -66,6 +67,6 @@ struct SpatialDetection {
 
 /// The content of `registration.json`: the transform, its covariance, and how well the views
 /// fit (docs/spatial.md).
-[[nodiscard]] std::string to_json(const Registration& registration);
+[[nodiscard]] nlohmann::ordered_json json_of(const Registration& registration);
 
 }  // namespace rva

@@ -10,6 +10,7 @@
 #include "capture/formats.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "depth/image_file.hpp"
 #include "tests/depth/stacks.hpp"
@@ -40,6 +41,10 @@ CaptureInfo full_info() {
   info.infrared = InfraredBurst{256.0, 10, 8500.0, 16.0, 150.0};
   info.captured_at = "2026-01-01T00:00:00Z";
   return info;
+}
+
+std::string text_of(const CaptureInfo& info, const std::string& extra_json_object = "{}") {
+  return json_text(json_of(info, extra_json_object));
 }
 
 CaptureInfo read_back(const std::string& text) { return parse_capture_json(text, "capture.json"); }
@@ -81,17 +86,17 @@ TEST(CaptureJsonWriting, IsReadBackTheSame) {
   empty_parts.pose = Pose{};
   empty_parts.camera = CameraInfo{};
   for (const CaptureInfo& info : {full_info(), sparse, empty_parts, test::info_of(8, 6)})
-    expect_same(read_back(capture_json(info)), info);
+    expect_same(read_back(text_of(info)), info);
 }
 
 TEST(CaptureJsonWriting, ContainsOnlyWhatIsKnown) {
-  const Json document = Json::parse(capture_json(test::info_of(8, 6)));
+  const Json document = Json::parse(text_of(test::info_of(8, 6)));
   EXPECT_EQ(document.size(), 3U) << document;  // format, version, depth
 }
 
 TEST(CaptureJsonWriting, KeepsKeysThatTheFormatDoesNotDefine) {
   const Json extra = Json::parse(R"({"site": {"bay": 3}, "depth": {"exposure_us": 8500}, "empty": null})");
-  const std::string text = capture_json(full_info(), extra.dump());
+  const std::string text = text_of(full_info(), extra.dump());
   const Json document = Json::parse(text);
   EXPECT_EQ(document["site"], extra["site"]);
   EXPECT_EQ(document["depth"]["exposure_us"], 8500);
@@ -100,28 +105,28 @@ TEST(CaptureJsonWriting, KeepsKeysThatTheFormatDoesNotDefine) {
 }
 
 TEST(CaptureJsonWriting, TakesItsOwnKeysFromTheInfoAlone) {
-  const std::string earlier = capture_json(full_info(), R"({"site": "here"})");
+  const std::string earlier = text_of(full_info(), R"({"site": "here"})");
   const CaptureInfo info = test::info_of(8, 6);
-  const std::string text = capture_json(info, earlier);
+  const std::string text = text_of(info, earlier);
   expect_same(read_back(text), info);
   EXPECT_EQ(Json::parse(text).size(), 4U) << text;
-  expect_same(read_back(capture_json(info, R"({"format": "x", "version": 9, "depth": 1, "pose": 2})")), info);
+  expect_same(read_back(text_of(info, R"({"format": "x", "version": 9, "depth": 1, "pose": 2})")), info);
 }
 
 TEST(CaptureJsonWriting, IsTheSameAfterEveryRound) {
-  const std::string once = capture_json(full_info(), R"({"site": "here", "depth": {"gain": 16}})");
-  EXPECT_EQ(Json::parse(capture_json(full_info(), once)), Json::parse(once));
+  const std::string once = text_of(full_info(), R"({"site": "here", "depth": {"gain": 16}})");
+  EXPECT_EQ(Json::parse(text_of(full_info(), once)), Json::parse(once));
 }
 
 TEST(CaptureJsonWriting, IsUtf8WhateverTheNameOfTheCamera) {
   CaptureInfo info = full_info();
   info.camera->model = "D435\xFF\n";
-  EXPECT_EQ(read_back(capture_json(info)).camera->model, "D435\xEF\xBF\xBD\n");
+  EXPECT_EQ(read_back(text_of(info)).camera->model, "D435\xEF\xBF\xBD\n");
 }
 
 TEST(CaptureJsonWriting, RefusesExtraKeysThatAreNoObject) {
   for (const char* extra : {"", "[]", "3", "{", "\xFF"})
-    EXPECT_THROW(static_cast<void>(capture_json(full_info(), extra)), Error) << extra;
+    EXPECT_THROW(static_cast<void>(text_of(full_info(), extra)), Error) << extra;
 }
 
 class Writer : public testing::Test {

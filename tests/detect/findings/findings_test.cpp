@@ -81,7 +81,7 @@ TEST(Findings, JsonHasTheContractsShape) {
   findings.final_frames = 20;
   findings.coverage = comparison.coverage;
   findings.findings = find_findings(comparison, {}, camera);
-  const auto json = nlohmann::json::parse(to_json(findings));
+  const auto json = json_of(findings);
   EXPECT_EQ(json["format"], "rva-detections");
   EXPECT_EQ(json["version"], 1);
   EXPECT_EQ(json["frames"]["final"], 20);

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/json_object.hpp"
 #include "depth/image_file.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -47,7 +50,7 @@ TEST(IgnoredRegions, WhatLiesOutsideTheImageIsCutOff) {
 
 TEST(IgnoredRegions, ComeBackFromTheirFile) {
   const IgnoredRegions regions{{{{0.5, 1}, {3, 1.25}, {2, 7}}}, {polygon_of({1, 2, 3, 4})}};
-  EXPECT_EQ(parse_regions(to_json(regions), "file"), regions);
+  EXPECT_EQ(parse_regions(json_text(json_of(regions)), "file"), regions);
 }
 
 TEST(IgnoredRegions, MalformedFilesAreRefused) {
@@ -76,7 +79,7 @@ TEST(IgnoredRegions, APictureLeavesOutWhatIsNotBlack) {
   EXPECT_EQ(count(read_ignored_mask(folder / "mask.png", 10, 8)), 2U);
   EXPECT_THROW(static_cast<void>(read_ignored_mask(folder / "mask.png", 8, 10)), Error) << "of another size";
   EXPECT_THROW(static_cast<void>(read_ignored_mask(folder / "none.png", 10, 8)), Error);
-  write_file(folder / "regions.json", to_json(IgnoredRegions{{polygon_of({0, 0, 2, 2})}, {}}));
+  write_file(folder / "regions.json", json_text(json_of(IgnoredRegions{{polygon_of({0, 0, 2, 2})}, {}})));
   EXPECT_EQ(count(read_ignored_mask(folder / "regions.json", 10, 8)), 4U);
 }
 

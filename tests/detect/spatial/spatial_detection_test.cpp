@@ -93,7 +93,7 @@ TEST(Registration, IsWrittenAsJson) {
   Registration registration;
   registration.covariance(5, 5) = 1e-6;
   registration.agreeing = 0.8;
-  const auto json = nlohmann::json::parse(to_json(registration));
+  const auto json = json_of(registration);
   EXPECT_EQ(json["format"], "rva-registration");
   EXPECT_EQ(json["initial_from_final"].size(), 16U);
   EXPECT_EQ(json["covariance"][35], 1e-6);
