@@ -5,7 +5,7 @@
 #include <map>
 
 #include "camera/camera.hpp"
-#include "capture/folder/capture_writer.hpp"
+#include "capture/capture_sink.hpp"
 
 namespace rva {
 
@@ -18,8 +18,8 @@ class InfraredSum {
   [[nodiscard]] bool empty() const { return sums_.empty(); }
 
   /// Writes the mean of each imager's images, with the exposure of the last frame.
-  /// @throws Error as CaptureWriter::write_infrared()
-  void write(Light light, CaptureWriter& writer) const;
+  /// @throws Error as CaptureSink::write_infrared()
+  void write(Light light, CaptureSink& sink) const;
 
  private:
   struct Sum {

@@ -23,9 +23,9 @@ CameraFrame next_frame(Camera& camera, std::size_t done, std::size_t frames) {
               "use fewer frames");
 }
 
-void write(const CaptureWriter& writer, std::size_t number, const CameraFrame& frame) {
-  writer.write_depth(number, frame.depth);
-  if (frame.color) writer.write_color(number, *frame.color);
+void write(CaptureSink& sink, std::size_t number, const CameraFrame& frame) {
+  sink.write_depth(number, frame.depth);
+  if (frame.color) sink.write_color(number, *frame.color);
 }
 
 FrameMetadata metadata_of(const CameraFrame& frame) {
@@ -39,10 +39,10 @@ void require_frames(std::size_t frames) {
   if (frames == 0) throw UsageError("--frames", "0 is out of range", "give 1 or more");
 }
 
-Recorded record_frames(Camera& camera, std::size_t frames, const CaptureWriter& writer, InfraredSum& infrared,
+Recorded record_frames(Camera& camera, std::size_t frames, CaptureSink& sink, InfraredSum& infrared,
                        const Progress& progress) {
   const std::size_t in_flight = 2UL * std::max(1U, std::thread::hardware_concurrency());
-  // Its destructor waits for all tasks, so that none outlives the writer after an exception.
+  // Its destructor waits for all tasks, so that none outlives the sink after an exception.
   std::deque<std::future<void>> queue;
   Recorded recorded;
   std::uint64_t next_number = 0;
@@ -55,9 +55,9 @@ Recorded record_frames(Camera& camera, std::size_t frames, const CaptureWriter& 
     if (number > 0) recorded.lost += frame.number - next_number;
     next_number = frame.number + 1;
     infrared.add(frame);
-    writer.write_metadata(number, metadata_of(frame));
-    queue.push_back(std::async(
-        std::launch::async, [&writer, number, frame = std::move(frame)] { write(writer, number, frame); }));
+    sink.write_metadata(number, metadata_of(frame));
+    queue.push_back(std::async(std::launch::async,
+                               [&sink, number, frame = std::move(frame)] { write(sink, number, frame); }));
     ++recorded.frames;
     if (progress) progress("recording", number + 1, frames);
   }
@@ -79,21 +79,21 @@ class UnderLamp {
 
 }  // namespace
 
-Recorded record(Camera& camera, std::size_t frames, CaptureWriter& writer, const Progress& progress) {
+Recorded record(Camera& camera, std::size_t frames, CaptureSink& sink, const Progress& progress) {
   require_frames(frames);
   InfraredSum infrared;
   Recorded recorded;
   try {
-    recorded = record_frames(camera, frames, writer, infrared, progress);
+    recorded = record_frames(camera, frames, sink, infrared, progress);
   } catch (...) {
-    infrared.write(Light::projector, writer);
+    infrared.write(Light::projector, sink);
     throw;
   }
-  infrared.write(Light::projector, writer);
+  infrared.write(Light::projector, sink);
   return recorded;
 }
 
-void record_lamp(Camera& camera, std::size_t frames, CaptureWriter& writer, const Progress& progress) {
+void record_lamp(Camera& camera, std::size_t frames, CaptureSink& sink, const Progress& progress) {
   require_frames(frames);
   const UnderLamp light(camera);
   InfraredSum infrared;
@@ -103,7 +103,7 @@ void record_lamp(Camera& camera, std::size_t frames, CaptureWriter& writer, cons
   }
   if (infrared.empty())
     throw Error("camera", "gives no infrared images, for which the lamp is meant", "record without the lamp");
-  infrared.write(Light::lamp, writer);
+  infrared.write(Light::lamp, sink);
 }
 
 }  // namespace rva

@@ -86,15 +86,15 @@ std::unique_ptr<Capture> open_folder(const fs::path& folder, const CaptureOption
   for (const char* name : open3d_descriptions) {
     if (holds(name)) return open_open3d_folder(folder, folder / name, options);
   }
-  if (holds("depth.txt")) return open_tum_folder(folder, options);
+  if (holds("depth.txt") || association_list(folder)) return open_tum_folder(folder, options);
   const std::vector<fs::path> recordings = image_files(folder, {".db3", ".mcap", ".bag"});
   if (!recordings.empty()) return open_recording_in(folder, recordings, options);
   if (!bare_depth_files(folder).empty()) return open_bare_folder(folder, options);
-  throw Error(
-      printable(folder),
-      "contains no capture.json, no intrinsic.json of Open3D, no depth.txt of TUM, no recording and no "
-      "depth image",
-      "give the folder of a capture");
+  throw Error(printable(folder),
+              "contains no capture.json, no intrinsic.json of Open3D, no depth.txt or associations.txt of "
+              "TUM, no recording and no "
+              "depth image",
+              "give the folder of a capture");
 }
 
 }  // namespace

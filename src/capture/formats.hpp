@@ -67,8 +67,8 @@ class FolderCapture : public Capture {
                                                           const std::filesystem::path& intrinsic_file,
                                                           const CaptureOptions& options);
 
-/// The TUM RGB-D benchmark's format: depth.txt, rgb.txt and the images that they list, with 5000 units per
-/// metre where the options state no other unit.
+/// The TUM RGB-D benchmark's format: depth.txt, rgb.txt and the images that they list, or an association list
+/// (associations.txt), with 5000 units per metre where the options state no other unit.
 /// @throws Error also when the options state no intrinsics
 [[nodiscard]] std::unique_ptr<Capture> open_tum_folder(const std::filesystem::path& folder,
                                                        const CaptureOptions& options);
@@ -128,6 +128,21 @@ struct TumEntry {
   double time_s = 0.0;
   std::string file;
 };
+
+/// A depth image and the colour image that belongs to it.
+struct TumPair {
+  TumEntry depth;
+  TumEntry color;
+};
+
+/// Parses the text of an association list, as the benchmark's tool and SLAM programs use it: in each line
+/// time and file of two images, without spaces. Depth is the one with `depth` in its name in the first line,
+/// or else the second one, as the tool writes it.
+/// @throws Error naming a line that is not `seconds file seconds file`
+[[nodiscard]] std::vector<TumPair> parse_associations(const std::string& text, const std::string& source);
+
+/// The association list of a folder; empty where there is none.
+[[nodiscard]] std::optional<std::filesystem::path> association_list(const std::filesystem::path& folder);
 
 /// Parses the text of a TUM list. @throws Error naming a line that is not `seconds file`
 [[nodiscard]] std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& source);

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "capture/mcap/mcap_export.hpp"
 #include "capture/open3d/open3d_writer.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
@@ -29,15 +32,24 @@ struct ExportArguments {
   bool overwrite = false;
 };
 
-void export_points(const ExportArguments& arguments, const Capture& capture) {
-  const fs::path file = arguments.out;
+void require_free(const fs::path& file, bool overwrite) {
   std::error_code failure;
-  if (fs::exists(file, failure) && (!arguments.overwrite || !fs::is_regular_file(file, failure)))
+  if (fs::exists(file, failure) && (!overwrite || !fs::is_regular_file(file, failure)))
     throw Error(printable(file), "already exists",
                 "choose another name, or give --overwrite to replace a file");
+}
+
+void export_points(const ExportArguments& arguments, const Capture& capture) {
   const std::vector<MapPoint> points = points_of(capture, terminal_progress());
-  replace_file(file, arguments.to == "ply" ? encode_ply(points, PointFrame::depth_camera)
-                                           : encode_pcd(points, PointFrame::depth_camera));
+  replace_file(arguments.out, arguments.to == "ply" ? encode_ply(points, PointFrame::depth_camera)
+                                                    : encode_pcd(points, PointFrame::depth_camera));
+}
+
+void export_recording(const ExportArguments& arguments, const Capture& capture) {
+  std::vector<std::string> notes;
+  replace_file(arguments.out,
+               [&](const fs::path& partial) { notes = write_mcap(capture, partial, terminal_progress()); });
+  for (const std::string& note : notes) fmt::print(stderr, "rva: warning: {}\n", note);
 }
 
 void export_capture(const ExportArguments& arguments) {
@@ -48,7 +60,8 @@ void export_capture(const ExportArguments& arguments) {
     write_open3d_folder(*capture, out.path(""), terminal_progress());
     out.commit();
   } else {
-    export_points(arguments, *capture);
+    require_free(arguments.out, arguments.overwrite);
+    arguments.to == "mcap" ? export_recording(arguments, *capture) : export_points(arguments, *capture);
   }
   print("{}\n", arguments.out);
 }
@@ -59,9 +72,12 @@ void add_export_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("export", "writes a capture as other programs read it");
   const auto arguments = std::make_shared<ExportArguments>();
   command.add_option("CAPTURE", arguments->capture, "a capture")->required();
-  command.add_option("--to", arguments->to, "ply or pcd: one cloud of points; open3d: a folder of frames")
+  command
+      .add_option("--to", arguments->to,
+                  "ply or pcd: one cloud of points; open3d: a folder of frames; mcap: a recording for ROS 2 "
+                  "and Foxglove")
       ->required()
-      ->check(CLI::IsMember({"ply", "pcd", "open3d"}))
+      ->check(CLI::IsMember({"ply", "pcd", "open3d", "mcap"}))
       ->type_name("FORMAT");
   command.add_option("--out", arguments->out, "file, or folder for open3d")->required()->type_name("PATH");
   arguments->captures.add_to(command);

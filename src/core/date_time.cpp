@@ -4,6 +4,8 @@
 
 #include <array>
 #include <ctime>
+#include <iomanip>
+#include <sstream>
 #include <string_view>
 
 namespace rva {
@@ -17,6 +19,21 @@ std::string iso_8601(std::chrono::system_clock::time_point moment) {
   std::array<char, 32> text{};
   const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &parts);
   return fmt::format("{}.{:03}Z", std::string_view(text.data(), length), (since_1970 - whole).count());
+}
+
+std::optional<std::uint64_t> ns_since_1970(const std::string& text) {
+  std::tm parts{};
+  std::istringstream rest(text);
+  rest >> std::get_time(&parts, "%Y-%m-%dT%H:%M:%S");
+  double fraction_s = 0.0;
+  if (rest.peek() == '.') rest >> fraction_s;
+  if (!rest || rest.get() != 'Z' || rest.peek() != std::istringstream::traits_type::eof())
+    return std::nullopt;
+  const std::time_t since_1970_s = timegm(&parts);
+  if (since_1970_s < 0) return std::nullopt;
+  constexpr double ns_per_s = 1e9;
+  return static_cast<std::uint64_t>(since_1970_s) * 1'000'000'000U +
+         static_cast<std::uint64_t>(ns_per_s * fraction_s);
 }
 
 }  // namespace rva

@@ -163,23 +163,35 @@ void replace_file(const std::filesystem::path& path, std::string_view text) {
 }
 
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  replace_file(path, [&](const std::filesystem::path& partial) { write_file(partial, bytes); });
+}
+
+void replace_file(const std::filesystem::path& path, const WritesFile& write) {
   const std::filesystem::path source = std::filesystem::absolute(path);
   recover_remains(source, [](const std::filesystem::path& remains) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(std::filesystem::symlink_status(remains, ignored));
   });
-  put_file(path, bytes);
+  put_file(path, write);
   sync_folder(source.parent_path());
 }
 
 void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  put_file(path, [&](const std::filesystem::path& partial) { write_file(partial, bytes); });
+}
+
+void put_file(const std::filesystem::path& path, const WritesFile& write) {
   const std::filesystem::path partial = path.native() + fmt::format(".partial-{}", ::getpid());
   std::error_code ignored;
   try {
-    write_file(partial, bytes);
+    write(partial);
   } catch (const Error& error) {
     std::filesystem::remove(partial, ignored);
+    if (error.source() != printable(partial)) throw;
     throw Error(printable(path), error.problem(), error.remedy());
+  } catch (...) {
+    std::filesystem::remove(partial, ignored);
+    throw;
   }
   if (::rename(partial.c_str(), path.c_str()) == 0) return;
   const Error failure = cannot_write(path);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,10 +59,17 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
+/// Writes the complete file under the name that it is given, and returns when its bytes are on the disk.
+using WritesFile = std::function<void(const std::filesystem::path& partial)>;
+
+/// The same for a file that is too large for memory. @throws what `write` throws; nothing is left of the file
+void replace_file(const std::filesystem::path& path, const WritesFile& write);
+
 /// Writes a file whole or not at all, as replace_file() does, but neither looks for temporary files of killed
 /// programs nor syncs the folder: it is meant for the many files of an OutputFolder, which is removed or made
 /// durable as a whole.
 void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void put_file(const std::filesystem::path& path, const WritesFile& write);
 
 /// Appends to a file, which is created where there is none. When it returns, the operating system has the
 /// text, but the disk may not have it yet.

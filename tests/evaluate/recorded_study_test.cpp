@@ -46,7 +46,7 @@ class Recorded : public testing::Test {
     info.depth = {.width = width, .height = height, .fx = 200, .fy = 200, .cx = 79.5, .cy = 59.5};
     info.depth_unit_m = 0.001;
     info.camera = CameraInfo{"Test", "1", 0.05};
-    const CaptureWriter writer(scene_ / name, info);
+    CaptureWriter writer(scene_ / name, info);
     Random random(seed);
     for (std::size_t frame = 0; frame < 4; ++frame) {
       DepthImage depth(width, height);

@@ -5,8 +5,10 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const auto file = std::as_bytes(std::span(data, size)).subspan(1);
-  const auto image = rva::load_or_refuse([&] {
-    switch (data[0] % 3) {
+  const auto image = rva::load_or_refuse([&]() -> rva::StoredDepth {
+    switch (data[0] % 4) {
+      case 3:
+        return rva::StoredDepth(rva::decode_exr(file, "depth.exr"));
       case 0:
         return rva::decode_tiff(file, "depth.tiff");
       case 1:

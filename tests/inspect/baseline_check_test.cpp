@@ -46,7 +46,7 @@ class BaselineCheck : public ::testing::Test {
     const fs::path capture = folder_.capture(Side::initial, inspection_, 0, number);
     fs::create_directories(capture);
     SimulatedCamera camera(scene, test::quick(), static_cast<std::uint64_t>(number), ColorFrames::none);
-    const CaptureWriter writer(capture, camera.info());
+    CaptureWriter writer(capture, camera.info());
     constexpr std::size_t frames = 4;
     for (std::size_t i = 0; i < frames; ++i) writer.write_depth(i, camera.wait_for_frame()->depth);
   }

@@ -141,13 +141,13 @@ CaptureWriter::CaptureWriter(fs::path folder, const CaptureInfo& info, const std
   write_file(file, description);
 }
 
-void CaptureWriter::write_depth(std::size_t number, const DepthImage& image) const {
+void CaptureWriter::write_depth(std::size_t number, const DepthImage& image) {
   const fs::path file = frame_file(folder_, "depth", number);
   require_size(file, image, info_.depth);
   write_image(file, image);
 }
 
-void CaptureWriter::write_color(std::size_t number, const ColorImage& image) const {
+void CaptureWriter::write_color(std::size_t number, const ColorImage& image) {
   const fs::path file = frame_file(folder_, "color", number);
   if (info_.color) require_size(file, image, *info_.color);
   write_image(file, image);
@@ -162,7 +162,7 @@ void CaptureWriter::write_infrared(Imager imager, Light light, const FineGrayIma
   write_image(file, mean);
 }
 
-void CaptureWriter::write_metadata(std::size_t number, const FrameMetadata& metadata) const {
+void CaptureWriter::write_metadata(std::size_t number, const FrameMetadata& metadata) {
   append_to_file(folder_ / "frames.jsonl", frame_line(number, metadata));
 }
 

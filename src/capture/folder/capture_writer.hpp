@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "capture/capture.hpp"
+#include "capture/capture_sink.hpp"
 #include "depth/image.hpp"
 
 namespace rva {
@@ -29,34 +29,19 @@ namespace rva {
 /// Writes capture.json on construction, without its entries on infrared images, then frames as they arrive,
 /// each file whole or not at all: whatever stops the program, the folder can be read with the frames that
 /// were written. The caller provides the folder, usually that of an OutputFolder.
-///
-/// Frames of different numbers may be written on several threads at the same time.
-class CaptureWriter {
+class CaptureWriter : public CaptureSink {
  public:
   /// @param folder must exist
   /// @throws Error when the description cannot be written, or is impossible (require_possible())
   CaptureWriter(std::filesystem::path folder, const CaptureInfo& info,
                 const std::string& extra_json_object = "{}");
 
-  /// @param number of the frame, 0 to 999999. Numbers may be written in any order, but none may be missing in
-  ///               the end: frames are read back in the order of their names
-  /// @param image  in the unit that the description states; 0 is no measurement
-  /// @throws Error when the image is not of the size that the description states, or cannot be written
-  void write_depth(std::size_t number, const DepthImage& image) const;
-
-  /// Writes a colour image as write_depth() writes a depth image. Any size is accepted if the description
-  /// states no colour intrinsics.
-  void write_color(std::size_t number, const ColorImage& image) const;
-
-  /// Writes the mean image of an imager under a light, and its scale and exposure into capture.json. Not for
-  /// use by several threads.
-  /// @param burst its `per_grey_level` must be that of a FineGrayImage
-  /// @throws Error when the image is not of the depth images' size, or cannot be written
-  void write_infrared(Imager imager, Light light, const FineGrayImage& mean, const InfraredBurst& burst);
-
-  /// Adds a line to frames.jsonl. Not for use by several threads. A line without a frame is ignored
-  /// on reading.
-  void write_metadata(std::size_t number, const FrameMetadata& metadata) const;
+  void write_depth(std::size_t number, const DepthImage& image) override;
+  void write_color(std::size_t number, const ColorImage& image) override;
+  void write_infrared(Imager imager, Light light, const FineGrayImage& mean,
+                      const InfraredBurst& burst) override;
+  /// Adds a line to frames.jsonl. A line without a frame is ignored on reading.
+  void write_metadata(std::size_t number, const FrameMetadata& metadata) override;
 
  private:
   std::filesystem::path folder_;

@@ -167,7 +167,8 @@ StoredDepth decode_npy(std::span<const std::byte> file, const std::string& sourc
 }
 
 std::vector<std::filesystem::path> depth_files(const std::filesystem::path& folder) {
-  for (const auto& endings : {std::vector<std::string_view>{".png"}, {".tif", ".tiff"}, {".pgm"}, {".npy"}}) {
+  for (const auto& endings :
+       {std::vector<std::string_view>{".png"}, {".tif", ".tiff"}, {".pgm"}, {".npy"}, {".exr"}}) {
     std::vector<std::filesystem::path> files = image_files(folder, endings);
     if (!files.empty()) return files;
   }
@@ -181,6 +182,7 @@ DepthImage read_depth_file(const std::filesystem::path& file, double unit_m) {
   const std::string source = printable(file);
   const StoredDepth stored = ending == ".npy"   ? decode_npy(bytes, source)
                              : ending == ".pgm" ? decode_pgm(bytes, source)
+                             : ending == ".exr" ? decode_exr(bytes, source)
                                                 : decode_tiff(bytes, source);
   if (const auto* units = std::get_if<DepthImage>(&stored)) return *units;
   return depth_from_metres(std::get<Image<float>>(stored), unit_m);

@@ -13,6 +13,7 @@
 namespace rva {
 
 enum class McapOp : std::uint8_t {
+  header = 0x01,
   footer = 0x02,
   schema = 0x03,
   channel = 0x04,
@@ -20,6 +21,7 @@ enum class McapOp : std::uint8_t {
   chunk = 0x06,
   message_index = 0x07,
   chunk_index = 0x08,
+  statistics = 0x0B,
   data_end = 0x0F,
 };
 

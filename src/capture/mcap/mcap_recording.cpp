@@ -37,8 +37,12 @@ class McapRecording : public Recording {
 
   [[nodiscard]] ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
                                    std::string_view source) const override {
-    if (is_of_ros1(stream.images())) return parse_image_message(read(message), source);
-    return parse_db3_image(read(message), source);
+    const std::string topic = stream.images();
+    const bool of_ros1 = is_of_ros1(topic);
+    if (is_compressed(topic))
+      return of_ros1 ? parse_compressed_message(read(message), source)
+                     : parse_db3_compressed(read(message), source);
+    return of_ros1 ? parse_image_message(read(message), source) : parse_db3_image(read(message), source);
   }
 
   [[nodiscard]] Intrinsics intrinsics(const RecordedStream& stream) const override {
@@ -48,6 +52,13 @@ class McapRecording : public Recording {
     const std::string where = source() + ", " + printable(topic);
     return is_of_ros1(topic) ? parse_camera_info(read(stated.front()), where)
                              : parse_db3_camera_info(read(stated.front()), where);
+  }
+
+  [[nodiscard]] std::string text(const RecordedMessage& message, std::string_view topic) const override {
+    const auto encoding = index_.encodings.find(topic);
+    if (encoding == index_.encodings.end() || encoding->second != "json") return {};
+    const std::vector<std::byte> bytes = read(message);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
 
   // Only librealsense's recordings have metadata, device information, settings and transforms.
@@ -62,6 +73,14 @@ class McapRecording : public Recording {
   [[nodiscard]] std::map<std::string, Transform> stream_from_groups(
       const RecordedStream& /*stream*/) const override {
     return {};
+  }
+
+  [[nodiscard]] std::vector<StaticTransform> static_transforms() const override {
+    const bool of_ros1 = is_of_ros1("/tf_static");
+    return transforms_of(messages("/tf_static"), [&](const RecordedMessage& message) {
+      const std::vector<std::byte> bytes = read(message);
+      return of_ros1 ? parse_transforms(bytes, source_) : parse_db3_transforms(bytes, source_);
+    });
   }
 
  private:

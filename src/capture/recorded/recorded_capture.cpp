@@ -10,6 +10,7 @@
 
 #include "capture/formats.hpp"
 #include "capture/mcap/mcap_recording.hpp"
+#include "capture/recording/described_capture.hpp"
 #include "capture/recording/streams.hpp"
 #include "capture/rosbag1/bag_recording.hpp"
 #include "capture/rosbag2/db3_recording.hpp"
@@ -44,10 +45,12 @@ std::vector<std::optional<RecordedMessage>> companions(const std::vector<Recorde
 class RecordedCapture : public Capture {
  public:
   /// @param stated_unit_m depth unit that the recording states, metres: every frame must have it
+  /// @param described     whether RVA wrote the recording
   RecordedCapture(std::unique_ptr<Recording> recording, CaptureInfo info, RecordedStreams streams,
-                  double stated_unit_m)
+                  double stated_unit_m, bool described)
       : Capture(std::move(info)),
         stated_unit_m_(stated_unit_m),
+        described_(described),
         recording_(std::move(recording)),
         streams_(std::move(streams)),
         depth_(recording_->messages(streams_.depth.images())),
@@ -89,24 +92,60 @@ class RecordedCapture : public Capture {
                                                          Imager imager) const override {
     const auto stream = streams_.infrared.find(imager);
     if (stream == streams_.infrared.end()) return std::nullopt;
-    const auto& message = infrared_of_.at(imager).at(depth_frame);
+    std::optional<RecordedMessage> message = infrared_of_.at(imager).at(depth_frame);
+    if (!message && is_mean_of_frames(stream->second))
+      message = recording_->messages(stream->second.images()).front();
     if (!message) return std::nullopt;
-    const std::string where = source("infrared of depth", depth_frame);
-    const GrayImage image = gray_of(recording_->image(stream->second, *message, where), where);
-    if (image.width() != info().depth.width || image.height() != info().depth.height)
-      throw Error(where, "its size differs from that of the depth images", "record it again");
-    return fine_gray(image);
+    return read_infrared(stream->second, *message, source("infrared of depth", depth_frame));
   }
 
   [[nodiscard]] bool has_infrared(Imager imager, Light light) const override {
-    return light == Light::projector && streams_.infrared.contains(imager);
+    return streams_under(light).contains(imager);
+  }
+
+  [[nodiscard]] std::optional<Image<float>> infrared_mean(Imager imager, Light light) const override {
+    if (light == Light::projector) return Capture::infrared_mean(imager, light);
+    const auto stream = streams_.lamp.find(imager);
+    if (stream == streams_.lamp.end()) return std::nullopt;
+    const FineGrayImage image =
+        read_infrared(stream->second, recording_->messages(stream->second.images()).front(),
+                      fmt::format("{}, infrared under the lamp", recording_->source()));
+    Image<float> levels(image.width(), image.height());
+    std::ranges::transform(image.pixels(), levels.pixels().begin(), [](std::uint16_t fine) {
+      return static_cast<float>(fine) / static_cast<float>(fine_steps_per_grey_level);
+    });
+    return levels;
   }
 
   [[nodiscard]] FrameMetadata metadata_of(std::size_t depth_frame) const override {
-    return rva::metadata_of(*recording_, streams_.depth, depth_.at(depth_frame));
+    const RecordedMessage& message = depth_.at(depth_frame);
+    if (!described_) return rva::metadata_of(*recording_, streams_.depth, message);
+    const auto stated = recording_->messages_at(recorded_topic::frame, message.time_ns);
+    if (stated.empty()) return {};
+    const auto lines = parse_frame_lines(recording_->text(stated.front(), recorded_topic::frame),
+                                         source("description of depth", depth_frame));
+    return lines.empty() ? FrameMetadata{} : lines.begin()->second;
   }
 
  private:
+  [[nodiscard]] const std::map<Imager, RecordedStream>& streams_under(Light light) const {
+    return light == Light::lamp ? streams_.lamp : streams_.infrared;
+  }
+
+  // Recordings that RVA wrote may have one infrared image for all frames.
+  [[nodiscard]] bool is_mean_of_frames(const RecordedStream& stream) const {
+    return info().infrared && info().infrared->frames > 1 &&
+           recording_->messages(stream.images()).size() == 1;
+  }
+
+  [[nodiscard]] FineGrayImage read_infrared(const RecordedStream& stream, const RecordedMessage& message,
+                                            const std::string& where) const {
+    const ImageMessage stored = recording_->image(stream, message, where);
+    if (stored.width != info().depth.width || stored.height != info().depth.height)
+      throw Error(where, "its size differs from that of the depth images", "record it again");
+    return described_ ? fine_gray_of(stored, where) : fine_gray(gray_of(stored, where));
+  }
+
   [[nodiscard]] DepthImage stored_depth(std::size_t i) const {
     const std::string where = source("depth", i);
     const ImageMessage image = recording_->image(streams_.depth, depth_.at(i), where);
@@ -130,6 +169,7 @@ class RecordedCapture : public Capture {
   }
 
   double stated_unit_m_;
+  bool described_;
   std::unique_ptr<Recording> recording_;
   RecordedStreams streams_;
   std::vector<RecordedMessage> depth_;
@@ -145,14 +185,17 @@ std::unique_ptr<Capture> open_recording(const std::filesystem::path& file, const
   std::unique_ptr<Recording> recording = is_db3_file(file)    ? open_db3_recording(file)
                                          : is_mcap_file(file) ? open_mcap_recording(file)
                                                               : open_bag_recording(file);
-  RecordedStreams streams = find_streams(*recording, options.topic);
-  CaptureInfo info = describe(*recording, streams, options.intrinsics);
+  const bool described = !options.topic && is_described(*recording);
+  RecordedStreams streams =
+      described ? described_streams(*recording) : find_streams(*recording, options.topic);
+  CaptureInfo info = described ? described_info(*recording, options.intrinsics)
+                               : describe(*recording, streams, options.intrinsics);
   require_possible(info, recording->source());
   const double stated_unit_m = info.depth_unit_m;
-  info.no_depth = options.no_depth;
+  info.no_depth.insert(info.no_depth.end(), options.no_depth.begin(), options.no_depth.end());
   settle_unit(options, info);
   return std::make_unique<RecordedCapture>(std::move(recording), std::move(info), std::move(streams),
-                                           stated_unit_m);
+                                           stated_unit_m, described);
 }
 
 }  // namespace rva

@@ -93,6 +93,11 @@ ColorImage color_of(const ImageMessage& image, std::string_view source) {
   throw unknown_encoding(image, "colour", source);
 }
 
+FineGrayImage fine_gray_of(const ImageMessage& image, std::string_view source) {
+  if (image.encoding != "mono16") throw unknown_encoding(image, "infrared", source);
+  return copy_rows<FineGrayImage>(image, source);
+}
+
 GrayImage gray_of(const ImageMessage& image, std::string_view source) {
   if (!is_gray(image)) throw unknown_encoding(image, "infrared", source);
   return copy_rows<GrayImage>(image, source);

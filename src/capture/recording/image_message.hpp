@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct ImageMessage {
   std::vector<std::byte> message;  ///< storage of the texts and the pixels
   std::optional<std::uint64_t> counter;
   std::optional<double> time_s;  ///< by the camera's clock
+  std::string frame;             ///< name of the coordinate frame, as ROS states it
   int width = 0;                 ///< px
   int height = 0;
   std::string_view encoding;  ///< "mono16", "rgb8", ...
@@ -44,6 +46,9 @@ void set_size(ImageMessage& image, std::uint32_t width, std::uint32_t height, st
 
 /// Converts from rgb8, bgr8, rgba8, bgra8, mono8, 8UC1, YUYV and yuv422 (UYVY).
 [[nodiscard]] ColorImage color_of(const ImageMessage& image, std::string_view source);
+
+/// Converts from mono16 in 256ths of a grey level, as in recordings that RVA wrote.
+[[nodiscard]] FineGrayImage fine_gray_of(const ImageMessage& image, std::string_view source);
 
 /// Converts from mono8 and 8UC1.
 [[nodiscard]] GrayImage gray_of(const ImageMessage& image, std::string_view source);

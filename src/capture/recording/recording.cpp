@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
+#include "capture/recording/compressed_image.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 
 namespace rva {
+
+bool Recording::is_compressed(std::string_view topic) const {
+  const auto found = topics().find(topic);
+  return found != topics().end() && is_compressed_image(found->second.type);
+}
 
 const std::vector<RecordedMessage>& Recording::messages(std::string_view topic) const {
   static const std::vector<RecordedMessage> none;
@@ -47,6 +54,14 @@ std::optional<std::string> setting_of(std::string_view below_options) {
   std::string name(below_options);
   std::ranges::replace(name, '_', ' ');
   return name;
+}
+
+std::vector<StaticTransform> transforms_of(
+    const std::vector<RecordedMessage>& messages,
+    const std::function<std::vector<StaticTransform>(const RecordedMessage&)>& parse) {
+  std::vector<StaticTransform> all;
+  for (const RecordedMessage& message : messages) std::ranges::move(parse(message), std::back_inserter(all));
+  return all;
 }
 
 Error lacks_intrinsics(const std::string& source, const std::string& topic) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "capture/recording/image_message.hpp"
+#include "capture/recording/static_transforms.hpp"
 #include "core/error.hpp"
 #include "geometry/intrinsics.hpp"
 #include "geometry/transform.hpp"
@@ -94,6 +95,19 @@ class Recording {
   [[nodiscard]] virtual std::map<std::string, Transform> stream_from_groups(
       const RecordedStream& stream) const = 0;
 
+  /// The messages of /tf_static. Empty where there are none.
+  [[nodiscard]] virtual std::vector<StaticTransform> static_transforms() const { return {}; }
+
+  /// The text of a JSON message, in recordings that RVA wrote; empty in others.
+  /// @param topic of recording/described_capture.hpp
+  [[nodiscard]] virtual std::string text(const RecordedMessage& /*message*/,
+                                         std::string_view /*topic*/) const {
+    return {};
+  }
+
+  /// Whether the images of a topic are compressed (compressed_image.hpp).
+  [[nodiscard]] bool is_compressed(std::string_view topic) const;
+
   /// The messages of a topic; empty where there is no such topic.
   [[nodiscard]] const std::vector<RecordedMessage>& messages(std::string_view topic) const;
 
@@ -105,6 +119,11 @@ class Recording {
   void for_each_below(const std::string& beginning,
                       const std::function<void(std::string_view, const RecordedMessage&)>& use) const;
 };
+
+/// The transforms of several messages. @param parse returns those of one
+[[nodiscard]] std::vector<StaticTransform> transforms_of(
+    const std::vector<RecordedMessage>& messages,
+    const std::function<std::vector<StaticTransform>(const RecordedMessage&)>& parse);
 
 /// The error for a recording without the topic that has an imager's intrinsics.
 [[nodiscard]] Error lacks_intrinsics(const std::string& source, const std::string& topic);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "capture/recording/compressed_image.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 
@@ -14,7 +15,7 @@ namespace rva {
 namespace {
 
 bool is_image(std::string_view type) {
-  return type == "sensor_msgs/Image" || type == "sensor_msgs/msg/Image";
+  return type == "sensor_msgs/Image" || type == "sensor_msgs/msg/Image" || is_compressed_image(type);
 }
 
 bool is_depth(std::string_view encoding) {
@@ -35,7 +36,7 @@ bool names(std::string_view topic, std::string_view word) {
 std::string_view namespace_of(std::string_view topic) { return topic.substr(0, topic.rfind('/') + 1); }
 
 RecordedStream stream_of(const std::string& topic) {
-  const std::string beginning(namespace_of(topic));
+  const std::string beginning(namespace_of(without_transport(topic)));
   return {.sensor = beginning,
           .name = beginning,
           .ros_images = topic,
@@ -49,13 +50,25 @@ struct ImageTopic {
   std::size_t messages = 0;
 };
 
+// Empty for a compressed colour image that cannot be read, since colour does not stop the comparison of
+// depth.
+std::optional<std::string> encoding_of(const Recording& recording, const std::string& topic,
+                                       const RecordedMessage& message) {
+  try {
+    return std::string(
+        recording.image(stream_of(topic), message, recording.source() + ", " + printable(topic)).encoding);
+  } catch (const Error&) {
+    if (recording.is_compressed(topic) && !names(topic, "epth")) return std::nullopt;
+    throw;
+  }
+}
+
 std::vector<ImageTopic> image_topics(const Recording& recording) {
   std::vector<ImageTopic> topics;
   for (const auto& [name, topic] : recording.topics()) {
     if (!is_image(topic.type) || topic.messages.empty()) continue;
-    const ImageMessage first =
-        recording.image(stream_of(name), topic.messages.front(), recording.source() + ", " + printable(name));
-    topics.push_back({name, std::string(first.encoding), topic.messages.size()});
+    if (auto encoding = encoding_of(recording, name, topic.messages.front()))
+      topics.push_back({name, std::move(*encoding), topic.messages.size()});
   }
   return topics;
 }
@@ -109,7 +122,7 @@ std::optional<RecordedStreams> find_ros_streams(const Recording& recording,
   const std::optional<std::string> depth =
       depth_topic ? stated_depth(recording, topics, *depth_topic) : depth_among(topics);
   if (!depth) return std::nullopt;
-  RecordedStreams streams{stream_of(*depth), {}, {}};
+  RecordedStreams streams{stream_of(*depth), {}, {}, {}};
   streams.color =
       beside(recording, topics, *depth, [](const ImageTopic& topic) { return is_color(topic.encoding); });
   const auto infrared_of = [&](std::string_view word) {

@@ -41,11 +41,24 @@ std::optional<Transform> color_from_depth(const Recording& recording, const Reco
   return std::nullopt;
 }
 
-// Depth that the ROS node has aligned to colour is published under a topic with this name.
-std::optional<Transform> color_from_aligned_depth(const RecordedStream& depth) {
-  return depth.ros_images.find("aligned_depth_to_color") == std::string::npos
-             ? std::nullopt
-             : std::optional<Transform>(Transform::Identity());
+std::string frame_of(const Recording& recording, const RecordedStream& stream) {
+  return std::string(
+      recording.image(stream, recording.messages(stream.images()).front(), recording.source()).frame);
+}
+
+// Depth that the ROS node has aligned to colour is published under a topic with this name. Otherwise, the
+// static transforms relate the frames of the images. Damaged ones do not prevent the comparison of depth.
+std::optional<Transform> color_from_depth_of_ros(const Recording& recording, const RecordedStream& color,
+                                                 const RecordedStream& depth, CaptureInfo& info) {
+  if (depth.ros_images.find("aligned_depth_to_color") != std::string::npos) return Transform::Identity();
+  try {
+    return transform_between(recording.static_transforms(), frame_of(recording, color),
+                             frame_of(recording, depth));
+  } catch (const Error& error) {
+    info.notes.push_back(
+        fmt::format("the transform between its imagers cannot be read: {}", error.problem()));
+    return std::nullopt;
+  }
 }
 
 std::string text_of(const KeyValues& values, const char* key) {
@@ -156,7 +169,7 @@ RecordedStreams find_streams(const Recording& recording, const std::optional<std
     if (auto of_ros = find_ros_streams(recording, depth_topic)) return std::move(*of_ros);
     throw without_depth(recording);
   }
-  RecordedStreams streams{*depth, find_stream(recording, "Color_"), {}};
+  RecordedStreams streams{*depth, find_stream(recording, "Color_"), {}, {}};
   // Infrared 1 is the left imager, which has the view of the depth images.
   for (const auto& [imager, name] : {std::pair(Imager::left, "Infrared_1"), {Imager::right, "Infrared_2"}}) {
     if (const auto stream = find_stream(recording, name)) streams.infrared.emplace(imager, *stream);
@@ -174,7 +187,7 @@ CaptureInfo describe(const Recording& recording, const RecordedStreams& streams,
   if (streams.color) {
     info.color = recording.intrinsics(*streams.color);
     info.color_from_depth = streams.depth.is_of_ros()
-                                ? color_from_aligned_depth(streams.depth)
+                                ? color_from_depth_of_ros(recording, *streams.color, streams.depth, info)
                                 : color_from_depth(recording, *streams.color, streams.depth);
   }
   if (!streams.depth.is_of_ros()) info.camera = camera_of(recording, streams.depth, streams.color);

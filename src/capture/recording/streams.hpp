@@ -14,6 +14,7 @@ struct RecordedStreams {
   RecordedStream depth;
   std::optional<RecordedStream> color;
   std::map<Imager, RecordedStream> infrared;  ///< of the imagers that were recorded
+  std::map<Imager, RecordedStream> lamp;      ///< likewise, of images under the lamp
 };
 
 /// Finds the streams with images of the first device, or of a camera's ROS node.

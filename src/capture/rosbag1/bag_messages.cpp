@@ -1,12 +1,11 @@
 #include "capture/rosbag1/bag_messages.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 
 #include "capture/recording/camera_info.hpp"
+#include "capture/recording/compressed_image.hpp"
 #include "capture/rosbag1/ros_bytes.hpp"
 #include "core/error.hpp"
 
@@ -47,6 +46,7 @@ ImageMessage parse_image_message(std::vector<std::byte> message, std::string_vie
   const Header header = take_header(bytes);
   image.counter = header.sequence;
   image.time_s = header.time_s;
+  image.frame = header.frame_id;
   const auto height = bytes.number<std::uint32_t>();
   set_size(image, bytes.number<std::uint32_t>(), height, source);
   image.encoding = bytes.text();
@@ -56,6 +56,17 @@ ImageMessage parse_image_message(std::vector<std::byte> message, std::string_vie
   image.pixels = bytes.list_of_bytes();
   if (header.frame_id == "1" && bytes.left() >= sizeof(float))
     image.unit_m = shortest_decimal(bytes.number<float>());
+  return image;
+}
+
+ImageMessage parse_compressed_message(std::span<const std::byte> message, std::string_view source) {
+  RosBytes bytes(message, source);
+  const Header header = take_header(bytes);
+  const std::string_view format = bytes.text();
+  ImageMessage image = decompressed(format, bytes.list_of_bytes(), source);
+  image.counter = header.sequence;
+  image.time_s = header.time_s;
+  image.frame = header.frame_id;
   return image;
 }
 
@@ -69,14 +80,16 @@ Transform parse_transform_message(std::span<const std::byte> message, std::strin
   RosBytes bytes(message, source);
   std::array<double, 7> numbers{};
   for (double& number : numbers) number = bytes.number<double>();
-  const Eigen::Quaterniond rotation(numbers[6], numbers[3], numbers[4], numbers[5]);
-  const bool finite = std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
-  if (!finite || std::abs(rotation.norm() - 1.0) > 1e-3)
-    throw unsound(source, "a transform between its imagers is not a rotation and translation");
-  Transform transform = Transform::Identity();
-  transform.linear() = rotation.normalized().toRotationMatrix();
-  transform.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
-  return transform;
+  return transform_from_ros(numbers, source);
+}
+
+std::vector<StaticTransform> parse_transforms(std::span<const std::byte> message, std::string_view source) {
+  RosBytes bytes(message, source);
+  const auto skip_stamp = [&] {
+    static_cast<void>(bytes.number<std::uint32_t>());  // sequence
+    static_cast<void>(bytes.time_ns());
+  };
+  return take_transforms(bytes, skip_stamp, source);
 }
 
 std::pair<std::string, std::string> parse_key_value(std::span<const std::byte> message,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "capture/recording/image_message.hpp"
+#include "capture/recording/static_transforms.hpp"
 #include "geometry/intrinsics.hpp"
 #include "geometry/transform.hpp"
 
@@ -21,11 +22,19 @@ namespace rva {
 ///         any camera's
 [[nodiscard]] ImageMessage parse_image_message(std::vector<std::byte> message, std::string_view source);
 
+/// Parses and decompresses sensor_msgs/CompressedImage. @throws Error also as decompressed()
+[[nodiscard]] ImageMessage parse_compressed_message(std::span<const std::byte> message,
+                                                    std::string_view source);
+
 /// Parses sensor_msgs/CameraInfo. @throws Error also as with_lens()
 [[nodiscard]] Intrinsics parse_camera_info(std::span<const std::byte> message, std::string_view source);
 
 /// Parses geometry_msgs/Transform: stream from group. @throws Error also when it is not a rigid transform
 [[nodiscard]] Transform parse_transform_message(std::span<const std::byte> message, std::string_view source);
+
+/// Parses tf2_msgs/TFMessage. @throws Error also when one is not a rigid transform
+[[nodiscard]] std::vector<StaticTransform> parse_transforms(std::span<const std::byte> message,
+                                                            std::string_view source);
 
 /// Parses diagnostic_msgs/KeyValue.
 [[nodiscard]] std::pair<std::string, std::string> parse_key_value(std::span<const std::byte> message,

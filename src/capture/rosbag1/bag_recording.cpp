@@ -29,8 +29,9 @@ class BagRecording : public Recording {
     return notes;
   }
 
-  [[nodiscard]] ImageMessage image(const RecordedStream& /*stream*/, const RecordedMessage& message,
+  [[nodiscard]] ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
                                    std::string_view source) const override {
+    if (is_compressed(stream.images())) return parse_compressed_message(bag_.read(message), source);
     return parse_image_message(bag_.read(message), source);
   }
 
@@ -66,6 +67,12 @@ class BagRecording : public Recording {
       stream_from_group.emplace(group, parse_transform_message(bag_.read(message), source()));
     });
     return stream_from_group;
+  }
+
+  [[nodiscard]] std::vector<StaticTransform> static_transforms() const override {
+    return transforms_of(messages("/tf_static"), [&](const RecordedMessage& message) {
+      return parse_transforms(bag_.read(message), source());
+    });
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "capture/recording/camera_info.hpp"
+#include "capture/recording/compressed_image.hpp"
 #include "capture/rosbag2/cdr_bytes.hpp"
 #include "core/error.hpp"
 
@@ -53,10 +54,15 @@ int side(const KeyValues& values, const char* key, std::string_view source) {
   return possible_side(static_cast<std::uint32_t>(std::clamp(pixels, 0.0, most)), source);
 }
 
-void skip_header(CdrBytes& bytes) {
+void skip_stamp(CdrBytes& bytes) {
   static_cast<void>(bytes.number<std::int32_t>());   // seconds
   static_cast<void>(bytes.number<std::uint32_t>());  // nanoseconds
-  static_cast<void>(bytes.text());                   // the frame's name
+}
+
+// Returns the name of the frame.
+std::string_view take_header(CdrBytes& bytes) {
+  skip_stamp(bytes);
+  return bytes.text();
 }
 
 }  // namespace
@@ -65,7 +71,7 @@ ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view so
   ImageMessage image;
   image.message = std::move(message);
   CdrBytes bytes(image.message, source);
-  skip_header(bytes);
+  image.frame = take_header(bytes);
   const auto height = bytes.number<std::uint32_t>();
   set_size(image, bytes.number<std::uint32_t>(), height, source);
   image.encoding = bytes.text();
@@ -76,10 +82,26 @@ ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view so
   return image;
 }
 
+ImageMessage parse_db3_compressed(std::span<const std::byte> message, std::string_view source) {
+  CdrBytes bytes(message, source);
+  const std::string_view frame = take_header(bytes);
+  const std::string_view format = bytes.text();
+  ImageMessage image = decompressed(format, bytes.list_of_bytes(), source);
+  image.frame = frame;
+  return image;
+}
+
 Intrinsics parse_db3_camera_info(std::span<const std::byte> message, std::string_view source) {
   CdrBytes bytes(message, source);
-  skip_header(bytes);
+  static_cast<void>(take_header(bytes));
   return take_camera_info(bytes, source);
+}
+
+std::vector<StaticTransform> parse_db3_transforms(std::span<const std::byte> message,
+                                                  std::string_view source) {
+  CdrBytes bytes(message, source);
+  return take_transforms(
+      bytes, [&] { skip_stamp(bytes); }, source);
 }
 
 std::string parse_db3_text(std::span<const std::byte> message, std::string_view source) {

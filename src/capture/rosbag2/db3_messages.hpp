@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "capture/recording/recording.hpp"
+#include "capture/recording/static_transforms.hpp"
 
 namespace rva {
 
@@ -16,6 +17,9 @@ namespace rva {
 /// @param source the file's name, for errors, here and below
 /// @throws Error when the message ends early, or its image is larger than any camera's
 [[nodiscard]] ImageMessage parse_db3_image(std::vector<std::byte> message, std::string_view source);
+
+/// Parses and decompresses sensor_msgs/msg/CompressedImage. @throws Error also as decompressed()
+[[nodiscard]] ImageMessage parse_db3_compressed(std::span<const std::byte> message, std::string_view source);
 
 /// Parses std_msgs/msg/String. @throws Error when it ends early
 [[nodiscard]] std::string parse_db3_text(std::span<const std::byte> message, std::string_view source);
@@ -26,6 +30,10 @@ namespace rva {
 
 /// Parses sensor_msgs/msg/CameraInfo, as ROS records it. @throws Error when it ends early; as with_lens()
 [[nodiscard]] Intrinsics parse_db3_camera_info(std::span<const std::byte> message, std::string_view source);
+
+/// Parses tf2_msgs/msg/TFMessage. @throws Error when it ends early, or one is not a rigid transform
+[[nodiscard]] std::vector<StaticTransform> parse_db3_transforms(std::span<const std::byte> message,
+                                                                std::string_view source);
 
 /// Intrinsics from the keys width, height, fx, fy, ppx, ppy, coeffs and, optionally, model.
 /// @throws Error when a key is missing; as with_lens()

@@ -24,6 +24,7 @@ class Db3Recording : public Recording {
 
   [[nodiscard]] ImageMessage image(const RecordedStream& stream, const RecordedMessage& message,
                                    std::string_view source) const override {
+    if (is_compressed(stream.images())) return parse_db3_compressed(file_.read(message), source);
     ImageMessage image = parse_db3_image(file_.read(message), source);
     const KeyValues values = metadata(stream, message);
     const auto number_of = [&](const char* key) {
@@ -76,6 +77,12 @@ class Db3Recording : public Recording {
       stream_from_group.emplace(group, transform_from(values_of(message), source()));
     });
     return stream_from_group;
+  }
+
+  [[nodiscard]] std::vector<StaticTransform> static_transforms() const override {
+    return transforms_of(messages("/tf_static"), [&](const RecordedMessage& message) {
+      return parse_db3_transforms(file_.read(message), source());
+    });
   }
 
  private:

@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "capture/formats.hpp"
 #include "capture/images/depth_file.hpp"
@@ -48,16 +53,58 @@ std::vector<fs::path> nearest_color(const fs::path& folder, double time_s) {
                             : std::vector{inside(folder, *nearest, printable(list))};
 }
 
-}  // namespace
-
-std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& source) {
-  std::vector<TumEntry> entries;
+// Calls `use` with the number and the text of each line that is not empty and no comment.
+void for_each_line(const std::string& text, const std::function<void(int, const std::string&)>& use) {
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (line.empty() || line[0] == '#') continue;
+    if (!line.empty() && line[0] != '#') use(number, line);
+  }
+}
+
+bool names_depth(const TumEntry& entry) { return entry.file.find("depth") != std::string::npos; }
+
+FrameFiles associated_files(const fs::path& folder, const fs::path& list) {
+  const std::string source = printable(list);
+  FrameFiles files;
+  for (const TumPair& pair : parse_associations(read_text_file(list), source)) {
+    files.depth.push_back(inside(folder, pair.depth, source));
+    files.color.push_back(inside(folder, pair.color, source));
+    files.color_of.emplace_back(files.color.size() - 1);
+  }
+  return files;
+}
+
+FrameFiles files_of_lists(const fs::path& folder, const fs::path& list) {
+  const std::string source = printable(list);
+  const std::vector<TumEntry> entries = parse_tum_list(read_text_file(list), source);
+  FrameFiles files;
+  for (const TumEntry& entry : entries) files.depth.push_back(inside(folder, entry, source));
+  if (entries.empty()) return files;
+  files.color = nearest_color(folder, entries.front().time_s);
+  files.color_of.resize(files.depth.size());
+  if (!files.color.empty()) files.color_of.front() = 0;
+  return files;
+}
+
+// @throws Error when no depth frame is listed
+FrameFiles listed_files(const fs::path& folder) {
+  const fs::path depth_list = folder / "depth.txt";
+  std::error_code ignored;
+  const bool has_depth_list = fs::exists(depth_list, ignored);
+  const fs::path list = has_depth_list ? depth_list : association_list(folder).value_or(depth_list);
+  FrameFiles files = has_depth_list ? files_of_lists(folder, list) : associated_files(folder, list);
+  if (files.depth.empty()) throw Error(printable(list), "lists no depth frame", "record the capture again");
+  return files;
+}
+
+}  // namespace
+
+std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string& source) {
+  std::vector<TumEntry> entries;
+  for_each_line(text, [&](int number, const std::string& line) {
     std::istringstream words(line);
     TumEntry entry;
     // The rest of the line is the file's name, which may have spaces.
@@ -66,8 +113,35 @@ std::vector<TumEntry> parse_tum_list(const std::string& text, const std::string&
       throw Error(fmt::format("{}:{}", source, number), "is not 'seconds file'", "correct the list");
     }
     entries.push_back(std::move(entry));
-  }
+  });
   return entries;
+}
+
+std::vector<TumPair> parse_associations(const std::string& text, const std::string& source) {
+  std::vector<TumPair> pairs;
+  bool depth_first = false;
+  for_each_line(text, [&](int number, const std::string& line) {
+    std::istringstream words(line);
+    TumEntry first;
+    TumEntry second;
+    std::string more;
+    if (!(words >> first.time_s >> first.file >> second.time_s >> second.file) || words >> more ||
+        !std::isfinite(first.time_s) || !std::isfinite(second.time_s))
+      throw Error(fmt::format("{}:{}", source, number), "is not 'seconds file seconds file'",
+                  "correct the list");
+    if (pairs.empty()) depth_first = names_depth(first) && !names_depth(second);
+    pairs.push_back(depth_first ? TumPair{std::move(first), std::move(second)}
+                                : TumPair{std::move(second), std::move(first)});
+  });
+  return pairs;
+}
+
+std::optional<fs::path> association_list(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"associations.txt", "association.txt", "associate.txt", "assoc.txt"}) {
+    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  }
+  return std::nullopt;
 }
 
 std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOptions& options) {
@@ -75,13 +149,7 @@ std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOp
     throw Error(printable(folder), "a TUM folder states no intrinsics",
                 "give the intrinsics of the depth camera (fx, fy, cx, cy)");
   }
-  const fs::path list = folder / "depth.txt";
-  const std::vector<TumEntry> entries = parse_tum_list(read_text_file(list), printable(list));
-  std::vector<fs::path> depth_files;
-  depth_files.reserve(entries.size());
-  for (const TumEntry& entry : entries) depth_files.push_back(inside(folder, entry, printable(list)));
-  if (depth_files.empty()) throw Error(printable(list), "lists no depth frame", "record the capture again");
-
+  FrameFiles files = listed_files(folder);
   CaptureInfo info;
   info.format = "tum";
   info.depth = *options.intrinsics;
@@ -89,16 +157,13 @@ std::unique_ptr<Capture> open_tum_folder(const fs::path& folder, const CaptureOp
   info.unit_is_assumed = true;
   settle_unit(options, info);
   info.no_depth = options.no_depth;
-  const DepthImage first = read_depth_file(depth_files.front(), info.depth_unit_m);
+  const DepthImage first = read_depth_file(files.depth.front(), info.depth_unit_m);
   info.depth.width = first.width();
   info.depth.height = first.height();
   info.depth.check();
   // The benchmark's depth images are registered to colour.
   info.color = info.depth;
   info.color_from_depth = Transform::Identity();
-  FrameFiles files{std::move(depth_files), nearest_color(folder, entries.front().time_s)};
-  files.color_of.resize(files.depth.size());
-  if (!files.color.empty()) files.color_of.front() = 0;
   return std::make_unique<FolderCapture>(folder, std::move(info), std::move(files));
 }
 

@@ -138,7 +138,7 @@ TEST_F(Writer, FramesAreReadBackTheSame) {
   std::mt19937 random(1);
   const std::vector<DepthImage> frames = test::random_stack({8, 6, 12}, 5000, 3000, 0.2, random);
   const ColorImage color(4, 3, Rgb{1, 2, 3});
-  const CaptureWriter writer(folder_.path(), full_info());
+  CaptureWriter writer(folder_.path(), full_info());
   for (std::size_t k = 0; k < frames.size(); ++k) writer.write_depth(k, frames[k]);
   writer.write_color(0, color);
   const auto capture = open_capture(folder_.path());
@@ -152,7 +152,7 @@ TEST_F(Writer, FramesAreReadBackTheSame) {
 }
 
 TEST_F(Writer, FramesMayComeFromSeveralThreads) {
-  const CaptureWriter writer(folder_.path(), test::info_of(8, 6));
+  CaptureWriter writer(folder_.path(), test::info_of(8, 6));
   std::vector<std::jthread> threads;
   for (std::size_t k = 0; k < 8; ++k)
     threads.emplace_back([&writer, k] { writer.write_depth(k, DepthImage(8, 6, std::uint16_t(100 + k))); });
@@ -220,7 +220,7 @@ TEST_F(Writer, RefusesWhatCouldNotBeReadBack) {
 
 TEST_F(Writer, NamesTheFileThatCannotBeWritten) {
   EXPECT_THROW(CaptureWriter(folder_ / "none", full_info()), Error);
-  const CaptureWriter writer(folder_.path(), full_info());
+  CaptureWriter writer(folder_.path(), full_info());
   write_file(folder_ / "depth", "in the way");
   try {
     writer.write_depth(3, DepthImage(8, 6));
@@ -234,7 +234,7 @@ TEST_F(Writer, AnEarlierCaptureIsReplacedAndNothingElse) {
   const fs::path target = folder_ / "capture";
   const auto record = [&](std::size_t frames) {
     OutputFolder out(target, capture_files(), Existing::replace);
-    const CaptureWriter writer(out.path("."), full_info());
+    CaptureWriter writer(out.path("."), full_info());
     for (std::size_t k = 0; k < frames; ++k) writer.write_depth(k, DepthImage(8, 6));
     writer.write_color(0, ColorImage(4, 3));
     out.commit();
