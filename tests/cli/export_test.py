@@ -51,6 +51,21 @@ class Export(program.ProgramTest):
         header = self.export(self.capture(), 'pcd').read_bytes().split(b'DATA')[0]
         self.assertIn(b'POINTS %d\n' % len(self.expected_points()), header)
 
+    def test_mcap_is_read_back_and_compared_the_same(self):
+        capture = self.capture(camera={'model': 'D435', 'serial': '7'}, pose={'pan_deg': 3.0})
+        self.out = self.folder / 'capture.mcap'
+        self.export(capture, 'mcap')
+        read, written = self.info(self.out), self.info(capture)
+        for key in ('depth', 'color', 'color_from_depth', 'depth_frames', 'color_frames', 'camera', 'pose'):
+            self.assertEqual(read.get(key), written.get(key), key)
+        self.check_fails('export', capture, '--to', 'mcap', '--out', self.out, names=['already exists'])
+        self.export(capture, 'mcap', '--overwrite')
+        results = {}
+        for name in (capture, self.out):
+            self.succeed('detect', capture, name, '--out', self.folder / 'result', '--overwrite')
+            results[name] = json.loads((self.folder / 'result' / 'detections.json').read_text())['detections']
+        self.assertEqual(results[capture], results[self.out])
+
     def test_without_colour_points_are_grey_and_frames_are_refused(self):
         capture = write_capture(self.folder / 'grey', self.frames)
         self.assertIn(b'\x80\x80\x80', self.export(capture, 'ply').read_bytes())

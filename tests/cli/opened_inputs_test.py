@@ -13,7 +13,8 @@ import numpy as np
 import program
 from captures import (CAMERA, IDENTITY, TUM_INTRINSICS, noisy, plain_color, with_box, write_capture, write_open3d, write_tum)
 from db3s import write_db3
-from ros_recordings import ALIGNED, COLOR, DEPTH, in_metres, write_mcap, write_ros1, write_ros2
+from ros_recordings import (ALIGNED, COLOR, DEPTH, KINDS_OF_FILES, Ros2, compressed_color, compressed_depth, in_metres,
+                            quantised_depth, write_mcap, write_messages, write_ros1, write_ros2)
 from simulations import depth_frames
 
 BOX = (20, 10, 11, 7)
@@ -67,6 +68,92 @@ class OpenedInputsTest(program.ProgramTest):
         for key, value in changes.items():
             description[key] = {**description.get(key, {}), **value} if isinstance(value, dict) else value
         file.write_text(json.dumps({key: value for key, value in description.items() if value is not None}))
+
+    # Recordings of ROS
+
+    def write_ros(self, side, ros, ending, messages_of):
+        frames = self.frames[side]
+        messages = [message for i, frame in enumerate(frames) for message in messages_of(ros, i, frame)]
+        return write_messages(self.folder / f'{side}.{ending}', ros, messages)
+
+    def detect_files(self, ending, *options):
+        done = self.succeed('detect', self.folder / f'before.{ending}', self.folder / f'after.{ending}', *options,
+                            '--out', self.out, '--overwrite')
+        findings = json.loads((self.out / 'detections.json').read_text())['detections']
+        self.assertEqual(len(findings), 1, done.stderr)
+        self.assertAlmostEqual(findings[0]['height_mm'], HEIGHT_MM, delta=3)
+        return done.stderr
+
+    def test_compressed_depth_and_colour_are_read(self):
+        for compress in (compressed_depth, lambda frame: quantised_depth(frame / 1000)):
+            def messages(ros, i, frame):
+                yield '/camera/depth/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+                yield '/camera/depth/image/compressedDepth', 'sensor_msgs/CompressedImage', i / 30, ros.compressed(compress(frame), 'depth', i)
+                yield '/camera/color/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+                yield '/camera/color/image/compressed', 'sensor_msgs/CompressedImage', i / 30, ros.compressed(compressed_color(self.picture), 'color', i)
+
+            for ros, ending in KINDS_OF_FILES:
+                with self.subTest(ros=ros.__name__, ending=ending):
+                    for side in self.frames:
+                        self.write_ros(side, ros, ending, messages)
+                    self.detect_files(ending)
+                    info = self.info(self.folder / f'after.{ending}')
+                    self.assertEqual((info['depth_frames'], info['color_frames']), (FRAMES, FRAMES))
+
+    def test_compressed_depth_is_that_of_the_file(self):
+        def messages(ros, i, frame):
+            yield '/camera/depth/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/depth/image/compressedDepth', 'sensor_msgs/CompressedImage', i / 30, ros.compressed(compressed_depth(frame), 'depth', i)
+
+        file = self.write_ros('after', Ros2, 'mcap', messages)
+        self.succeed('export', file, '--to', 'mcap', '--out', self.folder / 'again.mcap')
+        self.succeed('record', '--camera', f'replay:{self.folder / "again.mcap"}', '--frames', FRAMES, '--out', self.folder / 'folder')
+        np.testing.assert_array_equal(depth_frames(self.folder / 'folder'), self.frames['after'])
+
+    def test_depth_compressed_in_another_way_is_named(self):
+        def messages(ros, i, frame):
+            yield '/camera/depth/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/depth/image/compressedDepth', 'sensor_msgs/CompressedImage', i / 30, ros.compressed(('16UC1; compressedDepth rvl', bytes(99)), 'depth', i)
+
+        self.check_fails('info', self.write_ros('after', Ros2, 'mcap', messages), names=['rvl', 'not supported'])
+
+    def test_colour_that_cannot_be_decompressed_does_not_stop_depth(self):
+        def messages(ros, i, frame):
+            yield '/camera/depth/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/depth/image', 'sensor_msgs/Image', i / 30, ros.image(frame, '16UC1', 'depth', i)
+            yield '/camera/color/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/color/image/compressed', 'sensor_msgs/CompressedImage', i / 30, ros.compressed(('h264', bytes(99)), 'color', i)
+
+        for side in self.frames:
+            self.write_ros(side, Ros2, 'mcap', messages)
+        self.detect_files('mcap')
+
+    def test_static_transforms_relate_colour_to_depth(self):
+        def messages(ros, i, frame):
+            if i == 0:
+                edges = [('base', 'depth', (0.3, 0, 0.1, 0, 0, 0, 1)), ('base', 'color', (0.315, 0, 0.1, 0, 0, 0, 1))]
+                yield '/tf_static', 'tf2_msgs/TFMessage', 0.0, ros.transforms(edges)
+            yield '/camera/depth/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/depth/image', 'sensor_msgs/Image', i / 30, ros.image(frame, '16UC1', 'depth', i)
+            yield '/camera/color/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/color/image', 'sensor_msgs/Image', i / 30, ros.image(self.picture, 'rgb8', 'color', i)
+
+        for ros, ending in KINDS_OF_FILES:
+            with self.subTest(ros=ros.__name__, ending=ending):
+                file = self.write_ros('after', ros, ending, messages)
+                color_from_depth = self.info(file)['color_from_depth']
+                np.testing.assert_allclose(np.reshape(color_from_depth, (4, 4))[:3, 3], (-0.015, 0, 0), atol=1e-9)
+
+    def test_static_transforms_that_are_no_rotation_are_noted(self):
+        def messages(ros, i, frame):
+            if i == 0:
+                yield '/tf_static', 'tf2_msgs/TFMessage', 0.0, ros.transforms([('depth', 'color', (0, 0, 0, 0, 0, 0, 0))])
+            yield '/camera/depth/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/depth/image', 'sensor_msgs/Image', i / 30, ros.image(frame, '16UC1', 'depth', i)
+            yield '/camera/color/camera_info', 'sensor_msgs/CameraInfo', i / 30, ros.info()
+            yield '/camera/color/image', 'sensor_msgs/Image', i / 30, ros.image(self.picture, 'rgb8', 'color', i)
+
+        self.assertIn('cannot be read', ' '.join(self.info(self.write_ros('after', Ros2, 'mcap', messages))['notes']))
 
     # Units
 
@@ -132,6 +219,21 @@ class OpenedInputsTest(program.ProgramTest):
                 file.rename(self.folder / side / file.name)
             (self.folder / side / 'depth').rmdir()
         self.check_box(*TUM_INTRINSICS)
+
+    def test_association_lists_pair_depth_and_colour_in_either_order(self):
+        for depth_first in (True, False):
+            for side, frames in self.frames.items():
+                folder = write_tum(self.folder / side, frames * TUM_UNITS_PER_MM, pictures=[(10 + i / 30, self.picture) for i in range(FRAMES)])
+                names = [f'{10 + i / 30:.6f}' for i in range(FRAMES)]
+                files = [(f'{name} depth/{name}.png', f'{name} rgb/{name}.png') for name in names]
+                (folder / 'depth.txt').unlink()
+                (folder / 'rgb.txt').unlink()
+                (folder / 'associations.txt').write_text('# made by associate.py\n' + '\n'.join(
+                    ' '.join(pair if depth_first else reversed(pair)) for pair in files))
+            self.check_box(*TUM_INTRINSICS)
+            self.assertEqual(self.info(self.folder / 'after', *TUM_INTRINSICS)['color_frames'], FRAMES)
+        (self.folder / 'after' / 'associations.txt').write_text('10.0 depth/a.png 10.0\n')
+        self.check_fails('info', self.folder / 'after', *TUM_INTRINSICS, names=['associations.txt:1', 'seconds file seconds file'])
 
     def test_names_with_spaces_and_a_byte_order_mark_in_a_list(self):
         self.write(lambda at, mm: write_tum(at, mm * TUM_UNITS_PER_MM))

@@ -2,6 +2,7 @@
 import struct
 import zlib
 
+import cv2
 import numpy as np
 
 import bags
@@ -48,6 +49,108 @@ def write_ros1(path, streams, infos=True):
             bag.add(topic, 'sensor_msgs/Image', i / 30, bags.image_message(frame, encoding, i, 500 + i / 30))
     bag.finish()
     return path
+
+
+def png_of(pixels):
+    return cv2.imencode('.png', pixels)[1].tobytes()
+
+
+def compressed_depth(frame):
+    """What compressed_depth_image_transport writes for 16UC1: 12 bytes of parameters, then a PNG."""
+    return '16UC1; compressedDepth png', bytes(12) + png_of(frame)
+
+
+def quantised_depth(metres, quantisation=100.0, most_m=10.0):
+    """The same for 32FC1: inverse depth in 16 bits (compressed_depth_image_transport, codec.cpp)."""
+    a = quantisation * (quantisation + 1)
+    b = 1 - a / most_m
+    with np.errstate(divide='ignore', invalid='ignore'):
+        stored = np.where(metres > 0, np.round(a / metres + b), 0)
+    return '32FC1; compressedDepth png', struct.pack('<iff', 0, a, b) + png_of(stored.astype(np.uint16))
+
+
+def compressed_color(picture, kind='jpeg'):
+    return f'rgb8; {kind} compressed bgr8', cv2.imencode('.' + kind, picture[:, :, ::-1])[1].tobytes()
+
+
+class Ros2:
+    """Messages of ROS 2."""
+    encoding = 'cdr'
+
+    @staticmethod
+    def kind(name):
+        return name.replace('/', '/msg/')
+
+    @staticmethod
+    def info():
+        return ros2_camera_info(CAMERA)
+
+    @staticmethod
+    def image(frame, encoding, name, number):
+        return db3s.image_message(frame, encoding, name=name)
+
+    @staticmethod
+    def compressed(content, name, number):
+        return db3s.Cdr().put('i', 0).put('I', 0).text(name).text(content[0]).list(content[1]).message()
+
+    @staticmethod
+    def transforms(edges):
+        message = db3s.Cdr().put('I', len(edges))
+        for parent, child, numbers in edges:
+            message.put('i', 0).put('I', 0).text(parent).text(child).put('d', *numbers)
+        return message.message()
+
+
+class Ros1:
+    """Messages of ROS 1."""
+    encoding = 'ros1'
+
+    @staticmethod
+    def kind(name):
+        return name
+
+    @staticmethod
+    def info():
+        return bags.camera_info(CAMERA, 'plumb_bob')
+
+    @staticmethod
+    def header(name, number):
+        return bags.u32(number) + bags.stamp(number / 30) + bags.text(name)
+
+    @classmethod
+    def image(cls, frame, encoding, name, number):
+        rows = np.ascontiguousarray(frame).view(np.uint8).reshape(frame.shape[0], -1)
+        return (cls.header(name, number) + struct.pack('<II', *frame.shape[:2]) + bags.text(encoding) + b'\0' +
+                bags.u32(rows.shape[1]) + bags.u32(rows.size) + rows.tobytes())
+
+    @classmethod
+    def compressed(cls, content, name, number):
+        return cls.header(name, number) + bags.text(content[0]) + bags.u32(len(content[1])) + content[1]
+
+    @classmethod
+    def transforms(cls, edges):
+        return bags.u32(len(edges)) + b''.join(
+            cls.header(parent, 0) + bags.text(child) + struct.pack('<7d', *numbers) for parent, child, numbers in edges)
+
+
+def write_messages(path, ros, messages):
+    """`messages` are (topic, type as ROS 1 has it, seconds, bytes). The ending of the path chooses the format."""
+    path = str(path)
+    if path.endswith('.bag'):
+        file = bags.Bag(path)
+        for topic, kind, time_s, data in messages:
+            file.add(topic, kind, time_s, data)
+    else:
+        file = db3s.Db3(path) if path.endswith('.db3') else Mcap(path, ros.encoding)
+        for topic, kind, time_s, data in messages:
+            time_ns = round(1e9 * (1_700_000_000 + time_s))
+            arguments = (time_ns, data, ros.kind(kind)) if path.endswith('.db3') else (ros.kind(kind), time_ns, data)
+            file.add(topic, *arguments)
+    file.finish()
+    return path
+
+
+KINDS_OF_FILES = ((Ros1, 'bag'), (Ros2, 'db3'), (Ros2, 'mcap'), (Ros1, 'mcap'))
 
 
 def in_metres(frames):
