@@ -117,7 +117,7 @@ class Export(program.ProgramTest):
     def test_damaged_and_wrong(self):
         capture = self.capture()
         (capture / 'depth' / '000002.png').write_bytes(b'no image')
-        for to in ('ply', 'pcd', 'open3d'):
+        for to in ('ply', 'pcd', 'open3d', 'mcap'):
             self.check_fails('export', capture, '--to', to, '--out', self.out, names=['000002.png'])
         self.check_fails('export', self.capture(), '--to', 'ply', '--out', self.folder / 'none' / 'x.ply', names=['x.ply'])
         for arguments in ((), (capture,), (capture, '--to', 'stl', '--out', self.out), (capture, '--to', 'ply')):

@@ -1,0 +1,50 @@
+// Prints what our reader finds in an MCAP file, one message a line: topic, type, encoding, time and bytes.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "capture/mcap/mcap_index.hpp"
+#include "capture/mcap/mcap_record.hpp"
+
+namespace {
+
+std::string hexadecimal(std::span<const std::byte> bytes) {
+  std::string text;
+  for (const std::byte byte : bytes) text += fmt::format("{:02x}", static_cast<unsigned>(byte));
+  return text;
+}
+
+std::vector<std::byte> records_at(const rva::OpenFile& file, std::uint64_t at, const std::string& source) {
+  std::vector<std::byte> record = rva::read_mcap_record(file, at, source);
+  if (static_cast<rva::McapOp>(record.front()) != rva::McapOp::chunk) return record;
+  return rva::unpack_mcap_chunk(std::span<const std::byte>(record).subspan(rva::mcap_head_bytes), source);
+}
+
+void print_messages(const std::string& path) {
+  const rva::OpenFile file(path);
+  const rva::McapIndex index = rva::read_mcap_index(file, path);
+  for (const auto& [name, topic] : index.topics) {
+    for (const rva::RecordedMessage& message : topic.messages) {
+      const std::vector<std::byte> records = records_at(file, message.at, path);
+      rva::RosBytes bytes(std::span<const std::byte>(records).subspan(message.offset), path);
+      const rva::McapMessage content =
+          rva::parse_mcap_message(rva::take_mcap_record(bytes, path).content, path);
+      fmt::print("{} {} {} {} {}\n", name, topic.type.empty() ? "-" : topic.type, index.encodings.at(name),
+                 content.time_ns, hexadecimal(content.data));
+    }
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    for (int i = 1; i < count; ++i) print_messages(arguments[i]);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}
