@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "camera/replay_camera.hpp"
+#include "capture/folder/capture_writer.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"

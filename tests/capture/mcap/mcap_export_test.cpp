@@ -48,10 +48,12 @@ CaptureInfo info_in(double unit_m) {
 }
 
 FrameMetadata metadata(std::size_t i) {
-  return {.counter = 100 + 2 * i,
-          .time_s = 1000.0 + 0.0333333 * static_cast<double>(i),
-          .exposure_us = 8500.5,
-          .temperature_c = 31.0 / 3.0};
+  FrameMetadata stated;
+  stated.counter = 100 + 2 * i;
+  stated.time_s = 1000.0 + 0.0333333 * static_cast<double>(i);
+  stated.exposure_us = 8500.5;
+  stated.temperature_c = 31.0 / 3.0;
+  return stated;
 }
 
 class McapExport : public testing::Test {
