@@ -16,15 +16,10 @@
 #include "cli/rig_uri.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
-#include "core/stopwatch.hpp"
 #include "geometry/robot_geometry_file.hpp"
-#include "map/map_files.hpp"
-#include "map/view_capture.hpp"
-#include "map/view_folder.hpp"
-#include "map/waypoints.hpp"
+#include "map/bay_map.hpp"
 
 namespace fs = std::filesystem;
 
@@ -39,12 +34,9 @@ struct MapArguments {
   std::optional<std::string> geometry;
   std::optional<std::string> base;
   std::string out;
-  ViewCaptureOptions capture;
-  MapCloudOptions cloud;
-  RefinementOptions refinement;
+  BayMapOptions map;
   RealSenseOptions realsense;
   std::uint64_t seed = 1;
-  bool no_refine = false;
   bool resume = false;
   bool overwrite = false;
   bool json = false;
@@ -86,70 +78,28 @@ ViewFolder::Start start_of(const MapArguments& arguments) {
   return arguments.overwrite ? ViewFolder::Start::replace : ViewFolder::Start::anew;
 }
 
-MapView load_view(const fs::path& folder) {
-  try {
-    return load_map_view(*open_capture(folder), printable(folder));
-  } catch (const Error& error) {
-    throw Error(error.source(), error.problem(),
-                "remove " + printable(folder) + " and resume: it is taken again");
+void print_summary(const MapFiles& files, const BayMap& map, bool as_json) {
+  std::vector<std::string> doubted;
+  for (std::size_t i = 0; i < map.views.size(); ++i) {
+    const std::string& doubt = map.poses.poses[i].doubt;
+    if (doubt.empty()) continue;
+    doubted.push_back(map.views[i].name);
+    fmt::print(stderr, "rva: {}: {}, so its pose is the one given by the joints\n", doubted.back(), doubt);
   }
-}
-
-// Views get the names that they will have once the map has been moved to its final path.
-std::vector<MapView> load_views(const MapFiles& files, const fs::path& taken_in, std::size_t count) {
-  const Progress progress = terminal_progress();
-  std::vector<MapView> views;
-  for (std::size_t i = 0; i < count; ++i) {
-    views.push_back(load_view(taken_in / view_name(i)));
-    views.back().name = printable(files.views.filename() / view_name(i));
-    if (progress) progress("reading", i + 1, count);
-  }
-  return views;
-}
-
-std::vector<RefinedPose> poses_of(const std::vector<MapView>& views, const PanTiltChain& chain,
-                                  const MapArguments& arguments) {
-  if (!arguments.no_refine) return refine_poses(views, chain, arguments.refinement);
-  std::vector<RefinedPose> poses;
-  for (const MapView& view : views) {
-    poses.emplace_back();
-    poses.back().foot_from_camera = foot_from_camera(chain, view.joints);
-  }
-  return poses;
-}
-
-std::vector<Transform> transforms(const std::vector<RefinedPose>& poses) {
-  std::vector<Transform> result;
-  for (const RefinedPose& pose : poses) result.push_back(pose.foot_from_camera);
-  return result;
-}
-
-void print_summary(const MapFiles& files, const std::vector<MapView>& views, const MapPoses& map,
-                   std::size_t points, double ms, bool as_json) {
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!map.poses[i].doubt.empty())
-      fmt::print(stderr, "rva: {}: {}, so its pose is the one given by the joints\n", views[i].name,
-                 map.poses[i].doubt);
-  }
-  if (as_json) {
-    nlohmann::ordered_json json = {{"map", printable(files.ply)},
-                                   {"views", views.size()},
-                                   {"doubted", nlohmann::json::array()},
-                                   {"points", points},
-                                   {"refined", map.refined},
-                                   {"refine_and_join_ms", ms}};
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      if (!map.poses[i].doubt.empty()) json["doubted"].push_back(views[i].name);
-    }
-    print("{}\n", json_text(json, 2));
+  if (!as_json) {
+    print("{}: {} points of {} views\n", printable(files.ply), map.points, map.views.size());
     return;
   }
-  print("{}: {} points of {} views\n", printable(files.ply), points, views.size());
+  const nlohmann::ordered_json json = {
+      {"map", printable(files.ply)},  {"views", map.views.size()},
+      {"doubted", doubted},           {"points", map.points},
+      {"refined", map.poses.refined}, {"refine_and_join_ms", map.refine_and_join_ms}};
+  print("{}\n", json_text(json, 2));
 }
 
 void check(const MapArguments& arguments) {
-  check_map_cloud_options(arguments.cloud);
-  check_options(arguments.refinement);
+  check_map_cloud_options(arguments.map.cloud);
+  check_options(arguments.map.refinement);
   if (arguments.base && (arguments.base->empty() || !is_utf8(*arguments.base)))
     throw UsageError("--base", "is not a name", "give one in UTF-8");
 }
@@ -165,27 +115,10 @@ void map_bay(const MapArguments& arguments) {
                printable(files.ply));
   require_replaceable(files, arguments.overwrite);
   const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
-  check_waypoints(waypoints, rig.robot->limits());
-  ViewFolder folder(files.views, start_of(arguments), waypoints.size());
   const std::string base = base_of(arguments, *rig.camera);
-  take_views({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, folder.path(), arguments.capture,
-             terminal_progress());
-  const std::vector<MapView> views = load_views(files, folder.path(), waypoints.size());
-  const Stopwatch start;
-  const MapPoses map{base,
-                     chain,
-                     arguments.cloud,
-                     !arguments.no_refine,
-                     arguments.refinement,
-                     poses_of(views, chain, arguments)};
-  const std::vector<MapPoint> points = join_views(views, transforms(map.poses), arguments.cloud);
-  const double refined_and_joined_ms = start.ms();
-  if (points.empty())
-    throw Error(printable(files.ply), "would have no point: nothing was measured within --near and --far",
-                "check the views in " + printable(folder.path()));
-  throw_if_interrupted();
-  write_map(files, points, views, map);
-  print_summary(files, views, map, points.size(), refined_and_joined_ms, arguments.json);
+  const BayMap map = rva::map_bay({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, files,
+                                  start_of(arguments), arguments.map, terminal_progress());
+  print_summary(files, map, arguments.json);
 }
 
 }  // namespace
@@ -212,17 +145,18 @@ void add_map_command(CLI::App& program) {
       ->type_name("FILE");
   command.add_option("--base", arguments->base,
                      "name of the position of the robot's foot; captures of one base share a frame");
-  command.add_option("--frames", arguments->capture.frames, "depth frames of each view")
+  command.add_option("--frames", arguments->map.capture.frames, "depth frames of each view")
       ->check(frame_count())
       ->capture_default_str();
   command.add_option("--seed", arguments->seed, "of a simulation's noise")
       ->check(any_seed())
       ->capture_default_str();
-  add_flags(command, arguments->cloud);
-  add_flags(command, arguments->refinement);
+  add_flags(command, arguments->map.cloud);
+  add_flags(command, arguments->map.refinement);
   add_flags(command, arguments->realsense);
-  command.add_flag("--no-refine", arguments->no_refine,
-                   "keep the poses that the joints give, as the thesis did");
+  command.add_flag_callback(
+      "--no-refine", [arguments] { arguments->map.refine = false; },
+      "keep the poses that the joints give, as the thesis did");
   command.add_flag("--resume", arguments->resume,
                    "go on with a map that was interrupted: take only the missing views");
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier map");

@@ -1,0 +1,41 @@
+// Maps a bay: algorithm 1 of the thesis.
+#pragma once
+
+#include <vector>
+
+#include "core/progress.hpp"
+#include "map/map_files.hpp"
+#include "map/rig.hpp"
+#include "map/view_capture.hpp"
+#include "map/view_folder.hpp"
+#include "map/waypoints.hpp"
+
+namespace rva {
+
+struct BayMapOptions {
+  ViewCaptureOptions capture;
+  MapCloudOptions cloud;
+  RefinementOptions refinement;
+  bool refine = true;  ///< false: poses are those of the joints, as in the thesis
+};
+
+/// A map that was written.
+struct BayMap {
+  std::vector<MapView> views;  ///< with the names of their captures in the folder of views
+  MapPoses poses;
+  std::size_t points = 0;
+  double refine_and_join_ms = 0.0;
+};
+
+/// Moves the camera to each waypoint and takes a capture there, corrects the poses that the joints give by
+/// the surfaces that the views share, joins all views into one cloud in the foot's frame, and writes it. A
+/// run that was interrupted is continued by `start` resume: only missing captures are taken.
+/// @param waypoints at least one, within the robot's limits
+/// @param files     to which finish_map() and require_replaceable() were applied
+/// @throws Error when the robot, the camera or the disk fails, a capture cannot be read, or nothing was
+/// measured
+///         within the distances of the options; UsageError when a waypoint is beyond the limits; Interrupted
+[[nodiscard]] BayMap map_bay(const Rig& rig, const std::vector<PanTilt>& waypoints, const MapFiles& files,
+                             ViewFolder::Start start, const BayMapOptions& options, const Progress& progress);
+
+}  // namespace rva
