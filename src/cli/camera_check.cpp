@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "camera/camera_check.hpp"
+#include "camera/camera_history.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
 
@@ -51,27 +47,6 @@ fs::path own_folder() {
   const fs::path home = variable("HOME");
   if (!home.is_absolute()) throw Error("--history", "there is no home folder to keep it in", "name a folder");
   return home / ".local" / "state" / "rva" / "cameras";
-}
-
-// A history belongs to a camera, not to a port, so it is named by the serial number.
-std::string file_name(const CaptureInfo& info) {
-  const CameraInfo camera = info.camera.value_or(CameraInfo{});
-  std::string name = camera.serial.empty() ? camera.model : camera.serial;
-  std::ranges::replace_if(
-      name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '-');
-  return (name.empty() ? "camera" : name) + ".jsonl";
-}
-
-std::vector<CameraCheck> earlier_checks(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return {};
-  return parse_checks(read_text_file(file), printable(file));
-}
-
-void add_to_history(const fs::path& file, const CameraCheck& check) {
-  std::error_code ignored;  // append_to_file() reports a folder that could not be created
-  fs::create_directories(file.parent_path(), ignored);
-  append_to_file(file, check_line(check) + "\n");
 }
 
 std::string limits_of(const CheckedQuantity& quantity) {
@@ -127,14 +102,10 @@ void print_for_a_person(const CameraCheck& check, const CameraJudgement& judgeme
 bool check_before_work(Camera& camera, const CameraCheckArguments& arguments) {
   check_options(arguments.options);
   const fs::path folder = arguments.history.empty() ? own_folder() : fs::path(arguments.history);
-  const fs::path file = folder / file_name(camera.info());
-  const std::vector<CameraCheck> earlier = earlier_checks(file);
-  CameraCheck check = check_camera(camera, arguments.frames, terminal_progress());
-  const CameraJudgement judgement = judge(check, earlier, arguments.options);
-  check.fit = judgement.fit;
-  add_to_history(file, check);
+  const auto [check, judgement, file] =
+      check_and_remember(camera, folder, arguments.frames, arguments.options, terminal_progress());
   if (arguments.json) {
-    print("{}\n", json_text(json_of(check, judgement, file), 1));
+    print("{}", json_file_text(json_of(check, judgement, file)));
   } else {
     print_for_a_person(check, judgement, arguments.options);
   }

@@ -10,6 +10,7 @@
 #include "capture/open3d/open3d_writer.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
+#include "cli/output_file.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
@@ -32,13 +33,6 @@ struct ExportArguments {
   bool overwrite = false;
 };
 
-void require_free(const fs::path& file, bool overwrite) {
-  std::error_code failure;
-  if (fs::exists(file, failure) && (!overwrite || !fs::is_regular_file(file, failure)))
-    throw Error(printable(file), "already exists",
-                "choose another name, or give --overwrite to replace a file");
-}
-
 void export_points(const ExportArguments& arguments, const Capture& capture) {
   const std::vector<MapPoint> points = points_of(capture, terminal_progress());
   replace_file(arguments.out, arguments.to == "ply" ? encode_ply(points, PointFrame::depth_camera)
@@ -60,7 +54,7 @@ void export_capture(const ExportArguments& arguments) {
     write_open3d_folder(*capture, out.path(""), terminal_progress());
     out.commit();
   } else {
-    require_free(arguments.out, arguments.overwrite);
+    require_replaceable(arguments.out, arguments.overwrite);
     arguments.to == "mcap" ? export_recording(arguments, *capture) : export_points(arguments, *capture);
   }
   print("{}\n", arguments.out);

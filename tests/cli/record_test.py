@@ -45,6 +45,19 @@ class FromReplay(RecordTest):
         self.assertEqual(self.info(self.out)['depth_frames'], FRAMES)
         self.assertFalse((self.out / 'truth').exists(), 'a recording has no truth')
 
+    def test_a_name_that_ends_in_mcap_gives_a_recording(self):
+        self.out = self.folder / 'out.mcap'
+        self.replay(self.recording)
+        recorded = self.info(self.out)
+        self.assertEqual((recorded['format'], recorded['depth_frames']), ('mcap', FRAMES))
+        self.check_fails(*self.arguments(f'replay:{self.recording}'), names=['out.mcap', 'already exists'])
+        self.check_fails(*self.arguments(f'replay:{self.recording}', FRAMES + 1, '--overwrite'), names=['3 of 4 frames'])
+        again = self.folder / 'again'
+        self.succeed('record', '--camera', f'replay:{self.out}', '--frames', FRAMES, '--out', again)
+        np.testing.assert_array_equal(depth_frames(again), depth_frames(self.recording))
+        for key in ('depth', 'color', 'color_from_depth', 'camera', 'pose', 'infrared'):
+            self.assertEqual(description(again).get(key), description(self.recording).get(key), key)
+
     def test_fewer_frames_are_the_first_ones(self):
         self.replay(self.recording, 2)
         np.testing.assert_array_equal(depth_frames(self.out), depth_frames(self.recording)[:2])
