@@ -2,9 +2,8 @@
 
 usage: agreement_test.py RVA PROBE SHARED
 Random stacks and masks go through the probe; recordings, where SHARED has them, through the program itself.
-The reference is SHARED/reference/thesis.py where it is there, else the copy beside this file.
+The reference is thesis.py beside this file.
 """
-import importlib.util
 import json
 import pathlib
 import struct
@@ -16,21 +15,11 @@ import unittest
 import cv2
 import numpy as np
 
+import thesis
+
 RVA, PROBE, SHARED = (pathlib.Path(argument) for argument in sys.argv[1:4])
 CONSTANT, GAUSSIAN, REGIONS = range(3)
 CASES_PER_KIND = 200
-
-
-def load_reference():
-    shared = SHARED / 'reference' / 'thesis.py'
-    path = shared if shared.exists() else pathlib.Path(__file__).parent / 'thesis.py'
-    spec = importlib.util.spec_from_file_location('thesis', path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-THESIS = load_reference()
 
 
 class Case:
@@ -48,13 +37,13 @@ class Case:
 
     def expected(self):
         if self.method == CONSTANT:
-            changed = THESIS.constant(self.initial, self.final, self.threshold / self.unit, self.clip / self.unit)
+            changed = thesis.constant(self.initial, self.final, self.threshold / self.unit, self.clip / self.unit)
         elif self.method == GAUSSIAN:
-            changed = THESIS.gaussian(self.initial, self.final, self.sigmas)
+            changed = thesis.gaussian(self.initial, self.final, self.sigmas)
         else:
             changed = self.initial[0] > 0
         mask = changed.astype(np.uint8) * 255
-        return mask, THESIS.boxes(mask, self.min_blob, self.join)
+        return mask, thesis.boxes(mask, self.min_blob, self.join)
 
 
 def answers(cases):
@@ -146,7 +135,7 @@ class Recordings(unittest.TestCase):
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=60)
             mask = cv2.imread(str(out / 'changes.png'), cv2.IMREAD_UNCHANGED)
             boxes = sorted(found['bbox'] for found in json.loads((out / 'detections.json').read_text())['detections'])
-        (i, unit), (f, _) = THESIS.depths(initial, frames), THESIS.depths(final, frames)
+        (i, unit), (f, _) = thesis.depths(initial, frames), thesis.depths(final, frames)
         for side in (i, f):
             side[side == 65535] = 0  # no measurement to the program, a depth of 65 m to the thesis
         case = Case(CONSTANT if method == 'constant' else GAUSSIAN, i, f, unit=unit, **options)
