@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "tests/camera/scripted_camera.hpp"
+#include "tests/eventually.hpp"
 
 namespace rva {
 namespace {
@@ -28,12 +29,11 @@ class Live : public testing::Test {
   void give(std::uint64_t number) {
     const auto before = live_.newest();
     script_->give(number);
-    while (live_.newest() == before)
-      static_cast<void>(live_.wait_for_other(before.get(), milliseconds(1000)));
+    ASSERT_TRUE(test::eventually([&] { return live_.newest() != before; }));
   }
   void fail(const std::string& problem) {
     script_->fail(problem);
-    while (live_.health().problem.empty()) std::this_thread::sleep_for(milliseconds(1));
+    ASSERT_TRUE(test::eventually([&] { return !live_.health().problem.empty(); }));
   }
 
   std::shared_ptr<test::CameraScript> script_;

@@ -9,12 +9,14 @@
 #include "core/error.hpp"
 #include "sim/simulated_robot.hpp"
 #include "store/sqlite_records.hpp"
+#include "tests/eventually.hpp"
 #include "tests/inspect/waving_camera.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rva {
 namespace {
 
+using test::eventually;
 using testing::HasSubstr;
 
 class Standing : public testing::Test {
@@ -31,8 +33,7 @@ class Standing : public testing::Test {
                                              InspectorOptions{.readiness = {.least_free_gb = 0.0}});
   }
   TaskState wait() {
-    while (inspector_->task().end == TaskEnd::running)
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    EXPECT_TRUE(eventually([&] { return inspector_->task().end != TaskEnd::running; }));
     return inspector_->task();
   }
   TaskState take(std::int64_t id, Side side) {
@@ -112,7 +113,7 @@ TEST_F(Standing, AFinalCaptureThatWasNotComparedIsNotDone) {
   // Somebody does more work, and ends the second look before it is compared.
   plug_->bump_mm = 12;
   inspector_->capture(id, Side::final, "Ann", false);
-  while (inspector_->task().kind == TaskKind::capture) std::this_thread::yield();
+  ASSERT_TRUE(eventually([&] { return inspector_->task().kind != TaskKind::capture; }));
   inspector_->cancel();
   if (wait().end == TaskEnd::cancelled) {
     EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::work);
@@ -257,7 +258,7 @@ TEST_F(Standing, ReadinessNamesWhatIsMissing) {
   ASSERT_TRUE(inspector_->readiness());
   EXPECT_TRUE(inspector_->readiness()->ready());
   plug_->pulled = true;
-  while (camera_.health().problem.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  ASSERT_TRUE(eventually([&] { return !camera_.health().problem.empty(); }));
   inspector_->check_readiness();
   wait();
   EXPECT_FALSE(inspector_->readiness()->ready());
@@ -274,12 +275,13 @@ TEST(WithRobot, AFinalSideForWhichAnotherThingIsSaidIsBegunAnew) {
                       {.frames = 8, .dither = 1, .readiness = {.least_free_gb = 0.0}});
   const auto capture = [&](Side side, bool replaced, std::size_t views) {
     inspector.capture(1, side, "Ann", replaced);
-    while (inspector.task().end == TaskEnd::running) {
+    EXPECT_TRUE(eventually([&] {
+      if (inspector.task().end != TaskEnd::running) return true;
       if (inspector.task().progress.view >= views) inspector.cancel();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+      return false;
+    }));
   };
-  while (!drive.state().joints) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(eventually([&] { return drive.state().joints.has_value(); }));
   ASSERT_EQ(inspector.begin({"", "", "", "Ann"}), 1);
   inspector.set_views(1, {{0, 0}, {5, 0}, {10, 0}});
   EXPECT_THROW(inspector.capture(1, Side::initial, "Ann", true), Error) << "put back since when?";

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "tests/eventually.hpp"
 #include "tests/firmware/pty_board.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -18,6 +19,7 @@ namespace rva {
 namespace {
 
 using test::Board;
+using test::eventually;
 using test::Firmware;
 using test::PtyBoard;
 using test::TemporaryFolder;
@@ -144,10 +146,10 @@ TEST_F(SerialRobotTest, StopsOnItsWay) {
   PtyBoard board = this->board();
   SerialRobot robot(terminal());
   robot.move_to({-90.0, -10.0});
-  while (robot.joints().pan_deg > -10.0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(eventually([&] { return robot.joints().pan_deg <= -10.0; }));
   EXPECT_TRUE(robot.moving());
   robot.stop();
-  while (robot.moving()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(eventually([&] { return !robot.moving(); }));
   EXPECT_GT(robot.joints().pan_deg, -60.0);
 }
 
@@ -156,13 +158,12 @@ TEST_F(SerialRobotTest, IsFoundAgainWhenItWasUnpluggedAndSaysSoMeanwhile) {
   SerialRobot robot(terminal());
   for (int i = 0; i < 2; ++i) {
     board.unplug();
-    while (robot.kind() != RobotKind::unknown) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_TRUE(eventually([&] { return robot.kind() == RobotKind::unknown; }));
     EXPECT_THAT(error_of([&] { (void)robot.joints(); }), HasSubstr("the robot is disconnected"));
     EXPECT_THAT(error_of([&] { robot.move_to({10.0, -10.0}); }), HasSubstr("the robot is disconnected"));
     board.plug_in();
-    while (robot.kind() == RobotKind::unknown) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    while (error_of([&] { (void)robot.joints(); }) != "no error")
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_TRUE(eventually([&] { return robot.kind() != RobotKind::unknown; }));
+    ASSERT_TRUE(eventually([&] { return error_of([&] { (void)robot.joints(); }) == "no error"; }));
     expect_moves(robot, {20.0 - 10.0 * i, -20.0});
   }
 }

@@ -3,11 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "core/clock.hpp"
 #include "server/password.hpp"
+#include "tests/eventually.hpp"
 #include "tests/server/served.hpp"
 
 namespace rva {
@@ -106,7 +104,7 @@ TEST_F(Asked, PicturesAreThoseOfTheListAndNoOtherFile) {
 }
 
 TEST_F(Asked, MeasuresWhatTheCameraSees) {
-  while (!served_.camera.newest()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(test::eventually([&] { return served_.camera.newest() != nullptr; }));
   const Json answer = Json::parse(
       ask("POST", "/api/measure", R"({"stream":"depth","points":[{"u":20,"v":60},{"u":140,"v":60}]})").body);
   EXPECT_NEAR(answer["length_mm"].get<double>(), 800.0 * 120.0 / 212.0, 3.0);

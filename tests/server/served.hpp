@@ -1,13 +1,13 @@
 // Everything that a server stands around, small and quick.
 #pragma once
 
-#include <chrono>
 #include <memory>
-#include <thread>
+#include <stdexcept>
 
 #include "server/server_parts.hpp"
 #include "sim/simulated_robot.hpp"
 #include "store/sqlite_records.hpp"
+#include "tests/eventually.hpp"
 #include "tests/inspect/waving_camera.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -26,7 +26,8 @@ struct Served {
 
   /// The robot has said where it stands.
   Served() {
-    while (!drive.state().joints) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (!eventually([&] { return drive.state().joints.has_value(); }))
+      throw std::runtime_error("the robot has not reported its joint angles");
   }
 
   [[nodiscard]] ServerParts parts() { return {camera, &drive, inspector, sessions, lease, {}}; }
