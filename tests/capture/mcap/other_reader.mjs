@@ -2,7 +2,7 @@
 // both with what is expected.
 //
 // usage: node other_reader.mjs FILE.mcap DEPTH_FRAMES MODULES    MODULES: a folder with @mcap/core and fzstd
-import { readFile } from 'node:fs/promises';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 
@@ -17,7 +17,7 @@ try {
   process.exit(77);
 }
 
-const bytes = new Uint8Array(await readFile(path));
+const bytes = new Uint8Array(readFileSync(path));
 const decompressHandlers = { zstd: (data) => fzstd.decompress(data) };
 
 async function countIndexed() {
