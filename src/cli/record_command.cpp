@@ -78,7 +78,7 @@ void require_lamp(const Camera& camera, const RecordArguments& arguments) {
     throw UsageError("--lamp", printable(arguments.camera) + " has no lamp", "leave it out");
 }
 
-std::unique_ptr<Camera> open_camera(const RecordArguments& arguments) {
+std::unique_ptr<Camera> camera_of(const RecordArguments& arguments) {
   std::unique_ptr<Camera> camera =
       open_camera(arguments.camera, arguments.seed, arguments.recording.options(), arguments.realsense);
   require_lamp(*camera, arguments);
@@ -97,7 +97,7 @@ Recorded record_into_folder(const RecordArguments& arguments) {
     fmt::print(stderr,
                "rva: {} contains an unfinished recording of a program that was killed; keep or remove it\n",
                printable(remains));
-  const std::unique_ptr<Camera> camera = open_camera(arguments);
+  const std::unique_ptr<Camera> camera = camera_of(arguments);
   CaptureWriter writer(out.path(""), camera->info(), extra_fields(camera->info()));
   CountedProgress counted;
   Recorded recorded;
@@ -115,7 +115,7 @@ Recorded record_into_folder(const RecordArguments& arguments) {
 // After a failure of a device, the file has the frames until then.
 Recorded record_into_mcap(const RecordArguments& arguments) {
   require_replaceable(arguments.out, arguments.overwrite);
-  const std::unique_ptr<Camera> camera = open_camera(arguments);
+  const std::unique_ptr<Camera> camera = camera_of(arguments);
   CountedProgress counted;
   Recorded recorded;
   std::exception_ptr failure;
