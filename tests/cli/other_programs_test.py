@@ -71,15 +71,14 @@ class OtherPrograms(program.ProgramTest):
         cloudcompare = shutil.which('CloudCompare') or shutil.which('cloudcompare.CloudCompare')
         if cloudcompare is None:
             self.skipTest('CloudCompare is not installed (apt install cloudcompare)')
-        for to in ('ply', 'pcd'):
-            file = self.export(to)
-            text = self.folder / f'{to}.txt'
-            done = subprocess.run([cloudcompare, '-SILENT', '-AUTO_SAVE', 'OFF', '-O', file, '-C_EXPORT_FMT', 'ASC', '-PREC', '8', '-SEP', 'SPACE',
-                                   '-SAVE_CLOUDS', 'FILE', text], capture_output=True, text=True, timeout=120,
-                                  env={**os.environ, 'QT_QPA_PLATFORM': 'offscreen'})
-            self.assertTrue(text.exists(), done.stdout + done.stderr)
-            values = np.loadtxt(text)
-            self.check_cloud(values[:, :3], values[:, 3:6])
+        # PLY alone: Debian's CloudCompare has no plugin for PCD.
+        file, text = self.export('ply'), self.folder / 'ply.txt'
+        done = subprocess.run([cloudcompare, '-SILENT', '-AUTO_SAVE', 'OFF', '-O', file, '-C_EXPORT_FMT', 'ASC', '-PREC', '8', '-SEP', 'SPACE',
+                               '-SAVE_CLOUDS', 'FILE', text], capture_output=True, text=True, timeout=120,
+                              env={**os.environ, 'QT_QPA_PLATFORM': 'offscreen'})
+        self.assertTrue(text.exists(), done.stdout + done.stderr)
+        values = np.loadtxt(text)
+        self.check_cloud(values[:, :3], values[:, 3:6])
 
     def test_a_public_reader_opens_mcap(self):
         file = self.export('mcap')

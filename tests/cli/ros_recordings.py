@@ -135,16 +135,16 @@ class Ros1:
 
 def write_messages(path, ros, messages):
     """`messages` are (topic, type as ROS 1 has it, seconds, bytes). The ending of the path chooses the format."""
-    path = str(path)
-    if path.endswith('.bag'):
+    ending = path.suffix
+    if ending == '.bag':
         file = bags.Bag(path)
         for topic, kind, time_s, data in messages:
             file.add(topic, kind, time_s, data)
     else:
-        file = db3s.Db3(path) if path.endswith('.db3') else Mcap(path, ros.encoding)
+        file = db3s.Db3(path) if ending == '.db3' else Mcap(path, ros.encoding)
         for topic, kind, time_s, data in messages:
             time_ns = round(1e9 * (1_700_000_000 + time_s))
-            arguments = (time_ns, data, ros.kind(kind)) if path.endswith('.db3') else (ros.kind(kind), time_ns, data)
+            arguments = (time_ns, data, ros.kind(kind)) if ending == '.db3' else (ros.kind(kind), time_ns, data)
             file.add(topic, *arguments)
     file.finish()
     return path

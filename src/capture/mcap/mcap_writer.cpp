@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <type_traits>
 
 #include "capture/mcap/mcap_record.hpp"
 #include "core/error.hpp"
@@ -24,7 +25,7 @@ using Bytes = std::vector<std::byte>;
 constexpr std::size_t chunk_bytes = std::size_t{1} << 20U;
 
 template <typename Number>
-void append(Bytes& bytes, Number value) {
+requires(std::is_integral_v<Number> || std::is_enum_v<Number>) void append(Bytes& bytes, Number value) {
   const auto raw = std::as_bytes(std::span(&value, 1));
   bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
@@ -110,9 +111,9 @@ void McapWriter::write(Id channel, std::uint64_t time_ns, std::span<const std::b
 }
 
 void McapWriter::add_to_chunk(Id channel, std::uint64_t time_ns, std::span<const std::byte> message) {
-  Bytes& index = indices_[channel];
-  range_.first_ns = range_.last_ns == 0 ? time_ns : std::min(range_.first_ns, time_ns);
+  range_.first_ns = indices_.empty() ? time_ns : std::min(range_.first_ns, time_ns);
   range_.last_ns = std::max(range_.last_ns, time_ns);
+  Bytes& index = indices_[channel];
   append(index, time_ns);
   append(index, static_cast<std::uint64_t>(chunk_.size()));
   Bytes content;

@@ -52,8 +52,9 @@ std::optional<Transform> color_from_depth_of_ros(const Recording& recording, con
                                                  const RecordedStream& depth, CaptureInfo& info) {
   if (depth.ros_images.find("aligned_depth_to_color") != std::string::npos) return Transform::Identity();
   try {
-    return transform_between(recording.static_transforms(), frame_of(recording, color),
-                             frame_of(recording, depth));
+    const std::vector<StaticTransform> transforms = recording.static_transforms();
+    if (transforms.empty()) return std::nullopt;  // not even equal names of frames mean anything then
+    return transform_between(transforms, frame_of(recording, color), frame_of(recording, depth));
   } catch (const Error& error) {
     info.notes.push_back(
         fmt::format("the transform between its imagers cannot be read: {}", error.problem()));
