@@ -66,6 +66,23 @@ class Builder {
     }
   }
 
+  // Whether the schema of a channel is known; channels without a schema have the number 0.
+  [[nodiscard]] bool knows_schema_of(std::span<const std::byte> channel) const {
+    const std::uint16_t schema = parse_mcap_channel(channel, source_).schema;
+    return schema == 0 || schemas_.contains(schema);
+  }
+
+  void add_schemas_of(const ChunkLocation& chunk) {
+    const std::vector<std::byte> record = read_mcap_record(file_, chunk.at, source_);
+    const std::vector<std::byte> records =
+        unpack_mcap_chunk(std::span(record).subspan(mcap_head_bytes), source_);
+    RosBytes bytes(records, source_);
+    while (bytes.left() > 0) {
+      const McapRecord inner = take_mcap_record(bytes, source_);
+      if (inner.op == McapOp::schema) add_schema(inner.content);
+    }
+  }
+
   // A chunk without message indices is decompressed instead.
   void add_indexed(const ChunkLocation& chunk) {
     throw_if_interrupted();
@@ -158,15 +175,26 @@ std::optional<McapIndex> from_summary(const OpenFile& file, const std::string& s
   const std::vector<std::byte> summary = read_summary(file, source);
   Builder builder(file, source);
   std::vector<ChunkLocation> chunks;
+  std::vector<McapRecord> channels;
   RosBytes bytes(summary, source);
   while (bytes.left() > 0) {
     const McapRecord record = take_mcap_record(bytes, source);
     if (record.op == McapOp::chunk_index)
       chunks.push_back(parse_chunk_index(record.content, source));
+    else if (record.op == McapOp::channel)
+      channels.push_back(record);
     else
       builder.add(record, 0, 0);
   }
   if (chunks.empty()) return std::nullopt;
+  // Not every recorder repeats schemas in the summary: they precede the first message of their channel.
+  const auto all_known = [&] {
+    return std::ranges::all_of(
+        channels, [&](const McapRecord& channel) { return builder.knows_schema_of(channel.content); });
+  };
+  for (auto chunk = chunks.begin(); chunk != chunks.end() && !all_known(); ++chunk)
+    builder.add_schemas_of(*chunk);
+  for (const McapRecord& channel : channels) builder.add(channel, 0, 0);
   for (const ChunkLocation& chunk : chunks) builder.add_indexed(chunk);
   return builder.take();
 }
