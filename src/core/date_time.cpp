@@ -5,6 +5,7 @@
 #include <array>
 #include <ctime>
 #include <iomanip>
+#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -22,18 +23,17 @@ std::string iso_8601(std::chrono::system_clock::time_point moment) {
 }
 
 std::optional<std::uint64_t> ns_since_1970(const std::string& text) {
+  static const std::regex form(R"((\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d)(?:\.(\d{1,9}))?Z)");
+  std::smatch match;
+  if (!std::regex_match(text, match, form)) return std::nullopt;
   std::tm parts{};
-  std::istringstream rest(text);
-  rest >> std::get_time(&parts, "%Y-%m-%dT%H:%M:%S");
-  double fraction_s = 0.0;
-  if (rest.peek() == '.') rest >> fraction_s;
-  if (!rest || rest.get() != 'Z' || rest.peek() != std::istringstream::traits_type::eof())
-    return std::nullopt;
+  std::istringstream whole(match[1].str());
+  if (!(whole >> std::get_time(&parts, "%Y-%m-%dT%H:%M:%S"))) return std::nullopt;
   const std::time_t since_1970_s = timegm(&parts);
   if (since_1970_s < 0) return std::nullopt;
-  constexpr double ns_per_s = 1e9;
-  return static_cast<std::uint64_t>(since_1970_s) * 1'000'000'000U +
-         static_cast<std::uint64_t>(ns_per_s * fraction_s);
+  std::string nanoseconds = match[2];
+  nanoseconds.resize(9, '0');
+  return static_cast<std::uint64_t>(since_1970_s) * 1'000'000'000U + std::stoul(nanoseconds);
 }
 
 }  // namespace rva
