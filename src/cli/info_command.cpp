@@ -1,19 +1,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "capture/frame_reader.hpp"
+#include "capture/capture_summary.hpp"
 #include "capture/intrinsics_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
-#include "core/interrupt.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "core/units.hpp"
@@ -29,43 +27,6 @@ struct InfoArguments {
   bool json = false;
 };
 
-// What is known only after reading every frame.
-struct FrameSummary {
-  double fill_rate = 0.0;
-  double nearest_m = std::numeric_limits<double>::infinity();
-  double farthest_m = 0.0;
-  std::size_t lost = 0;  // frames, by the camera's counter
-  std::vector<std::string> notes;
-};
-
-FrameSummary read_all_frames(const Capture& capture) {
-  FrameSummary summary;
-  std::size_t measured = 0;
-  std::size_t pixels = 0;
-  std::uint16_t nearest = std::numeric_limits<std::uint16_t>::max();
-  std::uint16_t farthest = 0;
-  for_each_depth_frame(capture, capture.depth_frames(), terminal_progress(), [&](const DepthImage& frame) {
-    pixels += frame.size();
-    for (const std::uint16_t depth : frame.pixels()) {
-      if (depth == no_depth) continue;
-      ++measured;
-      nearest = std::min(nearest, depth);
-      farthest = std::max(farthest, depth);
-    }
-  });
-  for (std::size_t i = 0; i < capture.color_frames(); ++i) {
-    throw_if_interrupted();
-    static_cast<void>(capture.color(i));
-  }
-  summary.lost = lost_frames(capture);
-  summary.notes = capture.info().notes;
-  for (const std::string& note : capture.depth_notes()) summary.notes.push_back(note);
-  summary.fill_rate = static_cast<double>(measured) / static_cast<double>(pixels);
-  summary.nearest_m = measured == 0 ? 0.0 : nearest * capture.info().depth_unit_m;
-  summary.farthest_m = farthest * capture.info().depth_unit_m;
-  return summary;
-}
-
 Json json_of(const Pose& pose) {
   Json json = Json::object();
   if (pose.base) json["base"] = *pose.base;
@@ -77,7 +38,7 @@ Json json_of(const Pose& pose) {
   return json;
 }
 
-Json json_of(const Capture& capture, const FrameSummary& summary) {
+Json json_of(const Capture& capture, const CaptureSummary& summary) {
   const CaptureInfo& info = capture.info();
   Json json{{"format", info.format},
             {"sound", true},
@@ -137,7 +98,7 @@ void print_model(const CameraInfo& camera) {
   for (const auto& [imager, settings] : camera.settings) print_settings(imager, settings);
 }
 
-void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
+void print_for_a_person(const Capture& capture, const CaptureSummary& summary) {
   const CaptureInfo& info = capture.info();
   print("format   {}\n", info.format);
   print_camera("depth", capture.depth_frames(), info.depth);
@@ -158,7 +119,7 @@ void print_for_a_person(const Capture& capture, const FrameSummary& summary) {
 
 void show(const InfoArguments& arguments) {
   const auto capture = open_capture(arguments.capture, arguments.captures.options());
-  const FrameSummary summary = read_all_frames(*capture);
+  const CaptureSummary summary = summarize(*capture, terminal_progress());
   if (arguments.json) {
     print("{}\n", json_text(json_of(*capture, summary), 1));
   } else {
