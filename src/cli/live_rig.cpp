@@ -15,7 +15,6 @@
 #include "core/path_text.hpp"
 #include "scene/file/scene_file.hpp"
 #include "sim/simulated_bay.hpp"
-#include "sim/simulated_robot.hpp"
 
 namespace rva::cli {
 namespace {
@@ -48,25 +47,18 @@ LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::
   if (is_device(camera)) {
     require_real_robot(robot);
     rig.camera = open_camera(camera, seed, {}, realsense);
-    if (robot != "none") rig.robot = open_serial_robot(robot);
+    rig.robot = open_robot(robot, steady_clock(), seed).robot;
     return rig;
   }
   const SimulatedView view = parse_simulated_view(camera);
   Scene before = load_scene(view.scene, {.no_debris = true});
   Scene after = load_scene(view.scene);
   const bool work = has_changes(after);
-  std::function<PanTilt()> joints;
-  if (robot == "sim") {
-    auto simulation = std::make_unique<SimulatedRobot>(servos_as_built(), steady_clock().now_s, seed);
-    simulation->move_to({after.stand.pan_deg, after.stand.tilt_deg});
-    joints = [&truth = *simulation] { return truth.true_joints(); };
-    rig.robot = std::move(simulation);
-  } else if (robot != "none") {
-    rig.robot = open_serial_robot(robot);
-    joints = [&said = *rig.robot] { return said.joints(); };
-  }
-  if (!view.joints.empty()) joints = [file = view.joints] { return read_joints(file); };
-  auto bay = std::make_unique<SimulatedBay>(std::move(before), std::move(after), seed, joints);
+  OpenRobot opened = open_robot(robot, steady_clock(), seed);
+  if (robot == "sim") opened.robot->move_to({after.stand.pan_deg, after.stand.tilt_deg});
+  rig.robot = std::move(opened.robot);
+  auto bay = std::make_unique<SimulatedBay>(std::move(before), std::move(after), seed,
+                                            joints_of(view, std::move(opened.joints)));
   if (work) rig.simulated_work = [&bay = *bay](bool done) { bay.set_work_done(done); };
   rig.camera = std::move(bay);
   return rig;

@@ -1,6 +1,5 @@
 #include "cli/rig_uri.hpp"
 
-#include <functional>
 #include <utility>
 
 #include "cli/camera_uri.hpp"
@@ -9,42 +8,34 @@
 #include "core/error.hpp"
 #include "scene/file/scene_file.hpp"
 #include "sim/simulated_camera.hpp"
-#include "sim/simulated_robot.hpp"
 
 namespace rva::cli {
 namespace {
 
-std::unique_ptr<Robot> open_robot(const std::string& uri) {
+void require_robot(const std::string& uri) {
   if (uri == "none") throw UsageError("--robot", "none cannot turn the camera", "give sim or serial:DEVICE");
-  return open_serial_robot(uri);
 }
 
 }  // namespace
 
 OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint64_t seed,
                  const RealSenseOptions& realsense) {
+  OpenRig rig;
+  rig.clock = robot == "sim" ? unhurried_clock() : steady_clock();
   if (is_device(camera)) {
     require_real_robot(robot);
-    std::unique_ptr<Robot> real = open_robot(robot);
-    return {std::move(real), open_camera(camera, seed, {}, realsense), steady_clock()};
+    require_robot(robot);
+    rig.robot = open_robot(robot, rig.clock, seed).robot;
+    rig.camera = open_camera(camera, seed, {}, realsense);
+    return rig;
   }
   const SimulatedView view = parse_simulated_view(camera);
   Scene scene = load_scene(view.scene);
-  OpenRig rig;
-  std::function<PanTilt()> joints;
-  if (robot == "sim") {
-    rig.clock = unhurried_clock();
-    auto simulation = std::make_unique<SimulatedRobot>(servos_as_built(), rig.clock.now_s, seed);
-    joints = [&truth = *simulation] { return truth.true_joints(); };
-    rig.robot = std::move(simulation);
-  } else {
-    rig.clock = steady_clock();
-    rig.robot = open_robot(robot);
-    joints = [&said = *rig.robot] { return said.joints(); };
-  }
-  if (!view.joints.empty()) joints = [file = view.joints] { return read_joints(file); };
+  require_robot(robot);
+  OpenRobot opened = open_robot(robot, rig.clock, seed);
+  rig.robot = std::move(opened.robot);
   rig.camera = std::make_unique<SimulatedCamera>(std::move(scene), StereoSensorOptions{}, seed,
-                                                 ColorFrames::all, std::move(joints));
+                                                 ColorFrames::all, joints_of(view, std::move(opened.joints)));
   return rig;
 }
 

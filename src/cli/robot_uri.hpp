@@ -1,21 +1,32 @@
-// Opens robots by name, serial:DEVICE, and states how a simulated one is built.
+// Opens robots by name: sim, serial:DEVICE, none.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "core/clock.hpp"
+#include "geometry/pan_tilt.hpp"
 #include "robot/robot.hpp"
-#include "sim/simulated_robot.hpp"
 
 namespace rva::cli {
 
+/// A robot, and the angles that a simulated camera on it follows.
+struct OpenRobot {
+  std::unique_ptr<Robot> robot;  ///< null for none
+  /// The true angles of a simulated robot, the reported ones of another; empty for none.
+  std::function<PanTilt()> joints;
+};
+
+/// @param uri   sim: a robot whose servos, like real ones, rest anywhere within the step that they report;
+///              serial:DEVICE; none
+/// @param clock by which a simulated robot moves
+/// @param seed  of a simulated robot's errors
 /// @throws UsageError for a URI of another form; Error when the device cannot be opened or is not a robot
-[[nodiscard]] std::unique_ptr<Robot> open_serial_robot(const std::string& uri);
+[[nodiscard]] OpenRobot open_robot(const std::string& uri, const Clock& clock, std::uint64_t seed);
 
 /// @throws UsageError for a simulated robot: it cannot turn a real camera
 void require_real_robot(const std::string& uri);
-
-/// Options of a simulated robot whose servos, like real ones, rest anywhere within the step that they report.
-[[nodiscard]] SimulatedRobotOptions servos_as_built();
 
 }  // namespace rva::cli

@@ -14,8 +14,6 @@ namespace {
 constexpr std::string_view simulated = "sim:";
 constexpr std::string_view joints_file = ",joints=";
 
-}  // namespace
-
 PanTilt read_joints(const std::string& path) {
   std::istringstream text(read_text_file(path));
   PanTilt joints;
@@ -25,6 +23,8 @@ PanTilt read_joints(const std::string& path) {
     return joints;
   throw Error(printable(path), "does not contain two angles", "write pan and tilt in degrees into it");
 }
+
+}  // namespace
 
 SimulatedView parse_simulated_view(const std::string& camera) {
   if (!camera.starts_with(simulated) || camera.size() == simulated.size())
@@ -36,6 +36,11 @@ SimulatedView parse_simulated_view(const std::string& camera) {
     throw UsageError(printable(camera), "does not name a file of joint angles", "give sim:SCENE,joints=FILE");
   return {camera.substr(simulated.size(), joints - simulated.size()),
           camera.substr(joints + joints_file.size())};
+}
+
+std::function<PanTilt()> joints_of(const SimulatedView& view, std::function<PanTilt()> robot_joints) {
+  if (view.joints.empty()) return robot_joints;
+  return [file = view.joints] { return read_joints(file); };
 }
 
 }  // namespace rva::cli

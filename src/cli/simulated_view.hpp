@@ -1,6 +1,7 @@
 // Parses sim:SCENE and sim:SCENE,joints=FILE, the URIs of a simulated camera on a robot.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "geometry/pan_tilt.hpp"
@@ -15,8 +16,10 @@ struct SimulatedView {
 /// @throws UsageError for a URI of another form
 [[nodiscard]] SimulatedView parse_simulated_view(const std::string& camera);
 
-/// Reads the angles from a file that another program writes: `<pan_deg> <tilt_deg>`.
-/// @throws Error when it cannot be read, or does not contain two angles within 180 degrees
-[[nodiscard]] PanTilt read_joints(const std::string& path);
+/// The angles that a simulated camera follows: those of the view's file, which another program writes
+/// (`<pan_deg> <tilt_deg>`), or else those of the robot. A call throws Error when the file cannot be read, or
+/// does not contain two angles within 180 degrees.
+[[nodiscard]] std::function<PanTilt()> joints_of(const SimulatedView& view,
+                                                 std::function<PanTilt()> robot_joints);
 
 }  // namespace rva::cli
