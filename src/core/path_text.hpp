@@ -10,7 +10,7 @@ namespace rva {
 /// True when the bytes are well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates).
 [[nodiscard]] bool is_utf8(std::string_view bytes);
 
-/// The path for a message: control characters and bytes that are not UTF-8 appear as \xNN, so that the line
+/// The path for a message: control characters and bytes that are not UTF-8 appear as `\xNN`, so that the line
 /// stays one line and a terminal can show it.
 [[nodiscard]] std::string printable(const std::filesystem::path& path);
 

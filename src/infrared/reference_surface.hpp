@@ -28,8 +28,9 @@ struct ReferenceSurface {
 /// Projects single pixels of the reference into another view.
 class ViewOfSurface {
  public:
-  /// @param camera of the view, without lens distortion; the reference's own where it is not given
+  /// A view of the same camera as the reference's.
   ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference);
+  /// @param camera of the view, without lens distortion
   ViewOfSurface(const ReferenceSurface& surface, const Transform& view_from_reference,
                 const Intrinsics& camera);
 
@@ -84,8 +85,9 @@ class ViewOfSurface {
 /// Maps every pixel of the reference to another view.
 class Warp {
  public:
-  /// @param camera as for ViewOfSurface
+  /// To a view of the same camera as the reference's.
   Warp(const ReferenceSurface& surface, const Transform& view_from_reference);
+  /// @param camera as for ViewOfSurface
   Warp(const ReferenceSurface& surface, const Transform& view_from_reference, const Intrinsics& camera);
 
   /// Warps an image of the view to the reference, by cubic interpolation; 0 outside the view.

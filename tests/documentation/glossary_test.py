@@ -13,8 +13,8 @@ SECTION = '## Words that are not used\n'
 PAGES = ('README.md', 'CONTRIBUTING.md', 'CMakeLists.txt')
 FOLDERS = ('bench', 'console/schema', 'console/src', 'console/tests', 'data', 'docs', 'examples', 'firmware',
            'script', 'src', 'tests')
-SUFFIXES = ('.cpp', '.css', '.h', '.hpp', '.ino', '.json', '.md', '.mjs', '.py', '.ts', '.tsx', '.txt', '.yaml',
-            '')
+SUFFIXES = ('.cpp', '.css', '.dox', '.h', '.hpp', '.ino', '.json', '.md', '.mjs', '.py', '.ts', '.tsx', '.txt',
+            '.yaml', '')
 # A space of an expression stands for all that separates words: also the end of a line of a comment or of a
 # part of a string, an underscore, and a capital letter within an identifier.
 BETWEEN_WORDS = r'(?:\s*"?\s+(?:(?:///?|#|\*|")\s*)?|_|(?-i:(?<=[a-z0-9])(?=[A-Z])))'

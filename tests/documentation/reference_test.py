@@ -1,0 +1,50 @@
+"""The comments of the headers fit the code: Doxygen reports nothing, and each folder with headers has a description.
+
+usage: reference_test.py REPOSITORY
+Exits with status 77 where Doxygen is missing.
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv[1])
+SKIPPED = 77
+
+
+def warnings(*settings):
+    """What Doxygen reports with the settings of docs/Doxyfile and these."""
+    with tempfile.TemporaryDirectory() as folder:
+        configuration = [(ROOT / 'docs' / 'Doxyfile').read_text(), f'OUTPUT_DIRECTORY = "{folder}"', *settings]
+        run = subprocess.run(['doxygen', '-'], cwd=ROOT, input='\n'.join(configuration), capture_output=True,
+                             text=True, timeout=300)
+    if run.returncode:
+        raise RuntimeError(f'doxygen ended with status {run.returncode}: {run.stderr}')
+    return run.stderr.splitlines()
+
+
+class Reference(unittest.TestCase):
+    def test_comments_fit_the_code(self):
+        self.assertEqual(warnings(), [])
+
+    def test_wrong_comments_are_reported(self):
+        with tempfile.TemporaryDirectory() as folder:
+            header = pathlib.Path(folder) / 'wrong.hpp'
+            header.write_text('// A file.\n#pragma once\n\n/// Doubles.\n/// @param number a number\nint twice(int x);\n')
+            found = '\n'.join(warnings(f'INPUT = "{folder}"'))
+        self.assertRegex(found, "wrong.hpp:.*argument 'number' of command @param")
+
+    def test_each_folder_has_a_description(self):
+        described = re.findall(r'^/\*\* @dir (\S+)$', (ROOT / 'docs' / 'reference.dox').read_text(), re.MULTILINE)
+        folders = {path.parent.relative_to(ROOT / 'src').as_posix() for path in (ROOT / 'src').rglob('*.hpp')}
+        self.assertEqual(sorted(described), sorted(folders))
+
+
+if __name__ == '__main__':
+    if not shutil.which('doxygen'):
+        print('reference_test: Doxygen is missing; script/bootstrap --all installs it')
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1], verbosity=2)
