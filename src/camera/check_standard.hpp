@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// Options of the comparison of a camera with its own history.
 struct CheckStandardOptions {
   int least_checks = 5;
   double false_alarm = 0.01;
@@ -52,6 +53,7 @@ struct CheckedQuantity {
   bool fit = true;
 };
 
+/// A camera compared with its own earlier checks.
 struct CameraJudgement {
   std::size_t earlier = 0;  ///< number of earlier checks that were fit
   bool known = false;       ///< whether there were enough of them to judge by

@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// Options of the measurement of a camera's noise.
 struct NoiseOptions {
   int frames = 0;
   int welch_frames = 10;
@@ -41,6 +42,7 @@ struct NoiseBin {
   std::optional<double> subpixel_rms_px;  ///< disparity noise, where the baseline is known
 };
 
+/// The noise of a camera, summarised over its pixels.
 struct NoiseReport {
   std::size_t frames = 0;
   double fill_rate = 0.0;  ///< share of all pixels of all frames that have a measurement
@@ -53,6 +55,7 @@ struct NoiseReport {
   double welch_rejected = 0.0;
 };
 
+/// The noise of a camera, for each pixel and summarised.
 struct Noise {
   Image<float> std_mm;   ///< population standard deviation along z; NaN where fewer than two measurements
   Image<float> welch_p;  ///< p-value; NaN where untested (fewer than two measurements at either end)

@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// Options of the replay of a capture as a camera.
 struct ReplayOptions {
   double rate_hz = 30.0;
   bool paced = true;

@@ -8,6 +8,7 @@
 
 namespace rva::cli {
 
+/// The arguments of `rva noise --camera` that compare a camera with its history.
 struct CameraCheckArguments {
   std::size_t frames = 60;
   std::string history;  ///< folder; empty: the user's own

@@ -8,6 +8,7 @@
 
 namespace rva::cli {
 
+/// The scene and the pan and tilt of a simulated camera.
 struct SimulatedView {
   std::string scene;
   std::string joints;  ///< file with the angles; empty if there is none

@@ -19,6 +19,7 @@ namespace rva {
 template <typename Pixel, typename Meaning = Pixel>
 class Image {
  public:
+  /// The type of a pixel.
   using Value = Pixel;
 
   Image() = default;
@@ -93,12 +94,14 @@ template <typename Level, typename Meaning>
 /// Numbers of objects, as the scene counts them; 0 for none.
 using LabelImage = Image<std::uint16_t, struct ObjectLabel>;
 
+/// A colour, 0 to 255 for each component.
 struct Rgb {
   std::uint8_t r = 0;
   std::uint8_t g = 0;
   std::uint8_t b = 0;
   bool operator==(const Rgb&) const = default;
 };
+/// Colour of each pixel.
 using ColorImage = Image<Rgb>;
 
 }  // namespace rva

@@ -9,14 +9,17 @@ namespace rva {
 
 template <typename Pixel>
 struct MatType;
+/// OpenCV's type of one channel of this type.
 template <>
 struct MatType<std::uint8_t> {
   static constexpr int value = CV_8UC1;
 };
+/// OpenCV's type of one channel of this type.
 template <>
 struct MatType<std::uint16_t> {
   static constexpr int value = CV_16UC1;
 };
+/// OpenCV's type of one channel of this type.
 template <>
 struct MatType<float> {
   static constexpr int value = CV_32FC1;

@@ -17,6 +17,7 @@
 
 namespace rva {
 
+/// Options of detect(), for every method.
 struct DetectOptions {
   DetectionMethod method = DetectionMethod::automatic;
   StaticDetectionOptions static_camera;  ///< method is ignored; false findings and regions apply to all
@@ -28,6 +29,7 @@ struct DetectOptions {
   }
 };
 
+/// The result of detect() with the registration of the two sides.
 struct SidesDetection {
   Detection detection;  ///< in the view of the first final capture
   /// Registration of the first captures of either side; empty if they were not registered.

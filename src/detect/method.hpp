@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// The methods of detection (docs/detection.md).
 enum class DetectionMethod {
   automatic,   ///< calibrated if the camera stood still, spatial if it moved
   constant,    ///< static camera: algorithm 2 of the thesis

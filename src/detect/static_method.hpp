@@ -17,6 +17,7 @@
 
 namespace rva {
 
+/// Options of the static methods.
 struct StaticDetectionOptions {
   DetectionMethod method = DetectionMethod::calibrated;  ///< one with a static_method()
   FrameOptions use;
@@ -44,6 +45,7 @@ struct StaticSides {
   bool losses_count = true;
 };
 
+/// The result of a static method, before regions are formed.
 struct StaticComparison {
   Comparison comparison;
   std::optional<LevelOfDetection> level_of_detection{};  ///< of methods that estimate it

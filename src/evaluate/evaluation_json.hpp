@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// A study of static cameras with its conditions, as it is written to a file.
 struct Evaluation {
   std::string scene;    ///< the scene file; empty for random wings
   std::string cameras;  ///< the camera models, as camera_of_each() takes them

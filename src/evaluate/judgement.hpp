@@ -47,6 +47,7 @@ struct OtherChanges {
 void count_shown(const DepthStatistics& without, const DepthStatistics& with, const StereoScale& stereo,
                  std::vector<Target>& targets);
 
+/// Findings compared with the truth.
 struct Judgement {
   std::vector<bool> found;  ///< for each target
   std::size_t false_findings = 0;

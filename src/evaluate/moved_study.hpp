@@ -16,6 +16,7 @@
 
 namespace rva {
 
+/// Options of a study of cameras that were moved.
 struct MovedStudyOptions {
   CameraReturn how = CameraReturn::elsewhere;
   int inspections = 20;
@@ -57,6 +58,7 @@ struct MovedResult {
   std::vector<bool> found;            ///< of each target; none where the registration was not trusted
 };
 
+/// One simulated inspection of a moved camera and its results.
 struct MovedInspection {
   std::uint64_t seed = 0;
   double move_m = 0.0;

@@ -23,6 +23,7 @@ struct RecordedResult {
   std::optional<double> error_deg{};
 };
 
+/// A recorded scene and the results of its comparisons.
 struct RecordedInspection {
   RecordedScene scene;
   std::vector<RecordedResult> results;

@@ -15,6 +15,7 @@
 
 namespace rva {
 
+/// The captures of a simulated robot on one side.
 struct RobotSide {
   std::vector<std::filesystem::path> captures;
   std::vector<PanTilt> rested;  ///< where the joints really were, which no capture states
@@ -26,6 +27,7 @@ struct RobotSide {
 /// How far from the step that it reports a servo may come to rest: as far as it does not notice.
 inline constexpr double half_a_step_deg = 0.16;
 
+/// Options of the captures of a simulated robot on one side.
 struct RobotSideOptions {
   int captures = 4;                    ///< dithered, above 0
   int frames = 10;                     ///< of each capture, above 0

@@ -26,6 +26,7 @@ struct Detector {
 /// Each method at the settings that a user would consider.
 [[nodiscard]] std::vector<Detector> detectors_to_compare();
 
+/// Options of a study of cameras that stood still.
 struct StudyOptions {
   int inspections = 20;
   std::uint64_t first_seed = 1;
@@ -53,6 +54,7 @@ struct Result {
   std::vector<bool> found_when_clean;  ///< the same for the findings where nothing changed: hits by chance
 };
 
+/// One simulated inspection of a static camera and its results.
 struct SimulatedInspection {
   std::uint64_t seed = 0;
   std::vector<Target> targets;

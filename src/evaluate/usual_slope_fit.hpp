@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// The fit of the prior slope to unchanged images.
 struct UsualSlopeFit {
   UsualSlope most_probable;
   Interval slope;          ///< interval of UsualSlope::slope, per deviation

@@ -23,6 +23,7 @@ struct InspectionOrder {
   std::string person;
 };
 
+/// A side of an inspection.
 enum class Side {
   initial,  ///< before the work: the baseline
   final,    ///< after the work
@@ -65,6 +66,7 @@ inline constexpr auto enum_names<Verdict> = std::to_array<EnumName<Verdict>>({
     {Verdict::second_look, "second-look"},
 });
 
+/// A person's decision on a finding.
 struct Decision {
   Verdict verdict = Verdict::second_look;
   std::string note;

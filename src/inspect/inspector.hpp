@@ -16,6 +16,7 @@
 
 namespace rva {
 
+/// Options of an inspector's captures and checks.
 struct InspectorOptions {
   int frames = 80;
   int dither = 8;

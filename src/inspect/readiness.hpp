@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// Options of the check before a capture.
 struct ReadinessOptions {
   int frames = 30;
   double least_rate_hz = 2.0;
@@ -34,12 +35,14 @@ struct ReadinessOptions {
   }
 };
 
+/// One aspect of the check before a capture.
 struct ReadinessItem {
   std::string name;  ///< "Camera", "Depth", "Warm-up", "Robot", "Disk"
   bool ready = false;
   std::string says;  ///< sentences for the user: what was measured and, if it is not enough, what to do
 };
 
+/// The result of the check before a capture.
 struct Readiness {
   std::vector<ReadinessItem> items;
   std::string checked_at;  ///< ISO 8601

@@ -41,6 +41,7 @@ struct CaptureEvents {
   std::function<void(const std::string& why)> waiting;   ///< for a device that is away; empty when it is back
 };
 
+/// The captures to be taken of one side.
 struct SideCapture {
   /// One for each capture, those of a view one after the other; one, of any angles, where there is no robot.
   std::vector<PanTilt> waypoints;

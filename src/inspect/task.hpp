@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// What a task does.
 enum class TaskKind {
   readiness,
   capture,
@@ -27,6 +28,7 @@ inline constexpr auto enum_names<TaskKind> = std::to_array<EnumName<TaskKind>>({
     {TaskKind::comparison, "comparison"},
 });
 
+/// Whether a task is running, or how it ended.
 enum class TaskEnd {
   running,
   done,
@@ -41,6 +43,7 @@ inline constexpr auto enum_names<TaskEnd> = std::to_array<EnumName<TaskEnd>>({
     {TaskEnd::failed, "failed"},
 });
 
+/// The state of the running task, or of the last one.
 struct TaskState {
   std::uint64_t number = 0;  ///< from 1, in the order of the tasks since the program started; 0: none yet
   TaskKind kind = TaskKind::readiness;

@@ -17,6 +17,7 @@ namespace rva {
 /// task is to start.
 class TaskRunner {
  public:
+  /// What a task does, on its own thread.
   using Work = std::function<void()>;
 
   TaskRunner() = default;

@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// The result of the comparison of all views of an inspection.
 struct Compared {
   std::vector<ComparedView> views;
   std::vector<ReviewedFinding> findings;  ///< of all views, most suspicious first

@@ -37,12 +37,14 @@ struct CalibratedNumber {
   bool held = true;        ///< false when the views hardly constrain it
 };
 
+/// A view's residuals before and after the calibration.
 struct CalibratedView {
   PanTilt joint_error;   ///< estimated error of the servos at this view
   ViewResiduals before;  ///< with the geometry that was given
   ViewResiduals after;
 };
 
+/// The result of a calibration of the robot's geometry.
 struct Calibration {
   PanTiltChain chain;
   std::vector<CalibratedNumber> numbers;

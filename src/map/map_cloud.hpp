@@ -11,6 +11,7 @@
 
 namespace rva {
 
+/// Options of the joining of all views of a map into one cloud.
 struct MapCloudOptions {
   double voxel_mm = 3.0;
   double near_m = 0.15;
@@ -28,6 +29,7 @@ struct MapCloudOptions {
 /// @throws UsageError when an option is out of range, or near_m is not less than far_m
 void check_map_cloud_options(const MapCloudOptions& options);
 
+/// A point of a map's cloud, which stands for the measurements in one voxel.
 struct MapPoint {
   Eigen::Vector3f position_m;  ///< in the foot's frame
   Rgb color;                   ///< grey where no view has one

@@ -10,6 +10,7 @@
 
 namespace rva {
 
+/// The colour image of a view, with its camera.
 struct ViewColor {
   ColorImage image;
   Intrinsics camera;

@@ -28,6 +28,7 @@ struct RefinementOptions {
   }
 };
 
+/// A view's pose after refinement, and how reliable it is.
 struct RefinedPose {
   Transform foot_from_camera = Transform::Identity();
   /// The correction of the pose according to the views; it is not applied when there is a doubt.

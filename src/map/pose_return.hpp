@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// Options of the return to a baseline's pose.
 struct PoseReturnOptions {
   int approaches = 1;
   double within_deg = 0.05;

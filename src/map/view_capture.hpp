@@ -22,6 +22,7 @@ struct Baseline {
   OnApproach on_approach{};  ///< may be empty
 };
 
+/// Options of the captures of a map's views.
 struct ViewCaptureOptions {
   std::size_t frames = 10;             ///< depth frames of each view
   std::size_t settling = 2;            ///< frames dropped before them, while the robot comes to rest

@@ -14,6 +14,7 @@ namespace rva {
 /// folder. The destructor keeps the captures, so that a later run can resume, and removes empty folders.
 class ViewFolder {
  public:
+  /// What happens with the views of an earlier map.
   enum class Start {
     anew,     ///< refuses folders that contain views
     resume,   ///< adds to the existing views; to those in VIEWS.next, if any

@@ -14,6 +14,7 @@
 
 namespace rva {
 
+/// Options of manual driving.
 struct DriveOptions {
   double speed_deg_s = 30.0;
   int silence_ms = 250;
@@ -34,6 +35,7 @@ struct Deflection {
   bool operator==(const Deflection&) const = default;
 };
 
+/// The state of manual driving, for display.
 struct DriveState {
   std::optional<PanTilt> joints;  ///< as last reported by the servos; empty while they do not answer
   std::string problem;            ///< why there are no joints, or why the robot did not move; for the user

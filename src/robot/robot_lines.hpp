@@ -20,6 +20,7 @@ namespace rva {
 /// The body of MOVE: angles in degrees with two decimals.
 [[nodiscard]] std::string move_body(const PanTilt& target);
 
+/// The line with which the robot states its protocol and limits.
 struct ReadyLine {
   int protocol = 0;
   std::string firmware;
@@ -32,17 +33,20 @@ struct AnswerLine {
   std::string refusal;  ///< empty for ACK
 };
 
+/// A joint's angle as the robot measured it.
 struct JointPosition {
   double deg = 0.0;
   double age_s = 0.0;  ///< time since the measurement, when the robot sent it
 };
 
+/// The robot's report of its joints. A joint is empty where its servo gave no position.
 struct PositionsLine {
   std::optional<JointPosition> pan;
   std::optional<JointPosition> tilt;
   std::string state;  ///< START, HOLD, MOVE, LOST, FAULT
 };
 
+/// The state of one axis: the name of the axis and the rest of the line.
 struct StatusLine {
   std::string axis;  ///< PAN or TILT
   std::string rest;
@@ -53,6 +57,7 @@ struct BarePositionsLine {
   PanTilt joints;
 };
 
+/// A line from the robot that was understood.
 using RobotLine = std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, BarePositionsLine>;
 
 /// Parses a line, strictly as docs/protocol.md defines it. Lines are rejected if they state limits beyond

@@ -22,6 +22,7 @@ struct Part {
   Material material;
 };
 
+/// Why an object is in the scene.
 enum class Role {
   structure,
   debris,
@@ -36,6 +37,7 @@ inline constexpr auto enum_names<Role> = std::to_array<EnumName<Role>>({
     {Role::room, "room"},
 });
 
+/// An object of a scene, in one or several materials.
 struct SceneObject {
   std::string name;  ///< unique in its scene: "rib-1", "collar-0.27-2"
   std::string kind;  ///< "rib", "stringer", "collar-0.27"
@@ -50,6 +52,7 @@ struct Lamp {
   double strength = 1.0;  ///< irradiance at one metre, relative to the projector's mean at one metre
 };
 
+/// Light in a scene besides the projector of the camera.
 struct Lighting {
   double ambient = 0.0;  ///< infrared light from all around, relative to the projector's mean at one metre
   double visible = 1.0;  ///< room light for the colour imager: 0 is a closed, dark wing, 1 a lit one
@@ -66,6 +69,7 @@ struct CameraStand {
   double tilt_deg = -18.0;  ///< negative looks down
 };
 
+/// A simulated scene in metres, in the world frame.
 struct Scene {
   std::string name;
   std::vector<SceneObject> objects;

@@ -6,6 +6,7 @@
 
 namespace rva {
 
+/// The kinds of traces, with their sizes.
 enum class TraceKind {
   dust,         ///< a speckled patch of the size of a hand
   smear,        ///< from a rag: a stripe of 100 mm by 16 mm

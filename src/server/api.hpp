@@ -14,6 +14,7 @@
 
 namespace rva {
 
+/// A request of the console, independent of HTTP.
 struct ApiRequest {
   std::string method;  ///< "GET", "POST", "PUT"
   std::string path;    ///< "/api/...", without the query
@@ -23,6 +24,7 @@ struct ApiRequest {
   std::string from;    ///< address of the client
 };
 
+/// The answer to a request: an HTTP status and the body of that content type.
 struct ApiResponse {
   int status = 200;
   std::string content_type = "application/json";

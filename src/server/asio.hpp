@@ -32,7 +32,9 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
+/// TCP in Boost.Asio.
 using tcp = asio::ip::tcp;
+/// An error code of Boost.Asio.
 using ErrorCode = boost::system::error_code;
 
 /// Completion token with which co_await stores an error in `failure` instead of throwing it.

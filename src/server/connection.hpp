@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// An open connection and how to close it.
 struct OpenConnection {
   bool idle = true;  ///< no complete request has arrived since the last response
   std::function<void()> close;

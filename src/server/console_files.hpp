@@ -7,6 +7,7 @@
 
 namespace rva {
 
+/// A file of the console as the server sends it.
 struct ConsoleFile {
   std::string content_type;
   std::string bytes;

@@ -25,6 +25,7 @@ class ProtocolError : public std::exception {
   std::string reason_;
 };
 
+/// A message of a WebSocket.
 struct Message {
   bool binary = false;
   std::string bytes;

@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// The conditions under which an HTTP request is answered.
 struct HttpCaller {
   const Api& api;
   const ConsoleFiles& files;

@@ -10,6 +10,7 @@
 
 namespace rva {
 
+/// JSON whose keys keep the order in which they were added.
 using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json json_of(const PanTilt& joints);

@@ -16,6 +16,7 @@ class Lease {
   static constexpr double idle_limit_s = 60.0;
   static constexpr double gone_limit_s = 10.0;
 
+  /// The client that has the controls.
   struct Holder {
     std::string client;  ///< secret id of the client
     std::string name;    ///< for display

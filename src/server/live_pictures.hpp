@@ -20,6 +20,7 @@
 
 namespace rva {
 
+/// The streams that the console displays.
 enum class Stream { color, depth, infrared };
 template <>
 inline constexpr auto enum_names<Stream> = std::to_array<EnumName<Stream>>({
@@ -43,6 +44,7 @@ struct LivePicture {
 /// encoded. Every member may be called from any thread.
 class LivePictures {
  public:
+  /// Is called with each picture.
   using Listener = std::function<void(std::shared_ptr<const LivePicture>)>;
 
   /// @param listener called with each picture, on the thread that encodes: it must be quick

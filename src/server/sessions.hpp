@@ -33,7 +33,9 @@ class Sessions {
 
   explicit Sessions(const Accounts& accounts) : accounts_(accounts) {}
 
+  /// Why a sign-in succeeded or failed.
   enum class Answer { signed_in, wrong, too_many };
+  /// The result of an attempt to sign in.
   struct SignIn {
     Answer answer = Answer::wrong;
     std::string token;  ///< only if signed in

@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// Options of the web server.
 struct ServerOptions {
   std::string address = "127.0.0.1";  ///< to listen on; "0.0.0.0" or "::" for all interfaces
   int port = 8080;                    ///< 0: any free port

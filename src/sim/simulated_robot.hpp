@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// Options of the simulated robot.
 struct SimulatedRobotOptions {
   double speed_deg_s = 90.0;
   double backlash_deg = 0.3;

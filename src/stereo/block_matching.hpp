@@ -11,6 +11,7 @@ namespace rva {
 /// Image of one imager: 10 bits, 0 to 1023, with rows aligned to those of the other imager.
 using InfraredImage = Image<std::uint16_t, struct ImagerCounts>;
 
+/// Settings of block matching with census costs.
 struct BlockMatchingOptions {
   int search_px = 126;        ///< largest disparity, which determines the least distance
   int window_px = 9;          ///< costs are summed over a square of this edge, odd

@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// Settings of block matching with correlation costs.
 struct CorrelationOptions {
   int window_px = 9;         ///< edge of the square, odd, at most 13
   int mean_px = 15;          ///< edge of the square whose mean is subtracted from each pixel first, odd

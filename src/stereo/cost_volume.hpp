@@ -37,6 +37,7 @@ class CostVolume {
   std::vector<std::uint16_t> costs_;
 };
 
+/// Settings of the selection of each pixel's disparity from its costs.
 struct WinnerOptions {
   int search_px = 126;  ///< largest disparity, below cost_lanes - 1
   /// The best cost must be lower than any other (apart from its neighbours) by this share.

@@ -83,6 +83,7 @@ struct Minimum {
 };
 [[nodiscard]] Minimum minimum_of(std::span<const float> costs);
 
+/// Settings of space-time stereo: a coarse sweep of disparities, then a fine one about its result.
 struct SpaceTimeOptions {
   SweepOptions coarse{.window_px = 5, .range_px = 4.0, .step_px = 0.5};
   SweepOptions fine{.window_px = 5, .range_px = 1.0, .step_px = 0.25};

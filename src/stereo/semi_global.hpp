@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// Settings of semi-global matching.
 struct SemiGlobalOptions {
   int census_threshold = 20;  ///< as in BlockMatchingOptions
   int small_step = 2;         ///< penalty if a disparity differs by one from that of its neighbour

@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// Settings of the refinement of disparities between whole pixels.
 struct SubpixelOptions {
   int window_px = 11;        ///< edge of the fitted square, odd, at most 11; weights decrease towards it
   int steps = 3;             ///< number of Gauss-Newton steps

@@ -17,6 +17,7 @@ struct WindowWeights {
   static constexpr int lanes = 16;    ///< 16-bit numbers in a row of a window; unused ones have weight 0
   static constexpr int most_px = 11;  ///< largest edge, so that five shifted windows fit into a row
   static constexpr int greatest = 4;  ///< weight of the middle
+  /// The weights of one row of a window.
   using Row = std::array<std::int16_t, lanes>;
 
   explicit WindowWeights(int edge_px) : window_px(edge_px), half_px(edge_px / 2) {

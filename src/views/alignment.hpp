@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// The current estimate of a registration.
 struct Alignment {
   Transform initial_from_final = Transform::Identity();
   double offset_px = 0.0;  ///< disparity of the initial camera minus that of the final one: thermal drift
@@ -20,6 +21,7 @@ inline constexpr double offset_prior = (0.15 * 0.15) / (0.1 * 0.1);
 /// A twist in the initial camera's frame (rad, m), then the offset (px). The transform becomes
 /// exp_of(twist) * initial_from_final (geometry/rigid_motion.hpp); the offset is added.
 using AlignmentStep = Eigen::Matrix<double, 7, 1>;
+/// The information matrix of an AlignmentStep, in the order of its elements.
 using AlignmentInformation = Eigen::Matrix<double, 7, 7>;
 
 [[nodiscard]] Alignment moved(const Alignment& alignment, const AlignmentStep& step);

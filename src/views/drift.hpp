@@ -11,7 +11,9 @@ namespace rva {
 class Drift {
  public:
   static constexpr int terms = 6;
+  /// Coefficients of the terms 1, x, y, x^2, xy, y^2.
   using Terms = Eigen::Matrix<double, terms, 1>;
+  /// Covariance of the coefficients, in the order of the terms.
   using Covariance = Eigen::Matrix<double, terms, terms>;
 
   Drift(int width, int height, const Terms& coefficients_px, const Covariance& covariance_px2);

@@ -13,6 +13,7 @@ namespace rva {
 /// Positions of up to `most` samples, one array per coordinate, for vector instructions.
 struct SampleBlock {
   static constexpr Eigen::Index most = 64;
+  /// One coordinate of all samples.
   using Numbers = Eigen::Array<float, most, 1>;
   std::array<Numbers, 3> position_m;
   Eigen::Index count = 0;  ///< number of valid positions, at the beginning

@@ -10,6 +10,7 @@
 
 namespace rva {
 
+/// The pose of a final view in the frame of an initial one, with its uncertainty.
 struct Registration {
   Transform initial_from_final = Transform::Identity();
   /// Covariance of a small rotation vector (rad) and translation (m) in the initial camera's frame, in

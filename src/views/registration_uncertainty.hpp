@@ -6,6 +6,7 @@
 
 namespace rva {
 
+/// The covariance of a registration and its least constrained direction.
 struct RegistrationUncertainty {
   /// Of the twist in the initial camera's frame by which the true pose differs: it is
   /// exp_of(twist) * initial_from_final.

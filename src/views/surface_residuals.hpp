@@ -16,6 +16,7 @@ namespace rva {
 template <typename Numbers>
 using Vectors = std::array<Numbers, 3>;
 
+/// A rotation matrix with the numbers of these vectors.
 template <typename Numbers>
 using RotationOf = Eigen::Matrix<typename Numbers::Scalar, 3, 3>;
 

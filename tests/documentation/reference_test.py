@@ -1,4 +1,4 @@
-"""The comments of the headers fit the code: Doxygen reports nothing, and each folder with headers has a description.
+"""The comments of the headers fit the code: Doxygen reports nothing; each type and folder has a description.
 
 usage: reference_test.py REPOSITORY
 Exits with status 77 where Doxygen is missing.
@@ -29,6 +29,11 @@ def warnings(*settings):
 class Reference(unittest.TestCase):
     def test_comments_fit_the_code(self):
         self.assertEqual(warnings(), [])
+
+    def test_each_type_has_a_description(self):
+        missing = re.compile(r'(Compound|\((typedef|enumeration)\)).* is not documented')
+        found = warnings('WARN_IF_UNDOCUMENTED = YES')
+        self.assertEqual([line for line in found if missing.search(line)], [])
 
     def test_wrong_comments_are_reported(self):
         with tempfile.TemporaryDirectory() as folder:

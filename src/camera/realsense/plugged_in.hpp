@@ -7,6 +7,7 @@
 
 namespace rva {
 
+/// A RealSense device as the operating system lists it.
 struct PluggedIn {
   std::string product;  ///< "Intel(R) RealSense(TM) Depth Camera 435"
   double speed_mbps = 0.0;

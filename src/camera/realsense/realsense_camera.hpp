@@ -14,6 +14,7 @@
 
 namespace rva {
 
+/// A RealSense camera, opened by its serial number.
 class RealSenseCamera : public Camera {
  public:
   /// @param silence_s time without a frame after which the camera is taken to be disconnected

@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// The topics of an MCAP recording and the positions of their messages.
 struct McapIndex {
   RecordedTopics topics;
   std::map<std::string, std::string, std::less<>> encodings;  ///< of messages, by topic: "cdr", "ros1"

@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// The kinds of MCAP records that are read, by their opcode.
 enum class McapOp : std::uint8_t {
   header = 0x01,
   footer = 0x02,
@@ -30,6 +31,7 @@ inline constexpr std::string_view mcap_magic = "\x89MCAP0\r\n";
 /// Bytes of a record before its content: the opcode (1) and the length (8).
 inline constexpr std::size_t mcap_head_bytes = 9;
 
+/// A record of an MCAP file. The content is a view of the bytes that were parsed.
 struct McapRecord {
   McapOp op{};
   std::span<const std::byte> content;
@@ -38,6 +40,7 @@ struct McapRecord {
 /// Takes a record from the front of the bytes. @throws Error when fewer bytes are left than it states
 [[nodiscard]] McapRecord take_mcap_record(RosBytes& bytes, std::string_view source);
 
+/// A channel record: a topic and the encoding of its messages.
 struct McapChannel {
   std::uint16_t id = 0;
   std::uint16_t schema = 0;
@@ -48,6 +51,7 @@ struct McapChannel {
 /// @throws Error when the record ends early; so do all functions below
 [[nodiscard]] McapChannel parse_mcap_channel(std::span<const std::byte> content, std::string_view source);
 
+/// A message record. The data are a view of the bytes that were parsed.
 struct McapMessage {
   std::uint16_t channel = 0;
   std::uint64_t time_ns = 0;

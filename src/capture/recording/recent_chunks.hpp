@@ -15,6 +15,7 @@ namespace rva {
 /// Keeps the chunks that were decompressed last. May be used by several threads at once.
 class RecentChunks {
  public:
+  /// A decompressed chunk. It stays valid while it is used, also when the cache drops it.
   using Chunk = std::shared_ptr<const std::vector<std::byte>>;
 
   /// @param at     the chunk's position in the file

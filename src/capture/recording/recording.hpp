@@ -33,6 +33,7 @@ struct RecordedTopic {
 /// Topics by name: "/device_0/sensor_0/Depth_0/image/data".
 using RecordedTopics = std::map<std::string, RecordedTopic, std::less<>>;
 
+/// Values as text, by name.
 using KeyValues = std::map<std::string, std::string>;
 
 /// The topics of one imager. In recordings of librealsense they have a common beginning; ROS names

@@ -10,6 +10,7 @@
 
 namespace rva {
 
+/// The streams of a recording that make up a capture.
 struct RecordedStreams {
   RecordedStream depth;
   std::optional<RecordedStream> color;

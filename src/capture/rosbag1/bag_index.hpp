@@ -35,6 +35,7 @@ struct BagRecordLocation {
 [[nodiscard]] std::vector<std::byte> read_chunk(const OpenFile& file, std::uint64_t at,
                                                 const std::string& source);
 
+/// The topics of a ROS 1 recording and the positions of their messages.
 struct BagIndex {
   RecordedTopics topics;
   bool finished = true;            ///< false: the recorder did not finish the file, or it was truncated

@@ -11,6 +11,7 @@
 
 namespace rva {
 
+/// The kinds of records of a ROS 1 bag, by their `op` field.
 enum class BagOp : std::uint8_t {
   message = 2,
   file_header = 3,

@@ -14,6 +14,7 @@
 
 namespace rva {
 
+/// Options of the method `calibrated`.
 struct CalibratedOptions {
   double false_findings = 0.05;
 
@@ -25,6 +26,7 @@ struct CalibratedOptions {
   }
 };
 
+/// The result of the method `calibrated`: changed pixels with their evidence, and the level of detection.
 struct CalibratedComparison {
   Comparison comparison;               ///< evidence is -log10 of the expected false findings as strong
   Image<float> level_of_detection_mm;  ///< NaN where not judged

@@ -35,6 +35,7 @@ inline constexpr double nine_of_ten_deviations = 1.2816;
                                                  const Image<float>& depth_m, const Scale& scale,
                                                  const StereoScale& stereo);
 
+/// Levels of detection of the pixels whose depth is from `from_m` to `to_m`.
 struct DetectionLevels {
   double from_m = 0.0;
   double to_m = 0.0;
@@ -43,6 +44,7 @@ struct DetectionLevels {
   double p90_mm = 0.0;  ///< 90th percentile: nine tenths of the pixels are as good or better
 };
 
+/// Levels of detection of an image, summarised for the user.
 struct DetectionLevelSummary {
   double judged = 0.0;    ///< share of the depth image
   int window_px = 0;      ///< width in the image of the objects to which the levels apply

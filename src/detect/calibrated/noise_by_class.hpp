@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// The noise model of a comparison, for each pixel and summarised.
 struct NoiseByClass {
   Image<float> deviation_px;  ///< of the change of an unchanged pixel about the drift; 0 where not judged
   /// Averaging over the frames reduces the deviation of a single frame as averaging over this many

@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// A window over which evidence is pooled, with the false alarms expected of it.
 struct Scale {
   PooledEvidence evidence;
   ByReliability<FalseAlarmTail> tails;  ///< expected number of peaks, for either sign

@@ -15,6 +15,7 @@
 
 namespace rva {
 
+/// How many frames of each capture are used.
 struct FrameOptions {
   int frames = 0;
 
@@ -31,6 +32,7 @@ struct LevelOfDetection {
   DetectionLevelSummary summary;
 };
 
+/// The result of a detection, with what is needed to draw and to assess it.
 struct Detection {
   Findings findings;
   std::optional<LevelOfDetection> level_of_detection;  ///< set by `calibrated` and `spatial`

@@ -18,6 +18,7 @@ namespace rva {
 [[nodiscard]] std::optional<Box> box_on_color(const Finding& finding, const Image<float>& final_m,
                                               const CaptureInfo& capture, const ColorImage& color);
 
+/// A picture with the findings drawn on it.
 struct Overlay {
   ColorImage picture;
   std::size_t outside = 0;  ///< findings that lie outside this picture

@@ -22,6 +22,7 @@
 
 namespace rva {
 
+/// How a region changed.
 enum class ChangeKind {
   added,       ///< nearer than before, or depth went missing, as behind glass and on bare metal
   removed,     ///< farther than before, or depth appeared where there was none
@@ -83,6 +84,7 @@ void state(const Options& options, Parameters& parameters) {
   });
 }
 
+/// All findings of a comparison, with the conditions under which they were made.
 struct Findings {
   std::string method;
   Parameters parameters;  ///< every option that affected the result

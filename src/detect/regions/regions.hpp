@@ -10,6 +10,7 @@
 
 namespace rva {
 
+/// Options of the grouping of changed pixels.
 struct RegionOptions {
   int min_blob_px = 0;
   double join_px = 30.0;

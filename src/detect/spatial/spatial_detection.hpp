@@ -17,6 +17,7 @@
 
 namespace rva {
 
+/// Options of the method `spatial`.
 struct SpatialDetectionOptions {
   FrameOptions use;
   CalibratedOptions calibrated;
@@ -43,6 +44,7 @@ struct PlacedCaptures {
   DepthView final_view;                       ///< of all final captures, in the camera of the first one
 };
 
+/// The result of the method `spatial`.
 struct SpatialDetection {
   Detection detection;        ///< in the view of the first final capture
   Registration registration;  ///< of the first captures of either side

@@ -7,6 +7,7 @@
 
 namespace rva {
 
+/// Options of the method `constant`.
 struct ConstantOptions {
   double threshold_m = 0.05;
   double clip_m = 2.0;

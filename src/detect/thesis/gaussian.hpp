@@ -7,6 +7,7 @@
 
 namespace rva {
 
+/// Options of the method `gaussian`.
 struct GaussianOptions {
   double sigmas = 3.0;
 

@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// Options of the thesis' incremental ICP.
 struct IncrementalIcpOptions {
   int iterations = 20;
   double correspondence_m = 0.1;

@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// Options of the thesis' detection with an octree.
 struct OctreeOptions {
   double cell_m = 0.05;
   double far_m = 2.0;

@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// A cloud of points in PCL's own form.
 using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
 
 [[nodiscard]] inline PclCloud::Ptr to_pcl(const PointCloud& cloud) {

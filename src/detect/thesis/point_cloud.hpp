@@ -11,6 +11,7 @@
 
 namespace rva {
 
+/// Points of a depth image, each with the pixel it comes from.
 struct PointCloud {
   std::vector<Eigen::Vector3f> points_m;  ///< in the camera's frame
   std::vector<std::uint32_t> pixels;      ///< pixel of each point, as an index in row-major order

@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// The parts of an object, each of one material.
 using Parts = std::vector<Part>;
 
 [[nodiscard]] Part part_of(std::string_view material, TriangleMesh mesh);

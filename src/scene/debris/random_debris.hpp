@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// Debris to be drawn by chance.
 struct RandomDebris {
   int count = 1;
   std::vector<std::string> kinds;  ///< names in debris_catalogue(), equally likely

@@ -11,6 +11,7 @@
 
 namespace rva {
 
+/// The cross-section of a stringer.
 enum class StringerProfile { l, z, hat };
 template <>
 inline constexpr auto enum_names<StringerProfile> = std::to_array<EnumName<StringerProfile>>({
@@ -27,6 +28,7 @@ struct WingBay {
   double height_m = 0.36;  ///< from lower to upper skin
   double skin_mm = 5.0;
 
+  /// The stiffeners that run along the span.
   struct Stringers {
     StringerProfile profile = StringerProfile::z;
     int count = 5;  ///< spread evenly along the chord
@@ -35,12 +37,14 @@ struct WingBay {
     double thickness_mm = 2.5;
   } stringers;
 
+  /// The ribs that close the bay.
   struct Ribs {
     double thickness_mm = 3.0;
     int holes = 3;  ///< lightening holes along the chord
     double hole_diameter_mm = 150.0;
   } ribs;
 
+  /// The spars that close the bay.
   struct Spars {
     double thickness_mm = 6.0;
     double flange_mm = 40.0;        ///< caps along the skins

@@ -11,6 +11,7 @@
 
 namespace rva {
 
+/// A simulated camera under the name by which the command line selects it.
 struct CameraModel {
   std::string_view name;
   StereoSensorOptions sensor;

@@ -18,6 +18,7 @@ struct ImagerLight {
   Image<float> projected;  ///< direct laser light of the projector, which is subject to speckle
 };
 
+/// Light on both imagers at one time.
 struct InfraredPair {
   ImagerLight left;
   ImagerLight right;
