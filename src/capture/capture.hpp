@@ -101,7 +101,9 @@ class Capture {
   Capture& operator=(const Capture&) = delete;
 
   [[nodiscard]] const CaptureInfo& info() const { return info_; }
+  /// Number of depth images.
   [[nodiscard]] virtual std::size_t depth_frames() const = 0;
+  /// Number of colour images, which may differ from that of depth images.
   [[nodiscard]] virtual std::size_t color_frames() const = 0;
 
   /// @param i frame, from 0, below depth_frames()
@@ -139,6 +141,7 @@ class Capture {
   /// where there is none. @throws Error as depth()
   [[nodiscard]] virtual std::optional<Image<float>> infrared_mean(Imager imager, Light light) const;
 
+  /// What the camera stated about a depth frame; empty values where it stated nothing.
   [[nodiscard]] virtual FrameMetadata metadata_of(std::size_t depth_frame) const;
 
  private:

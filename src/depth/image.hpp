@@ -23,6 +23,7 @@ class Image {
   using Value = Pixel;
 
   Image() = default;
+  /// An image of one value. Width and height are in pixels and not negative.
   Image(int width, int height, Pixel fill = {})
       : width_(width),
         height_(height),
@@ -39,11 +40,14 @@ class Image {
   [[nodiscard]] Pixel& operator[](std::size_t i) { return pixels_[i]; }
   [[nodiscard]] const Pixel& operator[](std::size_t i) const { return pixels_[i]; }
 
+  /// The first pixel; the others follow in row-major order.
   [[nodiscard]] Pixel* data() { return pixels_.data(); }
   [[nodiscard]] const Pixel* data() const { return pixels_.data(); }
+  /// All pixels in row-major order.
   [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
   [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
 
+  /// Whether width and height are equal.
   template <typename Other, typename OtherMeaning>
   [[nodiscard]] bool same_size(const Image<Other, OtherMeaning>& other) const {
     return width_ == other.width() && height_ == other.height();

@@ -46,6 +46,7 @@ class ApiError : public Error {
   std::string code_;
 };
 
+/// The response to a refused request, with the code and the message as JSON.
 [[nodiscard]] ApiResponse refusal(int status, const std::string& code, const std::string& message);
 
 /// Every member may be called from any thread.

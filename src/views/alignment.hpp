@@ -24,6 +24,7 @@ using AlignmentStep = Eigen::Matrix<double, 7, 1>;
 /// The information matrix of an AlignmentStep, in the order of its elements.
 using AlignmentInformation = Eigen::Matrix<double, 7, 7>;
 
+/// The alignment after a step.
 [[nodiscard]] Alignment moved(const Alignment& alignment, const AlignmentStep& step);
 
 /// A point on a surface in a view, in the camera's frame.

@@ -18,7 +18,7 @@ SKIPPED = 77
 def warnings(*settings):
     """What Doxygen reports with the settings of docs/Doxyfile and these."""
     with tempfile.TemporaryDirectory() as folder:
-        configuration = [(ROOT / 'docs' / 'Doxyfile').read_text(), f'OUTPUT_DIRECTORY = "{folder}"', *settings]
+        configuration = [(ROOT / 'docs' / 'Doxyfile').read_text(), *settings, f'OUTPUT_DIRECTORY = "{folder}"']
         run = subprocess.run(['doxygen', '-'], cwd=ROOT, input='\n'.join(configuration), capture_output=True,
                              text=True, timeout=300)
     if run.returncode:
@@ -38,13 +38,15 @@ class Reference(unittest.TestCase):
     def test_wrong_comments_are_reported(self):
         with tempfile.TemporaryDirectory() as folder:
             header = pathlib.Path(folder) / 'wrong.hpp'
-            header.write_text('// A file.\n#pragma once\n\n/// Doubles.\n/// @param number a number\nint twice(int x);\n')
+            header.write_text('// A file.\n#pragma once\n\n'
+                              '/// Doubles.\n/// @param number a number\nint twice(int x);\n')
             found = '\n'.join(warnings(f'INPUT = "{folder}"'))
         self.assertRegex(found, "wrong.hpp:.*argument 'number' of command @param")
 
     def test_each_folder_has_a_description(self):
-        described = re.findall(r'^/\*\* @dir (\S+)$', (ROOT / 'docs' / 'reference.dox').read_text(), re.MULTILINE)
-        folders = {path.parent.relative_to(ROOT / 'src').as_posix() for path in (ROOT / 'src').rglob('*.hpp')}
+        pages, sources = (ROOT / 'docs' / 'reference.dox').read_text(), ROOT / 'src'
+        described = re.findall(r'^/\*\* @dir (\S+)$', pages, re.MULTILINE)
+        folders = {path.parent.relative_to(sources).as_posix() for path in sources.rglob('*.hpp')}
         self.assertEqual(sorted(described), sorted(folders))
 
 
