@@ -10,6 +10,7 @@
 
 namespace rva {
 
+/// What is known of a capture after reading every frame.
 struct CaptureSummary {
   double fill_rate = 0.0;  ///< share of the pixels of all depth images that have a measurement
   double nearest_m = 0.0;  ///< least and greatest measured depth; 0 if nothing was measured

@@ -9,6 +9,7 @@
 
 namespace rva {
 
+/// One value of an enumeration, with its name.
 template <typename Value>
 struct EnumName {
   Value value;

@@ -14,8 +14,8 @@ namespace rva {
 /// A dense image: row by row, no padding. Pixel (u, v) is column u from the left, row v from the top,
 /// both from 0. Copies are deep.
 ///
-/// `Meaning` distinguishes images of one pixel type whose values mean different things: a label image cannot be
-/// passed as a depth image.
+/// `Meaning` distinguishes images of one pixel type whose values mean different things: a label image cannot
+/// be passed as a depth image.
 template <typename Pixel, typename Meaning = Pixel>
 class Image {
  public:

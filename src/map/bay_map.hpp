@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// How views are captured and joined into a map.
 struct BayMapOptions {
   ViewCaptureOptions capture;
   MapCloudOptions cloud;

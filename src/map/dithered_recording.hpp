@@ -13,6 +13,7 @@
 
 namespace rva {
 
+/// What to record, and around which pose.
 struct DitheredRecording {
   PanTilt around;           ///< the joint angles of the first capture
   int captures = 8;         ///< 1 to most_dithers (robot/dither.hpp)

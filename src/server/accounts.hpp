@@ -21,6 +21,7 @@ inline constexpr auto enum_names<PersonRole> = std::to_array<EnumName<PersonRole
     {PersonRole::inspector, "inspector"},
 });
 
+/// A person's account as it is recorded.
 struct Account {
   std::string name;
   PersonRole role = PersonRole::viewer;

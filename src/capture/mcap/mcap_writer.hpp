@@ -22,6 +22,7 @@ class McapWriter {
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
+  /// The number of a schema or of a channel in the file.
   using Id = std::uint16_t;
 
   /// @param encoding of the definition: "ros2msg", "jsonschema"

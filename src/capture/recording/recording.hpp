@@ -99,8 +99,8 @@ class Recording {
   /// The messages of /tf_static. Empty where there are none.
   [[nodiscard]] virtual std::vector<StaticTransform> static_transforms() const { return {}; }
 
-  /// The text of a JSON message, in recordings that RVA wrote; empty in others.
-  /// @param topic of recording/described_capture.hpp
+  /// The text of a JSON message of one of the topics of described_capture.hpp, in recordings that RVA wrote;
+  /// empty in others.
   [[nodiscard]] virtual std::string text(const RecordedMessage& /*message*/,
                                          std::string_view /*topic*/) const {
     return {};

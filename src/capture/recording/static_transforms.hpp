@@ -12,6 +12,7 @@
 
 namespace rva {
 
+/// The pose of one frame in another, as a message states it.
 struct StaticTransform {
   std::string parent;
   std::string child;

@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/options.hpp"
 #include "core/enum_names.hpp"
+#include "core/options.hpp"
 #include "detect/regions/comparison.hpp"
 #include "detect/regions/regions.hpp"
 #include "geometry/intrinsics.hpp"
