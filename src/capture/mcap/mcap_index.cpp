@@ -66,6 +66,19 @@ class Builder {
     }
   }
 
+  // The messages of the chunk that the end of the file cuts: whole ones are read, the last one is not.
+  void add_cut_chunk(std::uint64_t at) {
+    try {
+      const std::vector<std::byte> records = read_mcap_records(file_, at, source_);
+      RosBytes bytes(records, source_);
+      while (bytes.left() > 0) {
+        const std::size_t offset = records.size() - bytes.left();
+        add(take_mcap_record(bytes, source_), at, offset);
+      }
+    } catch (const Error&) {  // the end of what is there
+    }
+  }
+
   // Whether the schema of a channel is known; channels without a schema have the number 0.
   [[nodiscard]] bool knows_schema_of(std::span<const std::byte> channel) const {
     const std::uint16_t schema = parse_mcap_channel(channel, source_).schema;
@@ -208,6 +221,7 @@ McapIndex from_records(const OpenFile& file, const std::string& source) {
     try {
       record = read_mcap_record(file, at, source);
     } catch (const Error&) {
+      builder.add_cut_chunk(at);
       break;
     }
     const auto op = static_cast<McapOp>(record.front());
@@ -234,6 +248,22 @@ std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at, 
   if (length > most_record_bytes || at + mcap_head_bytes + length > file.size_bytes())
     throw Error(source, "the recording is damaged: a record ends early", "copy it again, or record it again");
   return file.read(at, mcap_head_bytes + static_cast<std::size_t>(length));
+}
+
+std::vector<std::byte> read_mcap_records(const OpenFile& file, std::uint64_t at, const std::string& source) {
+  const std::vector<std::byte> head = file.read(at, mcap_head_bytes);
+  RosBytes bytes(head, source);
+  const auto op = static_cast<McapOp>(bytes.number<std::uint8_t>());
+  const auto length = bytes.number<std::uint64_t>();
+  if (op != McapOp::chunk) return read_mcap_record(file, at, source);
+  const std::uint64_t left = file.size_bytes() - at - mcap_head_bytes;
+  if (length > left) {
+    constexpr std::uint64_t most_cut_bytes = 256ULL << 20U;  // more than any chunk
+    return unpack_cut_mcap_chunk(
+        file.read(at + mcap_head_bytes, static_cast<std::size_t>(std::min(left, most_cut_bytes))), source);
+  }
+  const std::vector<std::byte> record = read_mcap_record(file, at, source);
+  return unpack_mcap_chunk(std::span(record).subspan(mcap_head_bytes), source);
 }
 
 McapIndex read_mcap_index(const OpenFile& file, const std::string& source) {

@@ -25,6 +25,11 @@ struct McapIndex {
 [[nodiscard]] std::vector<std::byte> read_mcap_record(const OpenFile& file, std::uint64_t at,
                                                       const std::string& source);
 
+/// The records of the chunk at byte `at`, or the single record there that is outside chunks. Of a chunk that
+/// the end of the file cuts, those that are there. @throws Error when it is damaged
+[[nodiscard]] std::vector<std::byte> read_mcap_records(const OpenFile& file, std::uint64_t at,
+                                                       const std::string& source);
+
 /// Reads the index that the recorder wrote at the end. Where there is none, or it is damaged, all records are
 /// read, and every chunk is decompressed once.
 /// @throws Error when the file is not an MCAP file; Interrupted

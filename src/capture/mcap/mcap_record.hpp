@@ -65,4 +65,11 @@ struct McapMessage {
 [[nodiscard]] std::vector<std::byte> unpack_mcap_chunk(std::span<const std::byte> content,
                                                        std::string_view source);
 
+/// Decompresses as much of a chunk as is there, of a file that was cut within it. The checksum is not
+/// checked.
+/// @param content the beginning of a chunk's content
+/// @throws Error when the compression is unknown, or not even the lengths are there
+[[nodiscard]] std::vector<std::byte> unpack_cut_mcap_chunk(std::span<const std::byte> content,
+                                                           std::string_view source);
+
 }  // namespace rva

@@ -90,7 +90,8 @@ class McapRecording : public Recording {
   }
 
   [[nodiscard]] std::vector<std::byte> read(const RecordedMessage& message) const {
-    const RecentChunks::Chunk records = chunks_.get(message.at, [&] { return records_at(message.at); });
+    const RecentChunks::Chunk records =
+        chunks_.get(message.at, [&] { return read_mcap_records(file_, message.at, source_); });
     if (message.offset > records->size()) throw damaged_index();
     const std::span<const std::byte> all(*records);
     RosBytes bytes(all.subspan(message.offset), source_);
@@ -98,13 +99,6 @@ class McapRecording : public Recording {
     if (record.op != McapOp::message) throw damaged_index();
     const McapMessage content = parse_mcap_message(record.content, source_);
     return {content.data.begin(), content.data.end()};
-  }
-
-  // The records of the chunk at this byte, or the single message there that is outside chunks.
-  [[nodiscard]] std::vector<std::byte> records_at(std::uint64_t at) const {
-    std::vector<std::byte> record = read_mcap_record(file_, at, source_);
-    if (static_cast<McapOp>(record.front()) != McapOp::chunk) return record;
-    return unpack_mcap_chunk(std::span<const std::byte>(record).subspan(mcap_head_bytes), source_);
   }
 
   [[nodiscard]] Error damaged_index() const {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "capture/capture.hpp"
 #include "capture/folder/capture_writer.hpp"
 #include "capture/memory_capture.hpp"
@@ -165,26 +167,35 @@ TEST_F(McapExport, ReportsColorImagesWithoutDepth) {
   EXPECT_THAT(notes_, testing::ElementsAre(testing::HasSubstr("1 colour image(s)")));
 }
 
-// Whatever is cut off, the frames of complete chunks are those that were written.
+// Whatever is cut off, the frames that are there are those that were written: also those of the chunk that is
+// cut, of which each complete block of its compression is read.
 TEST_F(McapExport, IsReadAsFarAsItGoesWhereItIsCut) {
-  const auto written = capture(0.001);
-  const std::vector<std::byte> whole = read_file(exported(*written));
+  constexpr int large = 480;
+  CaptureInfo info = info_in(0.001);
+  info.depth = {large, large, 400.0, 400.0, 239.5, 239.5, Distortion::none, {}};
+  Random random(5);
+  std::vector<MemoryFrame> stack(frames);
+  for (MemoryFrame& frame : stack) frame.depth = noise<DepthImage>(random, large, large, 65000.0);
+  const MemoryCapture written(info, stack);
+  const std::vector<std::byte> whole = read_file(exported(written));
   const std::filesystem::path file = folder_.path() / "cut.mcap";
-  std::size_t most = 0;
-  for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 400) {
+  std::vector<std::size_t> counts;
+  for (std::size_t length = 0; length <= whole.size(); length += whole.size() / 97) {
     write_file(file, std::span(whole).first(length));
+    counts.push_back(0);
     std::unique_ptr<Capture> read;
     try {
       read = open_capture(file);
-    } catch (const Error&) {
-      EXPECT_EQ(most, 0U) << "a longer file was refused, at " << length;
+    } catch (const Error&) {  // no frame is complete yet
       continue;
     }
-    ASSERT_GE(read->depth_frames(), most);
-    most = read->depth_frames();
-    for (std::size_t i = 0; i < most; ++i) ASSERT_EQ(read->depth(i), written->depth(i)) << length;
+    counts.back() = read->depth_frames();
+    ASSERT_GT(counts.back(), 0U);
+    for (std::size_t i = 0; i < counts.back(); ++i) ASSERT_EQ(read->depth(i), written.depth(i)) << length;
   }
-  EXPECT_EQ(most, frames);
+  EXPECT_TRUE(std::ranges::is_sorted(counts));
+  for (std::size_t count = 0; count <= frames; ++count)
+    EXPECT_TRUE(std::ranges::binary_search(counts, count)) << count << " frames are never read alone";
 }
 
 TEST_F(McapExport, RefusesAFolderThatCannotBeWritten) {

@@ -16,18 +16,12 @@ std::string hexadecimal(std::span<const std::byte> bytes) {
   return text;
 }
 
-std::vector<std::byte> records_at(const rva::OpenFile& file, std::uint64_t at, const std::string& source) {
-  std::vector<std::byte> record = rva::read_mcap_record(file, at, source);
-  if (static_cast<rva::McapOp>(record.front()) != rva::McapOp::chunk) return record;
-  return rva::unpack_mcap_chunk(std::span<const std::byte>(record).subspan(rva::mcap_head_bytes), source);
-}
-
 void print_messages(const std::string& path) {
   const rva::OpenFile file(path);
   const rva::McapIndex index = rva::read_mcap_index(file, path);
   for (const auto& [name, topic] : index.topics) {
     for (const rva::RecordedMessage& message : topic.messages) {
-      const std::vector<std::byte> records = records_at(file, message.at, path);
+      const std::vector<std::byte> records = rva::read_mcap_records(file, message.at, path);
       rva::RosBytes bytes(std::span<const std::byte>(records).subspan(message.offset), path);
       const rva::McapMessage content =
           rva::parse_mcap_message(rva::take_mcap_record(bytes, path).content, path);
