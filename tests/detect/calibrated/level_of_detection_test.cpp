@@ -1,0 +1,161 @@
+#include "detect/calibrated/level_of_detection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/random.hpp"
+
+namespace rva {
+namespace {
+
+constexpr int width = 200;
+constexpr int height = 160;
+constexpr StereoScale stereo{.focal_baseline_m_px = 20.0, .unit_m = 0.0001};
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+Scale scale_with(int window_px, double threshold, double spread = 1.0) {
+  const FalseAlarmTail tail(1.0, 1.0, 10.0);
+  return {PooledEvidence{window_px, Image<float>(width, height), Mask(width, height, mask_set), spread},
+          {tail, tail},
+          {threshold, threshold}};
+}
+
+/// Levels of a flat wall.
+Image<float> levels_of(const Scale& scale, float deviation_px = 0.1F, float depth_m = 1.0F) {
+  return level_of_detection_mm(Mask(width, height), Image<float>(width, height, deviation_px),
+                               Image<float>(width, height, depth_m), scale, stereo);
+}
+
+// Objects as wide as the window and as high as the level are put into noise.
+TEST(LevelOfDetection, IsTheHeightThatNineOfTenInspectionsFind) {
+  constexpr int window_px = 9;
+  constexpr double threshold = 6.0;
+  constexpr float deviation_px = 0.1F;
+  constexpr double depth_m = 0.9;
+  const float level_mm =
+      levels_of(scale_with(window_px, threshold), deviation_px, static_cast<float>(depth_m))(100, 80);
+  // Small beside the depth, as the level is for heights along z.
+  const double change_px = stereo.disparity_px(depth_m - level_mm / 1000.0) - stereo.disparity_px(depth_m);
+  Random random(1);
+  int objects = 0;
+  int found = 0;
+  for (int image = 0; image < 10; ++image) {
+    Image<float> evidence(width, height);
+    for (float& pixel : evidence.pixels()) pixel = static_cast<float>(random.normal());
+    for (int v = 20; v < height - 20; v += 20)
+      for (int u = 20; u < width - 20; u += 20)
+        for (int i = 0; i < window_px * window_px; ++i)
+          evidence(u + i % window_px, v + i / window_px) += static_cast<float>(change_px) / deviation_px;
+    const PooledEvidence pooled = pool(evidence, Mask(width, height, mask_set), window_px, 1.0);
+    for (int v = 20; v < height - 20; v += 20) {
+      for (int u = 20; u < width - 20; u += 20) {
+        ++objects;
+        found += static_cast<double>(pooled.deviations(u + window_px / 2, v + window_px / 2)) > threshold;
+      }
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(found) / objects, 0.9, 0.05) << objects;
+}
+
+TEST(LevelOfDetection, FollowsNoiseDepthSpreadAndWindow) {
+  const float level_mm = levels_of(scale_with(10, 8.0))(100, 80);
+  EXPECT_NEAR(level_mm, 1000.0 * (8.0 + 1.2816) / 10.0 * 0.1 / 20.0, 1e-4);
+  EXPECT_NEAR(levels_of(scale_with(10, 8.0), 0.3F)(100, 80), 3.0F * level_mm, 1e-3);
+  EXPECT_NEAR(levels_of(scale_with(10, 8.0), 0.1F, 2.0F)(100, 80), 4.0F * level_mm, 1e-3);
+  EXPECT_NEAR(levels_of(scale_with(10, 8.0, 2.0))(100, 80), 2.0F * level_mm, 1e-3);
+  EXPECT_NEAR(levels_of(scale_with(20, 8.0))(100, 80), level_mm / 2.0F, 1e-3);
+}
+
+TEST(LevelOfDetection, IsThatOfThePixelsClass) {
+  Scale scale = scale_with(10, 8.0);
+  scale.thresholds.unreliable = 2.0 * (8.0 + 1.2816) - 1.2816;
+  Mask unreliable(width, height);
+  unreliable(100, 80) = mask_set;
+  const Image<float> levels = level_of_detection_mm(unreliable, Image<float>(width, height, 0.1F),
+                                                    Image<float>(width, height, 1.0F), scale, stereo);
+  EXPECT_NEAR(levels(100, 80), 2.0F * levels(101, 80), 1e-3);
+}
+
+TEST(LevelOfDetection, IsUnknownWhereNothingIsPooledAndWhereNoHeightSuffices) {
+  Scale scale = scale_with(5, 8.0);
+  scale.evidence.pooled(10, 10) = 0;
+  EXPECT_TRUE(std::isnan(levels_of(scale)(10, 10)));
+  EXPECT_FALSE(std::isnan(levels_of(scale)(11, 10)));
+  // Pixels of 20 deviations at most, over a window of 5: 100 deviations.
+  EXPECT_FALSE(std::isnan(levels_of(scale_with(5, 98.0))(10, 10)));
+  EXPECT_TRUE(std::isnan(levels_of(scale_with(5, 99.0))(10, 10)));
+}
+
+TEST(LevelOfDetection, RisesBesideNoisyPixelsAndIgnoresThoseNotJudged) {
+  Image<float> deviation_px(width, height, 0.1F);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < 50; ++u) deviation_px(u, v) = 0.5F;
+    for (int u = 140; u < 149; ++u) deviation_px(u, v) = 0.3F;
+    for (int u = 150; u < width; ++u) deviation_px(u, v) = 0.0F;
+  }
+  const Image<float> levels = level_of_detection_mm(
+      Mask(width, height), deviation_px, Image<float>(width, height, 1.0F), scale_with(9, 8.0), stereo);
+  const float usual_mm = levels(100, 80);
+  EXPECT_NEAR(levels(20, 80), 5.0F * usual_mm, 1e-3);
+  EXPECT_NEAR(levels(50, 80), (4 * 0.5F + 5 * 0.1F) / 9 / 0.1F * usual_mm, 1e-2) << "the mean of the window";
+  EXPECT_NEAR(levels(149, 80), (4 * 0.3F + 0.1F) / 5 / 0.1F * usual_mm, 1e-2) << "of the judged ones only";
+}
+
+TEST(LevelOfDetection, IsStatedForTheFinestScaleThatAChangeCanReach) {
+  const std::array scales{scale_with(5, 200.0), scale_with(9, 170.0), scale_with(15, 170.0),
+                          scale_with(25, 8.0)};
+  EXPECT_EQ(finest_reachable(scales).evidence.window_px, 9);
+  EXPECT_EQ(finest_reachable(std::span(scales).first(1)).evidence.window_px, 5) << "if none is, the last";
+}
+
+TEST(LevelsByDistance, AreQuantilesOfClassesOfTwentyCentimetres) {
+  constexpr int wide = 300;
+  Image<float> level_mm(wide, 1, unknown);
+  Image<float> depth_m(wide, 1);
+  // Every third pixel is sampled: near ones have levels 0 to 49, far ones 100.
+  for (int i = 0; i < 50; ++i) {
+    level_mm(3 * i, 0) = static_cast<float>(49 - i);
+    depth_m(3 * i, 0) = 0.55F;
+    level_mm(150 + 3 * i, 0) = 100.0F;
+    depth_m(150 + 3 * i, 0) = 1.3F;
+  }
+  EXPECT_NEAR(judged_share(level_mm), 1.0 / 3.0, 1e-9);
+  const std::vector<DetectionLevels> levels = levels_by_distance(level_mm, depth_m);
+  ASSERT_EQ(levels.size(), 2U) << "classes without pixels are left out";
+  EXPECT_NEAR(levels[0].from_m, 0.4, 1e-9);
+  EXPECT_NEAR(levels[0].to_m, 0.6, 1e-9);
+  EXPECT_EQ(levels[0].pixels, 50U);
+  EXPECT_EQ(levels[0].median_mm, 24.0);
+  EXPECT_EQ(levels[0].p90_mm, 44.0);
+  EXPECT_NEAR(levels[1].from_m, 1.2, 1e-9);
+  EXPECT_EQ(levels[1].p90_mm, 100.0);
+  EXPECT_TRUE(levels_by_distance(Image<float>(9, 9, unknown), Image<float>(9, 9)).empty());
+}
+
+TEST(LevelsByDistance, AreWrittenWithNamesAndUnits) {
+  DetectionLevelSummary summary{0.5, 9, -0.25, 0.125, std::nullopt, {{0.4, 0.6, 50, 24.0, 44.0}}};
+  EXPECT_EQ(json_of(summary), nlohmann::ordered_json::parse(R"({
+    "format": "rva-level-of-detection", "version": 1, "judged": 0.5, "window_px": 9, "drift_px": -0.25,
+    "fixed_px": 0.125,
+    "by_distance": [{"from_m": 0.4, "to_m": 0.6, "pixels": 50, "median_mm": 24.0, "p90_mm": 44.0}]})"));
+  summary.effective_frames = 12.5;
+  EXPECT_EQ(json_of(summary)["effective_frames"], 12.5);
+}
+
+TEST(LevelOfDetection, IsDrawnBlackWhereItIsUnknown) {
+  Image<float> level_mm(width, height, 9.0F);
+  level_mm(30, 40) = unknown;
+  level_mm(60, 40) = 1.0F;
+  const ColorImage picture = draw_level_of_detection(level_mm);
+  EXPECT_EQ(picture(30, 40), Rgb{});
+  EXPECT_GT(picture(60, 40).b, picture(60, 40).r) << "little is blue";
+  EXPECT_GT(picture(10, 40).r, picture(10, 40).b) << "much is red";
+}
+
+}  // namespace
+}  // namespace rva
