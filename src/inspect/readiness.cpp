@@ -44,7 +44,7 @@ Watched watch(LiveCamera& live, int frames, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < frames && frame; ++i) {
     (2 * i < frames ? watched.first : watched.second).add(frame->depth);
-    progress("looking", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(frames));
+    if (progress) progress("looking", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(frames));
     frame = camera->wait_for_frame();
   }
   watched.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
