@@ -12,6 +12,7 @@
 namespace rva {
 namespace {
 
+using test::eventually;
 using testing::HasSubstr;
 
 constexpr const char* hello = R"({"type":"hello","protocol":1,"client":"0123456789abcdef","name":"Ann"})";
@@ -41,11 +42,6 @@ class Talk : public testing::Test {
   }
   static std::string drive(double pan, double stamp_ms) {
     return Json{{"type", "drive"}, {"pan", pan}, {"tilt", 0.0}, {"stamp_ms", stamp_ms}}.dump();
-  }
-  template <typename Condition>
-  static bool eventually(const Condition& holds) {
-    for (int i = 0; i < 12000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    return holds();
   }
 
   test::Served served_;
