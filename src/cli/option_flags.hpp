@@ -59,7 +59,8 @@ void add_flags(CLI::App& command, Options& options) {
   Options::describe(options, [&](auto& value, const OptionField& field) {
     CLI::Option& flag = *command.add_option(fmt::format("--{}", field.name), value, std::string(field.help));
     flag.type_name(field.unit.empty() ? "NUMBER" : std::string(field.unit))->capture_default_str();
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) flag.expected(0, 1);
+    // CLI11 takes a missing value for the default, unless the option was one without values before.
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) flag.expected(0)->expected(0, 1);
   });
 }
 
