@@ -4,11 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <thread>
 
 #include "core/error.hpp"
 #include "tests/eventually.hpp"
@@ -134,11 +132,10 @@ TEST_F(SerialRobotTest, RecognisesTheThesisFirmwareAndMovesIt) {
   EXPECT_EQ(robot.firmware(), "");
   expect_moves(robot, {30.0, -20.0});
   robot.move_to({-80.0, -20.0});
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_TRUE(eventually([&] { return robot.joints().pan_deg < 28.0; }));
   EXPECT_TRUE(robot.moving());
   robot.stop();
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
-  EXPECT_FALSE(robot.moving());
+  ASSERT_TRUE(eventually([&] { return !robot.moving(); }));
   EXPECT_GT(robot.joints().pan_deg, -70.0);
 }
 
@@ -183,15 +180,16 @@ TEST_F(SerialRobotTest, FaultsAndBlindnessAreReported) {
   SerialRobot robot(terminal());
   expect_moves(robot, {5.0, -10.0});
   board.with_board([](Board& there) { there.pan().faults.error = 0x10; });
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_TRUE(eventually([&] { return error_of([&] { (void)robot.moving(); }) != "no error"; }));
   EXPECT_THAT(error_of([&] { robot.move_to({10.0, -10.0}); }), HasSubstr("a servo is at fault"));
   EXPECT_THAT(error_of([&] { (void)robot.moving(); }), HasSubstr("a servo is at fault"));
   board.with_board([](Board& there) {
     there.pan().faults.error = 0;
     there.pan().faults.reply_lost = 1.0;
   });
-  std::this_thread::sleep_for(std::chrono::milliseconds(800));
-  EXPECT_THAT(error_of([&] { (void)robot.joints(); }), HasSubstr("the joint angles are unknown"));
+  EXPECT_TRUE(eventually([&] {
+    return error_of([&] { (void)robot.joints(); }).find("the joint angles are unknown") != std::string::npos;
+  }));
 }
 
 TEST_F(SerialRobotTest, SaysWhatIsWrongWithADevice) {
