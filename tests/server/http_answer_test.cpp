@@ -162,7 +162,7 @@ TEST_F(HttpAnswer, TheSessionIsInItsCookieOnly) {
   EXPECT_EQ(session_token(get("/")), "");
 }
 
-class WhoTalks : public HttpAnswer {
+class LiveConnection : public HttpAnswer {
  protected:
   static Request live(const std::string& origin = "http://localhost:8080") {
     Request request = get("/api/live");
@@ -175,7 +175,7 @@ class WhoTalks : public HttpAnswer {
   }
 };
 
-TEST_F(WhoTalks, IsAPageOfThisServer) {
+TEST_F(LiveConnection, IsAPageOfThisServer) {
   EXPECT_EQ(status(live()), 101);
   EXPECT_EQ(status(live("https://localhost:8080"), true), 101);
   EXPECT_EQ(status(live("http://localhost:8080"), true), 403);
@@ -189,7 +189,7 @@ TEST_F(WhoTalks, IsAPageOfThisServer) {
   EXPECT_EQ(status(elsewhere), 404);
 }
 
-TEST_F(WhoTalks, IsSignedInWhereThereAreAccounts) {
+TEST_F(LiveConnection, IsSignedInWhereThereAreAccounts) {
   served_.records.set_account({"ann", PersonRole::operator_, hash_password("correct horse")});
   EXPECT_EQ(status(live()), 401);
   const Response signed_in =
