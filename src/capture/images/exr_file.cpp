@@ -9,8 +9,8 @@
 #include <array>
 #include <cstring>
 #include <exception>
-#include <ranges>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "capture/images/depth_file.hpp"
@@ -45,17 +45,16 @@ class Bytes : public Imf::IStream {
 // Renderers name the channel of depth Z, or with the names of layers before it; others write one grey
 // channel. Empty if there is none of these, and more than one channel.
 std::string depth_channel(const Imf::ChannelList& channels) {
-  constexpr std::array<std::string_view, 4> endings{"Z", ".Z", ".V", ".z"};
-  std::string only;
+  constexpr std::array<std::string_view, 3> names{"Z", "depth", "Depth"};
+  constexpr std::array<std::string_view, 3> endings{".Z", ".V", ".z"};
+  std::string name;
   int count = 0;
   for (auto channel = channels.begin(); channel != channels.end(); ++channel, ++count) {
-    only = channel.name();
-    const bool whole = only == endings.front() || only == "depth" || only == "Depth";
-    if (whole || std::ranges::any_of(endings | std::views::drop(1),
-                                     [&](std::string_view ending) { return only.ends_with(ending); }))
-      return only;
+    name = channel.name();
+    const auto ends = [&](std::string_view ending) { return std::string_view(name).ends_with(ending); };
+    if (std::ranges::find(names, name) != names.end() || std::ranges::any_of(endings, ends)) return name;
   }
-  if (count == 1) return only;
+  if (count == 1) return name;
   return channels.findChannel("Y") != nullptr ? "Y" : "";
 }
 
