@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "core/random.hpp"
 
@@ -31,35 +32,54 @@ Image<float> levels_of(const Scale& scale, float deviation_px = 0.1F, float dept
                                Image<float>(width, height, depth_m), scale, stereo);
 }
 
+constexpr int object_px = 9;
+
+struct Corner {
+  int u;
+  int v;
+};
+
+// The upper left corners of objects that do not touch each other.
+std::vector<Corner> corners() {
+  constexpr int apart_px = 20;
+  std::vector<Corner> all;
+  for (int v = apart_px; v < height - apart_px; v += apart_px)
+    for (int u = apart_px; u < width - apart_px; u += apart_px) all.push_back({u, v});
+  return all;
+}
+
+// Noise of deviation 1, and objects that raise it by so many deviations.
+Image<float> noise_with_objects(Random& random, float deviations) {
+  Image<float> evidence(width, height);
+  for (float& pixel : evidence.pixels()) pixel = static_cast<float>(random.normal());
+  for (const auto& [u, v] : corners())
+    for (int i = 0; i < object_px * object_px; ++i)
+      evidence(u + i % object_px, v + i / object_px) += deviations;
+  return evidence;
+}
+
 // Objects as wide as the window and as high as the level are put into noise.
 TEST(LevelOfDetection, IsTheHeightThatNineOfTenInspectionsFind) {
-  constexpr int window_px = 9;
   constexpr double threshold = 6.0;
   constexpr float deviation_px = 0.1F;
   constexpr double depth_m = 0.9;
   const float level_mm =
-      levels_of(scale_with(window_px, threshold), deviation_px, static_cast<float>(depth_m))(100, 80);
+      levels_of(scale_with(object_px, threshold), deviation_px, static_cast<float>(depth_m))(100, 80);
   // Small beside the depth, as the level is for heights along z.
   const double change_px = stereo.disparity_px(depth_m - level_mm / 1000.0) - stereo.disparity_px(depth_m);
   Random random(1);
-  int objects = 0;
-  int found = 0;
+  std::size_t objects = 0;
+  std::size_t found = 0;
   for (int image = 0; image < 10; ++image) {
-    Image<float> evidence(width, height);
-    for (float& pixel : evidence.pixels()) pixel = static_cast<float>(random.normal());
-    for (int v = 20; v < height - 20; v += 20)
-      for (int u = 20; u < width - 20; u += 20)
-        for (int i = 0; i < window_px * window_px; ++i)
-          evidence(u + i % window_px, v + i / window_px) += static_cast<float>(change_px) / deviation_px;
-    const PooledEvidence pooled = pool(evidence, Mask(width, height, mask_set), window_px, 1.0);
-    for (int v = 20; v < height - 20; v += 20) {
-      for (int u = 20; u < width - 20; u += 20) {
-        ++objects;
-        found += static_cast<double>(pooled.deviations(u + window_px / 2, v + window_px / 2)) > threshold;
-      }
+    const Image<float> evidence = noise_with_objects(random, static_cast<float>(change_px) / deviation_px);
+    const PooledEvidence pooled = pool(evidence, Mask(width, height, mask_set), object_px, 1.0);
+    for (const auto& [u, v] : corners()) {
+      ++objects;
+      const float deviations = pooled.deviations(u + object_px / 2, v + object_px / 2);
+      found += static_cast<double>(deviations) > threshold ? 1U : 0U;
     }
   }
-  EXPECT_NEAR(static_cast<double>(found) / objects, 0.9, 0.05) << objects;
+  EXPECT_NEAR(static_cast<double>(found) / static_cast<double>(objects), 0.9, 0.05) << objects;
 }
 
 TEST(LevelOfDetection, FollowsNoiseDepthSpreadAndWindow) {
