@@ -15,7 +15,7 @@ Ring square(double half, double z) {
   return {{half, half, z}, {-half, half, z}, {-half, -half, z}, {half, -half, z}};
 }
 
-TriangleMesh turned(TriangleMesh mesh) {
+TriangleMesh turned(const TriangleMesh& mesh) {
   const Transform there =
       Eigen::Translation3d(2, -1, 3) * Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized());
   return transformed(mesh, there);
