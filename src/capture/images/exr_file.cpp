@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 
 #include "capture/images/depth_file.hpp"
 #include "core/error.hpp"
+#include "core/path_text.hpp"
 #include "depth/image_file.hpp"
 
 namespace rva {
@@ -39,6 +41,88 @@ class Bytes : public Imf::IStream {
 
  private:
   std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+};
+
+/// Attribute types that OpenEXR reads without regard to the stated size, with their sizes.
+struct FixedType {
+  std::string_view name;
+  std::size_t bytes;
+};
+constexpr std::array fixed_types{
+    FixedType{"box2f", 16},      FixedType{"box2i", 16},   FixedType{"chromaticities", 32},
+    FixedType{"compression", 1}, FixedType{"double", 8},   FixedType{"envmap", 1},
+    FixedType{"float", 4},       FixedType{"int", 4},      FixedType{"keycode", 28},
+    FixedType{"lineOrder", 1},   FixedType{"m33d", 72},    FixedType{"m33f", 36},
+    FixedType{"m44d", 128},      FixedType{"m44f", 64},    FixedType{"rational", 8},
+    FixedType{"tiledesc", 9},    FixedType{"timecode", 8}, FixedType{"v2d", 16},
+    FixedType{"v2f", 8},         FixedType{"v2i", 8},      FixedType{"v3d", 24},
+    FixedType{"v3f", 12},        FixedType{"v3i", 12}};
+
+/// Checks the header of a file before OpenEXR reads it: OpenEXR allocates as much memory for an attribute as
+/// the file states, and a damaged file may state more than it has.
+class HeaderCheck {
+ public:
+  HeaderCheck(std::span<const std::byte> file, const std::string& source) : file_(file), source_(source) {}
+
+  /// @throws Error
+  void run() {
+    constexpr std::uint32_t deep_or_in_parts = 0x1800;  // flags of the version
+    static_cast<void>(number());                        // magic
+    if ((number() & deep_or_in_parts) != 0)
+      throw Error(source_, "has several parts or several values a pixel", "give an image of one part");
+    while (!text().empty()) {  // the attribute's name; an empty one ends the header
+      const std::string_view type = text();
+      const std::uint32_t bytes = number();
+      check(type, take(bytes));
+    }
+  }
+
+ private:
+  std::span<const std::byte> take(std::size_t count) {
+    if (count > file_.size() - at_) throw damaged_image(source_, "its header ends early");
+    at_ += count;
+    return file_.subspan(at_ - count, count);
+  }
+
+  std::uint32_t number() {
+    std::uint32_t value = 0;
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    return value;
+  }
+
+  std::string_view text() {
+    const std::string_view rest(reinterpret_cast<const char*>(file_.data()) + at_, file_.size() - at_);
+    const std::size_t length = rest.find('\0');
+    if (length == std::string_view::npos) throw damaged_image(source_, "its header ends early");
+    at_ += length + 1;
+    return rest.substr(0, length);
+  }
+
+  void check(std::string_view type, std::span<const std::byte> value) const {
+    const auto* const fixed = std::ranges::find(fixed_types, type, &FixedType::name);
+    const bool sound = fixed != fixed_types.end() ? value.size() == fixed->bytes
+                       : type == "chlist"         ? is_channel_list(value)
+                                                  : type == "string" || type == "floatvector";
+    if (!sound)
+      throw Error(source_, "has an attribute '" + printable(type) + "' that is not supported, or damaged",
+                  "write the image with fewer attributes");
+  }
+
+  // Names that end in a zero, each followed by 16 bytes; an empty name at the end.
+  static bool is_channel_list(std::span<const std::byte> value) {
+    constexpr std::size_t channel_bytes = 16;
+    for (std::size_t at = 0; at < value.size();) {
+      const auto rest = value.subspan(at);
+      const auto length = static_cast<std::size_t>(std::ranges::find(rest, std::byte{0}) - rest.begin());
+      if (length == 0) return at + 1 == value.size();
+      at += length + 1 + channel_bytes;
+    }
+    return false;
+  }
+
+  std::span<const std::byte> file_;
+  const std::string& source_;
   std::size_t at_ = 0;
 };
 
@@ -78,6 +162,10 @@ Image<float> read(Imf::InputFile& file, const std::string& source) {
 }  // namespace
 
 Image<float> decode_exr(std::span<const std::byte> file, const std::string& source) {
+  constexpr int most_side_px = 1 << 15;
+  Imf::Header::setMaxImageSize(most_side_px, most_side_px);
+  Imf::Header::setMaxTileSize(most_side_px, most_side_px);
+  HeaderCheck(file, source).run();
   try {
     Bytes bytes(file, source);
     Imf::InputFile opened(bytes, 0);
@@ -85,7 +173,7 @@ Image<float> decode_exr(std::span<const std::byte> file, const std::string& sour
   } catch (const Error&) {
     throw;
   } catch (const std::exception& failure) {
-    throw damaged_image(source, failure.what());
+    throw damaged_image(source, printable(failure.what()));
   }
 }
 
