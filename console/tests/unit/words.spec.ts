@@ -22,7 +22,7 @@ test('lengths below 10 mm have a decimal place', () => {
 test('suspicion follows the p-value', () => {
   const level = (p_value: number) => suspicion(finding(1, { p_value })).level;
   expect([0, 9e-7, 1e-6, 9e-4, 1e-3, 1].map(level)).toEqual([3, 3, 2, 2, 1, 1]);
-  expect(suspicion(finding(1)), 'of a method without p-values').toEqual({ level: 2, says: 'Changed' });
+  expect(suspicion(finding(1)), 'of a method without p-values').toEqual({ level: 2, name: 'Changed' });
 });
 
 test('every kind has a phrase and a sign', () => {
