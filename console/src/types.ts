@@ -9,9 +9,17 @@ export type Role = 'viewer' | 'operator' | 'inspector';
 
 export type SideName = 'initial' | 'final';
 
+/** `done` once a person has closed the inspection. */
 export type Stage = 'baseline' | 'work' | 'review' | 'done';
 
-export type Verdict = 'debris-removed' | 'installed-work' | 'false-alarm' | 'second-look';
+/** `debris` is still there; `debris-unreachable` cannot be reached. */
+export type Verdict =
+  | 'debris'
+  | 'debris-removed'
+  | 'debris-unreachable'
+  | 'installed-work'
+  | 'false-alarm'
+  | 'second-look';
 
 export type FindingKind = 'added' | 'removed' | 'appearance';
 
@@ -106,6 +114,8 @@ export interface Decision {
   note: string;
   person: string;
   decided_at: Moment;
+  /** The last complete round of the final side at that time; 0 if there was none, or it is not known. */
+  round: number;
 }
 
 export interface Finding {
@@ -133,6 +143,38 @@ export interface Finding {
   /** The removed finding of about the same size: the object may have been moved. */
   moved_from?: number;
   decision?: Decision;
+}
+
+/** A finding that a person marked in a picture. It stays with its inspection through later rounds. */
+export interface MarkedFinding {
+  /** Among the marked findings of the inspection. */
+  number: number;
+  /** Missing if it was marked in the live picture. */
+  view?: number;
+  /** The comparison whose pictures were shown; missing as `view`. */
+  comparison?: number;
+  /** The last complete round of the final side at that time; 0 if there was none. */
+  round: number;
+  bbox: Box;
+  /** Of the surface in the middle of the box, in the frame of the camera; missing if it was not measured. */
+  position_m?: Point3;
+  /** In the frame of the robot's foot, as the map. */
+  in_foot_m?: Point3;
+  /** Of the box, at that distance. */
+  size_mm?: Extent;
+  note: string;
+  person: string;
+  marked_at: Moment;
+  decision?: Decision;
+}
+
+/** A person's statement that an inspection is complete. Nothing can be changed afterwards. */
+export interface Closing {
+  /** The comparison that the person reviewed. */
+  comparison: number;
+  person: string;
+  note: string;
+  closed_at: Moment;
 }
 
 /** Shares of the depth image, 0 to 1. */
@@ -165,13 +207,33 @@ export interface InspectionSummary {
   person: string;
   created_at: Moment;
   stage: Stage;
+  /** Findings of the valid comparison, and marked ones. */
   findings_count: number;
+  /** Those without a decision, that need a second look, or are debris that is still there. */
   undecided_count: number;
   initial?: TakenSide;
   final?: TakenSide;
   /** Number of the valid comparison. */
   comparison?: number;
   compared_at?: Moment;
+  /** Missing until the inspection is closed. */
+  closing?: Closing;
+}
+
+/** What a comparison showed, also after later ones. */
+export interface Round {
+  comparison: number;
+  compared_at: Moment;
+  /** The round of the final side that was compared; missing if it is not known. */
+  final?: TakenSide;
+  compared: ComparedView[];
+  /** Most suspicious first. */
+  findings: Finding[];
+}
+
+export interface RoundList {
+  /** Newest first. */
+  rounds: Round[];
 }
 
 export interface InspectionList {
@@ -189,6 +251,10 @@ export interface Inspection extends InspectionSummary {
   compared: ComparedView[];
   /** Most suspicious first. */
   findings: Finding[];
+  /** Findings that people marked, in any round. */
+  marked: MarkedFinding[];
+  /** Whether a note is needed to close it: debris was removed after the last captures, or cannot be reached. */
+  closing_needs_note: boolean;
   /** A round of the final side that is not complete. */
   final_begun?: BegunFinal;
 }
@@ -287,6 +353,30 @@ export interface DecisionRequest {
   /** The comparison of which the finding is; refused if another one is valid by now. */
   comparison: number;
   verdict: Verdict;
+  note: string;
+  person: string;
+}
+
+/** With `comparison` and `view` in the pictures of the review, with `stream` in the newest live picture. */
+export interface MarkRequest {
+  /** The comparison whose pictures are shown; refused if another one is valid by now. */
+  comparison?: number;
+  view?: number;
+  stream?: Stream;
+  bbox: Box;
+  note: string;
+  person: string;
+}
+
+export interface MarkDecisionRequest {
+  verdict: Verdict;
+  note: string;
+  person: string;
+}
+
+export interface CloseRequest {
+  /** The comparison that was reviewed; refused if another one is valid by now. */
+  comparison: number;
   note: string;
   person: string;
 }

@@ -4,8 +4,14 @@
 
 namespace rva {
 
-bool is_settled(const ReviewedFinding& finding) {
-  return finding.decision && finding.decision->verdict != Verdict::second_look;
+bool is_settled(const std::optional<Decision>& decision) {
+  return decision && decision->verdict != Verdict::second_look && decision->verdict != Verdict::debris;
+}
+
+std::size_t undecided(const Inspection& inspection) {
+  const auto open = [](const auto& finding) { return !is_settled(finding.decision); };
+  return static_cast<std::size_t>(std::ranges::count_if(inspection.findings, open) +
+                                  std::ranges::count_if(inspection.marked, open));
 }
 
 std::optional<double> least_judged(const Inspection& inspection) {
@@ -15,23 +21,23 @@ std::optional<double> least_judged(const Inspection& inspection) {
 }
 
 Stage stage_of(const Inspection& inspection) {
+  if (inspection.closing) return Stage::done;
   if (!inspection.initial) return Stage::baseline;
   if (!inspection.comparison || !least_judged(inspection)) return Stage::work;
-  const bool settled = std::ranges::all_of(inspection.findings, is_settled);
-  return settled ? Stage::done : Stage::review;
+  return Stage::review;
 }
 
 InspectionSummary summary_of(const Inspection& inspection) {
-  const auto settled = std::ranges::count_if(inspection.findings, is_settled);
   return {.id = inspection.id,
           .order = inspection.order,
           .created_at = inspection.created_at,
           .stage = stage_of(inspection),
-          .findings = inspection.findings.size(),
-          .undecided = inspection.findings.size() - static_cast<std::size_t>(settled),
+          .findings = inspection.findings.size() + inspection.marked.size(),
+          .undecided = undecided(inspection),
           .initial = inspection.initial,
           .final = inspection.final,
-          .comparison = inspection.comparison};
+          .comparison = inspection.comparison,
+          .closing = inspection.closing};
 }
 
 }  // namespace rva

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "core/enum_names.hpp"
-#include "detect/findings/findings.hpp"
+#include "detect/regions/comparison.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "geometry/pan_tilt.hpp"
+#include "inspect/reviewed_finding.hpp"
 
 namespace rva {
 
@@ -54,37 +55,7 @@ struct RecordedComparison {
   int number = 0;           ///< from 1 within its inspection
   std::string compared_at;  ///< ISO 8601, for display only: the clock may stand still or be set back
   std::string folder;       ///< of its results, relative to the inspection's folder
-};
-
-/// The verdict of a person who reviewed a finding.
-enum class Verdict { debris_removed, installed_work, false_alarm, second_look };
-template <>
-inline constexpr auto enum_names<Verdict> = std::to_array<EnumName<Verdict>>({
-    {Verdict::debris_removed, "debris-removed"},
-    {Verdict::installed_work, "installed-work"},
-    {Verdict::false_alarm, "false-alarm"},
-    {Verdict::second_look, "second-look"},
-});
-
-/// A person's decision on a finding.
-struct Decision {
-  Verdict verdict = Verdict::second_look;
-  std::string note;
-  std::string person;
-  std::string decided_at;  ///< ISO 8601
-};
-
-/// A finding of one view, with its decision.
-struct ReviewedFinding {
-  int number = 0;  ///< from 1 within its inspection, most suspicious first
-  int view = 0;    ///< index into Inspection::views
-  /// Number of the most suspicious finding of the same object among all views, which may be this one.
-  int same_as = 0;
-  Finding finding;                             ///< in the coordinates of its view; without its pixels
-  std::optional<Eigen::Vector3d> in_foot_m{};  ///< position in the frame of the robot's foot, as in the map
-  std::optional<Decision> decision{};          ///< the latest one
-  /// For an added finding: number of the removed finding in the same view that has about the same size.
-  std::optional<int> moved_from{};
+  int final_round = 0;      ///< the round of the final side that was compared; 0 if it is not known
 };
 
 /// The result of the comparison of one view, without its findings.
@@ -94,6 +65,22 @@ struct ComparedView {
   Coverage coverage;
   double judged = 0.0;                ///< share of the depth image where a change could have been found
   std::vector<std::string> warnings;  ///< sentences for the user
+};
+
+/// One comparison with all that it showed, as it is kept after later ones.
+struct ComparedRound {
+  RecordedComparison comparison;
+  std::optional<TakenSide> final;  ///< the round of the final side that was compared, if it is known
+  std::vector<ComparedView> compared;
+  std::vector<ReviewedFinding> findings;  ///< with their decisions
+};
+
+/// A person's statement that an inspection is complete (require_closable()).
+struct Closing {
+  int comparison = 0;  ///< number of the comparison that the person reviewed
+  std::string person;
+  std::string note;
+  std::string closed_at;  ///< ISO 8601
 };
 
 /// Views are angles of the robot's joints. Without a robot there is one view, whose angles have no meaning.
@@ -114,17 +101,20 @@ struct Inspection {
   std::vector<std::string> unfinished_comparisons{};  ///< folders of comparisons begun but not recorded
   int comparisons = 0;  ///< the highest number so far, outdated and unfinished comparisons included
   std::vector<ComparedView> compared;
-  std::vector<ReviewedFinding> findings;
+  std::vector<ReviewedFinding> findings;  ///< of the current comparison
+  std::vector<MarkedFinding> marked;      ///< by a person, in any round
+  std::optional<Closing> closing;         ///< nothing can be changed afterwards
 };
 
-/// Whether there is a decision other than Verdict::second_look.
-[[nodiscard]] bool is_settled(const ReviewedFinding& finding);
+/// Number of findings, those marked by a person included, that are not settled (is_settled()).
+[[nodiscard]] std::size_t undecided(const Inspection& inspection);
 
 /// The smallest ComparedView::judged of all views.
 /// @return empty if a view was not compared
 [[nodiscard]] std::optional<double> least_judged(const Inspection& inspection);
 
-/// The next step of an inspection. It is never in review or done unless all of its views were compared.
+/// The next step of an inspection. It is never in review unless all of its views were compared, and done only
+/// once a person has closed it.
 enum class Stage { baseline, work, review, done };
 template <>
 inline constexpr auto enum_names<Stage> = std::to_array<EnumName<Stage>>({
@@ -141,12 +131,24 @@ struct InspectionSummary {
   InspectionOrder order;
   std::string created_at;  ///< ISO 8601
   Stage stage = Stage::baseline;
-  std::size_t findings = 0;   ///< number of findings of the current comparison
+  std::size_t findings = 0;   ///< number of findings of the current comparison, and of those marked
   std::size_t undecided = 0;  ///< number of those that are not settled (is_settled())
   std::optional<TakenSide> initial;
   std::optional<TakenSide> final;
   std::optional<RecordedComparison> comparison;
+  std::optional<Closing> closing;
 };
 [[nodiscard]] InspectionSummary summary_of(const Inspection& inspection);
+
+/// Which inspections a list shows.
+struct InspectionFilter {
+  /// Words that each occur in the aircraft, zone, work order, person or number, in any case of ASCII letters.
+  std::string text{};
+  std::optional<Stage> stage{};
+  std::string from{};       ///< created at this time (ISO 8601) or later; empty for any
+  std::string until{};      ///< created before this time (ISO 8601); empty for any
+  std::int64_t before = 0;  ///< with smaller ids only; 0 for all
+  std::size_t most = 0;     ///< number of entries at most; 0 for all
+};
 
 }  // namespace rva

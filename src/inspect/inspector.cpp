@@ -14,6 +14,8 @@
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "inspect/baseline_check.hpp"
+#include "inspect/closing.hpp"
+#include "inspect/marking.hpp"
 #include "inspect/person_name.hpp"
 #include "inspect/view_comparison.hpp"
 #include "map/waypoints.hpp"
@@ -28,6 +30,11 @@ std::string title(std::int64_t id) { return fmt::format("inspection {}", id); }
 
 void require_person(const std::string& person) {
   if (!is_legible_name(person)) throw Error("person", "no name was given", "enter your name");
+}
+
+Decision with_round(Decision decision, const Inspection& inspection) {
+  decision.round = inspection.final ? inspection.final->round : 0;
+  return decision;
 }
 
 std::string base_of(std::int64_t id, bool replaced) {
@@ -131,8 +138,7 @@ void Inspector::change_ignored(std::int64_t id, int view, const std::vector<Poly
   if (!before.initial) throw Error(title(id), "has no baseline to draw on", "capture the baseline first");
   if (view < 0 || view >= static_cast<int>(before.views.size()))
     throw Error(title(id), fmt::format("has no view {}", view), "give one of its views, from 0");
-  if (is_changing(id))
-    throw Error(title(id), "is being captured or compared", "wait until that has finished");
+  require_unchanging(id, "wait until that has finished");
   records_.set_ignored(id, view, ignored);
 }
 
@@ -157,6 +163,7 @@ void Inspector::capture(std::int64_t id, Side side, const std::string& person, b
 TaskRunner::Work Inspector::capture_work(std::int64_t id, Side side, const std::string& person,
                                          bool replaced) {
   const Inspection before = inspection(id);
+  require_open(before);
   if (side == Side::final && !before.initial)
     throw Error(title(id), "has no baseline to compare with", "capture the baseline before the work");
   if (side == Side::initial && before.initial)
@@ -225,6 +232,7 @@ void Inspector::compare(std::int64_t id) {
   tasks_.start({.kind = TaskKind::comparison, .inspection = id}, tasks_.ends_asked_for(),
                [this, id]() -> TaskRunner::Work {
                  const Inspection before = inspection(id);
+                 require_open(before);
                  if (!before.initial || !before.final)
                    throw Error(title(id), "was not captured both before and after the work",
                                "take both captures");
@@ -245,11 +253,12 @@ void Inspector::compare_now(std::int64_t id) {
     ++number;
   const std::string name = InspectionFolder::comparison_name(number);
   folder.require_no_links(folder.path() / name);
-  records_.begin_comparison(id, {number, "", name});
+  records_.begin_comparison(id, {number, "", name, inspection.final->round});
   const Compared compared =
       compare_sides(folder, inspection, number, rig_.drive != nullptr, rig_.chain, tasks_.counted_progress());
   tasks_.throw_if_ended();
-  records_.set_comparison(id, {number, iso_8601_now(), name}, compared.views, compared.findings);
+  records_.set_comparison(id, {number, iso_8601_now(), name, inspection.final->round}, compared.views,
+                          compared.findings);
 }
 
 void Inspector::check_now(std::int64_t id) {
@@ -269,11 +278,71 @@ std::optional<Readiness> Inspector::readiness() const {
   return readiness_;
 }
 
+void Inspector::require_unchanging(std::int64_t id, const std::string& remedy) const {
+  if (is_changing(id)) throw Error(title(id), "is being captured or compared", remedy);
+}
+
 void Inspector::decide(std::int64_t id, int comparison, int finding, const Decision& decision) {
   require_person(decision.person);
-  if (is_changing(id))
-    throw Error(title(id), "is being captured or compared", "wait, then decide on the new findings");
-  records_.decide(id, comparison, finding, decision);
+  require_unchanging(id, "wait, then decide on the new findings");
+  records_.decide(id, comparison, finding, with_round(decision, inspection(id)));
+}
+
+void Inspector::decide_mark(std::int64_t id, int mark, const Decision& decision) {
+  require_person(decision.person);
+  require_unchanging(id, "wait, then decide");
+  records_.decide_mark(id, mark, with_round(decision, inspection(id)));
+}
+
+int Inspector::mark(std::int64_t id, int comparison, int view, const Box& box, const Remark& remark) {
+  const Inspection inspection = this->inspection(id);
+  if (!inspection.comparison || inspection.comparison->number != comparison)
+    throw Error(title(id), "was captured or compared again in the meantime",
+                "mark it in the latest pictures");
+  if (view < 0 || view >= static_cast<int>(inspection.views.size()))
+    throw Error(title(id), fmt::format("has no view {}", view), "give one of its views, from 0");
+  const InspectionFolder folder = this->folder(id);
+  MarkedFinding marked =
+      located_mark(*open_capture(folder.capture(Side::final, inspection, view, 0)), box, rig_.chain);
+  marked.view = view;
+  marked.comparison = comparison;
+  marked.picture = review_picture(folder, inspection, view);
+  return record_mark(inspection, std::move(marked), remark);
+}
+
+int Inspector::mark_in_picture(std::int64_t id, const MarkedFinding& marked, const ColorImage& picture,
+                               const Remark& remark) {
+  const Inspection inspection = this->inspection(id);
+  require_person(remark.person);
+  require_open(inspection);
+  require_inside(marked.box, picture.width(), picture.height());
+  MarkedFinding kept = marked;
+  kept.picture = keep_marked_picture(folder(id), picture);
+  return record_mark(inspection, std::move(kept), remark);
+}
+
+int Inspector::record_mark(const Inspection& inspection, MarkedFinding marked, const Remark& remark) {
+  require_person(remark.person);
+  marked.round = inspection.final ? inspection.final->round : 0;
+  marked.note = remark.note;
+  marked.person = remark.person;
+  marked.marked_at = iso_8601_now();
+  return records_.add_mark(inspection.id, marked);
+}
+
+void Inspector::close(std::int64_t id, int comparison, const Remark& remark) {
+  require_person(remark.person);
+  tasks_.between_starts([&] {
+    require_unchanging(id, "wait, then review the new findings");
+    records_.close(id, {comparison, remark.person, remark.note, iso_8601_now()});
+  });
+}
+
+void Inspector::remove(std::int64_t id) {
+  tasks_.between_starts([&] {
+    require_unchanging(id, "wait until that has finished");
+    records_.remove(id);
+  });
 }
 
 }  // namespace rva

@@ -37,6 +37,12 @@ struct InspectorOptions {
   }
 };
 
+/// What a person states, and the person's name.
+struct Remark {
+  std::string note;
+  std::string person;
+};
+
 /// Long work is done by a thread of its own, one task at a time; what is asked meanwhile is refused with a
 /// sentence. Whatever is complete is on the disk, so that another shift goes on after a power failure where
 /// this one was. Every member may be called from any thread.
@@ -54,8 +60,12 @@ class Inspector {
 
   /// A new one, with the view where the camera is now. @throws Error when nobody's name is given
   [[nodiscard]] std::int64_t begin(const InspectionOrder& order);
-  /// Summaries of all inspections, newest first.
-  [[nodiscard]] std::vector<InspectionSummary> summaries() const { return records_.summaries(); }
+  /// Summaries of the inspections that a filter selects, newest first.
+  [[nodiscard]] std::vector<InspectionSummary> summaries(const InspectionFilter& filter = {}) const {
+    return records_.summaries(filter);
+  }
+  /// What each comparison of an inspection showed, newest first.
+  [[nodiscard]] std::vector<ComparedRound> rounds(std::int64_t id) const { return records_.rounds(id); }
   [[nodiscard]] bool has(std::int64_t id) const { return records_.find(id).has_value(); }
   /// @throws Error when there is none of this id
   [[nodiscard]] Inspection inspection(std::int64_t id) const;
@@ -101,12 +111,34 @@ class Inspector {
   ///         nobody's name is given
   void decide(std::int64_t id, int comparison, int finding, const Decision& decision);
 
+  /// Records a finding that a person marked in the pictures of a view.
+  /// @param comparison number of the one whose pictures the person saw
+  /// @param box        in pixels of these pictures
+  /// @return its number
+  /// @throws Error when that comparison is not the current one, or the view or the box is none
+  int mark(std::int64_t id, int comparison, int view, const Box& box, const Remark& remark);
+  /// Records a finding that a person marked in a picture of its own, which is kept.
+  /// @param marked with its box, and its position if that was measured
+  int mark_in_picture(std::int64_t id, const MarkedFinding& marked, const ColorImage& picture,
+                      const Remark& remark);
+  /// Decides on a marked finding. @throws Error as decide()
+  void decide_mark(std::int64_t id, int mark, const Decision& decision);
+
+  /// Closes an inspection; nothing can be changed afterwards.
+  /// @param comparison number of the one that the person reviewed
+  /// @throws Error as require_closable(), or when a capture or comparison is under way
+  void close(std::int64_t id, int comparison, const Remark& remark);
+  /// Removes an inspection of which nothing has been captured or marked. @throws Error when something has
+  void remove(std::int64_t id);
+
  private:
   [[nodiscard]] TaskRunner::Work capture_work(std::int64_t id, Side side, const std::string& person,
                                               bool replaced);
   void compare_now(std::int64_t id);
   void check_now(std::int64_t id);
   [[nodiscard]] bool is_changing(std::int64_t id) const;
+  void require_unchanging(std::int64_t id, const std::string& remedy) const;
+  [[nodiscard]] int record_mark(const Inspection& inspection, MarkedFinding marked, const Remark& remark);
   void change_views(std::int64_t id, const std::vector<PanTilt>& views);
   void change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
   [[nodiscard]] BegunSide round_for(const Inspection& inspection, Side side, const std::string& person,

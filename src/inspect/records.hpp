@@ -28,12 +28,14 @@ class Records {
                                                     std::int64_t above) = 0;
   /// Ids of all inspections, newest first.
   [[nodiscard]] virtual std::vector<std::int64_t> inspections() const = 0;
-  /// Summaries of all inspections, newest first; much faster than find() for each.
-  [[nodiscard]] virtual std::vector<InspectionSummary> summaries() const = 0;
+  /// Summaries of the inspections that a filter selects, newest first; much faster than find() for each.
+  [[nodiscard]] virtual std::vector<InspectionSummary> summaries(const InspectionFilter& filter) const = 0;
   /// Empty if there is no inspection with this id.
   [[nodiscard]] virtual std::optional<Inspection> find(std::int64_t id) const = 0;
+  /// All complete comparisons of an inspection, outdated ones included, newest first.
+  [[nodiscard]] virtual std::vector<ComparedRound> rounds(std::int64_t id) const = 0;
 
-  // The following throw Error if the inspection does not exist.
+  // The following throw Error if the inspection does not exist or has been closed.
 
   virtual void set_views(std::int64_t id, const std::vector<PanTilt>& views) = 0;
   /// Records that a round of a side is in progress; set_side() completes it.
@@ -54,6 +56,14 @@ class Records {
   /// @param comparison number of the comparison that found it
   /// @throws Error when there is no such finding, or that comparison is not the current one
   virtual void decide(std::int64_t id, int comparison, int finding, const Decision& decision) = 0;
+  /// Records a finding that a person marked. @return its number; `marked.number` has no effect
+  [[nodiscard]] virtual int add_mark(std::int64_t id, const MarkedFinding& marked) = 0;
+  /// Records a decision on a marked finding; as decide(). @throws Error when there is no such mark
+  virtual void decide_mark(std::int64_t id, int mark, const Decision& decision) = 0;
+  /// Closes an inspection. @throws Error as require_closable()
+  virtual void close(std::int64_t id, const Closing& closing) = 0;
+  /// Removes an inspection of which nothing was captured or marked. @throws Error when something was
+  virtual void remove(std::int64_t id) = 0;
 };
 
 }  // namespace rva

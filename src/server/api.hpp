@@ -16,12 +16,13 @@ namespace rva {
 
 /// A request of the console, independent of HTTP.
 struct ApiRequest {
-  std::string method;  ///< "GET", "POST", "PUT"
-  std::string path;    ///< "/api/...", without the query
-  std::string body;    ///< JSON, or empty
-  std::string client;  ///< id of the console, the same as in its WebSocket
-  std::string token;   ///< from the session cookie; empty if there is none
-  std::string from;    ///< address of the client
+  std::string method;   ///< "GET", "POST", "PUT", "DELETE"
+  std::string path;     ///< "/api/...", without the query
+  std::string body;     ///< JSON, or empty
+  std::string client;   ///< id of the console, the same as in its WebSocket
+  std::string token;    ///< from the session cookie; empty if there is none
+  std::string from;     ///< address of the client
+  std::string query{};  ///< what follows the path's question mark, as it was sent
 };
 
 /// The answer to a request: an HTTP status and the body of that content type.
@@ -83,7 +84,9 @@ class Api {
   void require_role(const Route& route, const std::optional<Person>& person) const;
   void require_robot_free(const Call& call) const;
   [[nodiscard]] std::int64_t inspection_id(const Call& call) const;
+  [[nodiscard]] ApiResponse whole_inspection(std::int64_t id, int status = 200) const;
   [[nodiscard]] static std::string person_of(const Call& call);
+  [[nodiscard]] static Decision decision_in(const Call& call);
 
   // server/session_routes.cpp
   ApiResponse get_session(const Call& call) const;
@@ -93,15 +96,23 @@ class Api {
   ApiResponse list_inspections(const Call& call) const;
   ApiResponse begin_inspection(const Call& call) const;
   ApiResponse get_inspection(const Call& call) const;
+  ApiResponse remove_inspection(const Call& call) const;
   ApiResponse set_views(const Call& call) const;
   ApiResponse set_regions(const Call& call) const;
   ApiResponse check_readiness(const Call& call) const;
   ApiResponse take_side(const Call& call) const;
   ApiResponse compare(const Call& call) const;
   ApiResponse cancel(const Call& call) const;
+  // server/review_routes.cpp
+  ApiResponse get_rounds(const Call& call) const;
   ApiResponse decide(const Call& call) const;
+  ApiResponse mark(const Call& call) const;
+  ApiResponse decide_mark(const Call& call) const;
+  ApiResponse close(const Call& call) const;
   // server/picture_routes.cpp
   ApiResponse get_picture(const Call& call) const;
+  ApiResponse get_round_picture(const Call& call) const;
+  ApiResponse get_marked_picture(const Call& call) const;
   ApiResponse get_baseline_picture(const Call& call) const;
   ApiResponse get_baseline_check(const Call& call) const;
   ApiResponse get_findable(const Call& call) const;

@@ -34,6 +34,12 @@ std::string_view path_of(const Request& request) {
   return target.substr(0, target.find('?'));
 }
 
+std::string_view query_of(const Request& request) {
+  const std::string_view target = view_of(request.target());
+  const std::size_t mark = target.find('?');
+  return mark == std::string_view::npos ? std::string_view() : target.substr(mark + 1);
+}
+
 ApiResponse wrong_origin() {
   return refusal(403, "wrong-origin", "the requesting page is not this server's console");
 }
@@ -58,7 +64,7 @@ ApiResponse api_answer(const Request& request, const HttpCaller& caller) {
   if (!reads && request.count("Origin") > 0 && !is_same_origin(request, caller.tls)) return wrong_origin();
   return caller.api.answer({std::string(view_of(request.method_string())), std::string(path_of(request)),
                             request.body(), std::string(field(request, "X-RVA-Client")),
-                            session_token(request), caller.from});
+                            session_token(request), caller.from, std::string(query_of(request))});
 }
 
 ApiResponse answer_of(const Request& request, const HttpCaller& caller) {

@@ -1,11 +1,13 @@
+#include <algorithm>
+#include <array>
 #include <charconv>
-#include <cmath>
+#include <limits>
 
-#include "core/date_time.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "server/api.hpp"
+#include "server/query.hpp"
 #include "server/request_body.hpp"
 
 namespace rva {
@@ -27,24 +29,50 @@ std::vector<PanTilt> views_in(const Json& body) {
   return views;
 }
 
-// The number of the comparison that a request refers to, by its number or, from older consoles, by its time.
-// 0 if it is none.
-int comparison_in(const Json& body, const Inspection& inspection) {
-  if (body.contains("comparison")) {
-    const double number = number_field(body, "comparison");
-    constexpr double most = 1e9;
-    return number >= 1.0 && number <= most && number == std::floor(number) ? static_cast<int>(number) : 0;
+constexpr std::size_t most_listed = 10'000;
+
+template <typename Number>
+Number number_in(const QueryValues& query, const std::string& key, Number most) {
+  const auto found = query.find(key);
+  if (found == query.end()) return 0;
+  Number number = 0;
+  const std::string& text = found->second;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc{} || end != text.data() + text.size() || number < 1 || number > most)
+    throw ApiError(400, "bad-request", key, printable(text) + " is not a number from 1", "see docs/api.md");
+  return number;
+}
+
+std::string text_in(const QueryValues& query, const std::string& key) {
+  const auto found = query.find(key);
+  return found == query.end() ? "" : found->second;
+}
+
+InspectionFilter filter_in(const QueryValues& query) {
+  for (const auto& [key, value] : query) {
+    constexpr std::array known{"text", "stage", "from", "until", "before", "most"};
+    if (std::ranges::find(known, key) == known.end())
+      throw ApiError(400, "bad-request", "list", "cannot be filtered by " + printable(key),
+                     "see docs/api.md");
   }
-  const std::string compared_at = text_field(body, "compared_at");
-  const bool same = inspection.comparison && inspection.comparison->compared_at == compared_at;
-  return same ? inspection.comparison->number : 0;
+  InspectionFilter filter{.text = text_in(query, "text"),
+                          .stage = value_of<Stage>(text_in(query, "stage")),
+                          .from = text_in(query, "from"),
+                          .until = text_in(query, "until"),
+                          .before = number_in(query, "before", std::numeric_limits<std::int64_t>::max()),
+                          .most = number_in(query, "most", most_listed)};
+  if (query.contains("stage") && !filter.stage)
+    throw ApiError(400, "bad-request", "stage", "is none of baseline, work, review, done", "see docs/api.md");
+  return filter;
 }
 
 }  // namespace
 
-ApiResponse Api::list_inspections(const Call& /*call*/) const {
+ApiResponse Api::list_inspections(const Call& call) const {
   Json list = Json::array();
-  for (const InspectionSummary& summary : parts_.inspector.summaries()) list.push_back(json_of(summary));
+  for (const InspectionSummary& summary :
+       parts_.inspector.summaries(filter_in(query_values(call.request.query))))
+    list.push_back(json_of(summary));
   return json_answer({{"inspections", list}});
 }
 
@@ -52,21 +80,28 @@ ApiResponse Api::begin_inspection(const Call& call) const {
   const std::int64_t id =
       parts_.inspector.begin({text_field(call.body, "aircraft"), text_field(call.body, "zone"),
                               text_field(call.body, "work_order"), person_of(call)});
-  return json_answer(json_of(parts_.inspector.inspection(id)), 201);
+  return whole_inspection(id, 201);
 }
 
-ApiResponse Api::get_inspection(const Call& call) const {
-  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+ApiResponse Api::whole_inspection(std::int64_t id, int status) const {
+  const Inspection inspection = parts_.inspector.inspection(id);
   Json json = json_of(inspection);
   if (const auto replaced = parts_.inspector.replaced_before_final(inspection))
     json["final_begun"] = {{"replaced", *replaced}};
-  return json_answer(json);
+  return json_answer(json, status);
+}
+
+ApiResponse Api::get_inspection(const Call& call) const { return whole_inspection(inspection_id(call)); }
+
+ApiResponse Api::remove_inspection(const Call& call) const {
+  parts_.inspector.remove(inspection_id(call));
+  return json_answer(Json::object());
 }
 
 ApiResponse Api::set_views(const Call& call) const {
   const std::int64_t id = inspection_id(call);
   parts_.inspector.set_views(id, views_in(call.body));
-  return json_answer(json_of(parts_.inspector.inspection(id)));
+  return whole_inspection(id);
 }
 
 ApiResponse Api::set_regions(const Call& call) const {
@@ -80,7 +115,7 @@ ApiResponse Api::set_regions(const Call& call) const {
   const Json regions{{"format", "rva-regions"}, {"version", 1}, {"ignore", *ignore}};
   parts_.inspector.set_ignored(id, static_cast<int>(view),
                                parse_regions(json_text(regions), "regions").ignore);
-  return json_answer(json_of(parts_.inspector.inspection(id)));
+  return whole_inspection(id);
 }
 
 ApiResponse Api::check_readiness(const Call& /*call*/) const {
@@ -104,24 +139,6 @@ ApiResponse Api::compare(const Call& call) const {
 ApiResponse Api::cancel(const Call& /*call*/) const {
   parts_.inspector.cancel();
   return started();
-}
-
-ApiResponse Api::decide(const Call& call) const {
-  const std::int64_t id = inspection_id(call);
-  const std::string& text = call.path_parts.at(1);
-  int number = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc{} || end != text.data() + text.size())
-    throw ApiError(404, "not-found", "finding", printable(text) + " is not a number",
-                   "see the list of findings");
-  const std::optional<Verdict> verdict = value_of<Verdict>(text_field(call.body, "verdict"));
-  if (!verdict)
-    throw ApiError(400, "bad-request", "verdict", "is missing or unknown",
-                   "give debris-removed, installed-work, false-alarm or second-look");
-  parts_.inspector.decide(
-      id, comparison_in(call.body, parts_.inspector.inspection(id)), number,
-      {*verdict, text_field(call.body, "note", most_note_bytes), person_of(call), iso_8601_now()});
-  return json_answer(json_of(parts_.inspector.inspection(id)));
 }
 
 }  // namespace rva

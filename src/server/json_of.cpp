@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "inspect/closing.hpp"
 #include "server/private_paths.hpp"
 
 namespace rva {
@@ -52,7 +53,31 @@ Json json_of(const Decision& decision) {
   return {{"verdict", name_of(decision.verdict)},
           {"note", decision.note},
           {"person", decision.person},
-          {"decided_at", decision.decided_at}};
+          {"decided_at", decision.decided_at},
+          {"round", decision.round}};
+}
+
+Json json_of(const Closing& closing) {
+  return {{"comparison", closing.comparison},
+          {"person", closing.person},
+          {"note", closing.note},
+          {"closed_at", closing.closed_at}};
+}
+
+Json json_of(const MarkedFinding& marked) {
+  const Box& box = marked.box;
+  Json json{
+      {"number", marked.number}, {"round", marked.round},   {"bbox", {box.x, box.y, box.width, box.height}},
+      {"note", marked.note},     {"person", marked.person}, {"marked_at", marked.marked_at}};
+  if (marked.view) {
+    json["view"] = *marked.view;
+    json["comparison"] = marked.comparison;
+  }
+  if (marked.position_m) json["position_m"] = list_of(*marked.position_m);
+  if (marked.in_foot_m) json["in_foot_m"] = list_of(*marked.in_foot_m);
+  if (marked.size_mm) json["size_mm"] = *marked.size_mm;
+  if (marked.decision) json["decision"] = json_of(*marked.decision);
+  return json;
 }
 
 Json json_of(const ComparedView& view) {
@@ -67,6 +92,13 @@ Json json_of(const ComparedView& view) {
           {"coverage", coverage},
           {"judged", view.judged},
           {"warnings", warnings}};
+}
+
+template <typename Values>
+Json json_list(const Values& values) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(json_of(value));
+  return list;
 }
 
 }  // namespace
@@ -112,6 +144,16 @@ Json json_of(const InspectionSummary& summary) {
     json["comparison"] = summary.comparison->number;
     json["compared_at"] = summary.comparison->compared_at;
   }
+  if (summary.closing) json["closing"] = json_of(*summary.closing);
+  return json;
+}
+
+Json json_of(const ComparedRound& round) {
+  Json json{{"comparison", round.comparison.number},
+            {"compared_at", round.comparison.compared_at},
+            {"compared", json_list(round.compared)},
+            {"findings", json_list(round.findings)}};
+  if (round.final) json["final"] = json_of(*round.final);
   return json;
 }
 
@@ -124,10 +166,10 @@ Json json_of(const Inspection& inspection) {
     if (ignored != inspection.ignored.end() && !ignored->second.empty())
       json["views"].back()["ignore"] = list_of(ignored->second);
   }
-  json["compared"] = Json::array();
-  for (const ComparedView& view : inspection.compared) json["compared"].push_back(json_of(view));
-  json["findings"] = Json::array();
-  for (const ReviewedFinding& finding : inspection.findings) json["findings"].push_back(json_of(finding));
+  json["compared"] = json_list(inspection.compared);
+  json["findings"] = json_list(inspection.findings);
+  json["marked"] = json_list(inspection.marked);
+  json["closing_needs_note"] = closing_needs_note(inspection);
   return json;
 }
 

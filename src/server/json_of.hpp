@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_of(const InspectionSummary& summary);
 [[nodiscard]] Json json_of(const Inspection& inspection);
 [[nodiscard]] Json json_of(const ReviewedFinding& finding);
+[[nodiscard]] Json json_of(const ComparedRound& round);
 [[nodiscard]] Json json_of(const Readiness& readiness);
 [[nodiscard]] Json json_of(const TaskState& task);
 [[nodiscard]] Json json_of(const DriveState& state, const RobotLimits& limits);

@@ -1,9 +1,12 @@
 #include "server/live_pictures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "core/error.hpp"
 #include "depth/image_file.hpp"
 
 namespace rva {
@@ -43,7 +46,24 @@ Image<float> metres(const LiveFrame& live) {
   return result;
 }
 
+ColorImage in_color(const GrayImage& grey) {
+  ColorImage picture(grey.width(), grey.height());
+  std::ranges::transform(grey.pixels(), picture.pixels().begin(), [](std::uint8_t level) {
+    return Rgb{level, level, level};
+  });
+  return picture;
+}
+
 }  // namespace
+
+ColorImage picture_of(const LiveFrame& live, Stream stream) {
+  if (!brings(live.frame, stream))
+    throw Error("camera", fmt::format("has no {} image at the moment", name_of(stream)), "try again");
+  if (stream == Stream::color) return *live.frame.color;
+  if (stream == Stream::infrared) return in_color(grey_levels(live.frame.infrared.at(Imager::left)));
+  const Image<float> depth_m = metres(live);
+  return colorize(depth_m, scale_of_depth(depth_m));
+}
 
 LivePictures::LivePictures(const LiveCamera& camera, Listener listener)
     : camera_(camera),

@@ -40,6 +40,10 @@ struct LivePicture {
   std::vector<std::byte> jpeg;
 };
 
+/// A frame of a stream as a picture; depth in colours.
+/// @throws Error when the frame has no image of this stream
+[[nodiscard]] ColorImage picture_of(const LiveFrame& live, Stream stream);
+
 /// Encodes on a thread of its own, and only streams that somebody watches. Only the newest frame waits to be
 /// encoded. Every member may be called from any thread.
 class LivePictures {

@@ -68,6 +68,32 @@ ApiResponse Api::get_picture(const Call& call) const {
   return file_answer(folder, folder.result(inspection, view) / name, "image/png");
 }
 
+ApiResponse Api::get_round_picture(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  const int number = view_number(call.path_parts.at(1));
+  const int view = view_number(call.path_parts.at(2));
+  const std::string& name = call.path_parts.at(3);
+  if (!is_picture(name)) throw not_there();
+  const InspectionFolder folder = parts_.inspector.folder(id);
+  for (const ComparedRound& round : parts_.inspector.rounds(id)) {
+    if (round.comparison.number != number) continue;
+    return file_answer(folder,
+                       InspectionFolder::result_in(folder.path() / round.comparison.folder, view) / name,
+                       "image/png");
+  }
+  throw not_there();
+}
+
+ApiResponse Api::get_marked_picture(const Call& call) const {
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  const int number = view_number(call.path_parts.at(1));
+  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
+  for (const MarkedFinding& marked : inspection.marked) {
+    if (marked.number == number) return file_answer(folder, folder.path() / marked.picture, "image/png");
+  }
+  throw not_there();
+}
+
 ApiResponse Api::get_baseline_picture(const Call& call) const {
   const std::string& name = call.path_parts.at(2);
   const int view = view_number(call.path_parts.at(1));
@@ -129,8 +155,6 @@ ApiResponse Api::measure_points(const Call& call) const {
   }
   if (measured.size() == most_points && measured[0] && measured[1])
     answer["length_mm"] = mm_per_m * (measured[0]->position_m - measured[1]->position_m).norm();
-  return {200, "application/json", answer.dump()};
-  answer["length_mm"] = 1000.0 * (measured[0]->position_m - measured[1]->position_m).norm();
   return {200, "application/json", json_text(answer)};
 }
 

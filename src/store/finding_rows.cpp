@@ -7,65 +7,37 @@
 #include <utility>
 
 #include "core/json_object.hpp"
+#include "store/columns.hpp"
 
 namespace rva {
 namespace {
 
 using nlohmann::json;
 
-json to_list(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
-
-void bind(SQLite::Statement& statement, int index, const std::optional<double>& number) {
-  if (number) statement.bind(index, *number);
-}
-
-void bind(SQLite::Statement& statement, int index, const std::optional<Eigen::Vector3d>& point) {
-  if (point) statement.bind(index, json_text(to_list(*point)));
-}
-
-std::optional<double> number(const SQLite::Column& column) {
-  return column.isNull() ? std::nullopt : std::optional(column.getDouble());
-}
-
-template <typename Numbers>
-std::optional<Numbers> numbers(const SQLite::Column& column) {
-  if (column.isNull()) return std::nullopt;
-  return json::parse(column.getString()).get<Numbers>();
-}
-
-std::optional<Eigen::Vector3d> point(const SQLite::Column& column) {
-  const auto list = numbers<std::array<double, 3>>(column);
-  return list ? std::optional(Eigen::Vector3d(list->data())) : std::nullopt;
-}
-
 std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t inspection, int comparison,
                                       int finding) {
-  SQLite::Statement query(database,
-                          "select verdict, note, person, decided_at from decision where inspection = ? and "
-                          "comparison = ? and finding = ? order by id desc limit 1");
+  SQLite::Statement query(
+      database,
+      "select verdict, note, person, decided_at, round from decision where inspection = ? "
+      "and comparison = ? and finding = ? order by id desc limit 1");
   query.bind(1, inspection);
   query.bind(2, comparison);
   query.bind(3, finding);
-  if (!query.executeStep()) return std::nullopt;
-  return Decision{.verdict = value_of<Verdict>(query.getColumn(0).getString()).value_or(Verdict::second_look),
-                  .note = query.getColumn(1),
-                  .person = query.getColumn(2),
-                  .decided_at = query.getColumn(3)};
+  return query.executeStep() ? std::optional(decision_in(query)) : std::nullopt;
 }
 
 Finding finding_of(SQLite::Statement& row) {
   Finding finding;
   finding.id = row.getColumn("number");
   finding.kind = value_of<ChangeKind>(row.getColumn("kind").getString()).value_or(ChangeKind::appearance);
-  const auto box = numbers<std::array<int, 4>>(row.getColumn("box")).value();
-  finding.box = {box[0], box[1], box[2], box[3]};
-  const auto centroid = numbers<std::array<double, 2>>(row.getColumn("centroid")).value();
+  finding.box = box_in(row.getColumn("box"));
+  const auto centroid = extent_in(row.getColumn("centroid")).value();
   finding.centroid = {centroid[0], centroid[1]};
-  finding.position_m = point(row.getColumn("position_m"));
-  finding.size_mm = numbers<std::array<double, 2>>(row.getColumn("size_mm"));
-  finding.height_mm = number(row.getColumn("height_mm"));
-  finding.score = number(row.getColumn("score"));
-  finding.p_value = number(row.getColumn("p_value"));
+  finding.position_m = point_in(row.getColumn("position_m"));
+  finding.size_mm = extent_in(row.getColumn("size_mm"));
+  finding.height_mm = number_in(row.getColumn("height_mm"));
+  finding.score = number_in(row.getColumn("score"));
+  finding.p_value = number_in(row.getColumn("p_value"));
   finding.evidence = {row.getColumn("by_depth").getInt() != 0, row.getColumn("by_appearance").getInt() != 0};
   return finding;
 }
@@ -87,14 +59,14 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   insert.bind(4, reviewed.view);
   insert.bind(5, reviewed.same_as);
   insert.bind(6, std::string(name_of(finding.kind)));
-  insert.bind(7, json_text(json{box.x, box.y, box.width, box.height}));
+  bind_value(insert, 7, box);
   insert.bind(8, json_text(json{finding.centroid.x(), finding.centroid.y()}));
-  bind(insert, 9, finding.position_m);
-  bind(insert, 10, reviewed.in_foot_m);
-  if (finding.size_mm) insert.bind(11, json_text(json(*finding.size_mm)));
-  bind(insert, 12, finding.height_mm);
-  bind(insert, 13, finding.score);
-  bind(insert, 14, finding.p_value);
+  bind_value(insert, 9, finding.position_m);
+  bind_value(insert, 10, reviewed.in_foot_m);
+  bind_value(insert, 11, finding.size_mm);
+  bind_value(insert, 12, finding.height_mm);
+  bind_value(insert, 13, finding.score);
+  bind_value(insert, 14, finding.p_value);
   if (reviewed.moved_from) insert.bind(15, *reviewed.moved_from);
   insert.bind(16, finding.evidence.depth ? 1 : 0);
   insert.bind(17, finding.evidence.appearance ? 1 : 0);
@@ -114,7 +86,7 @@ std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_
     finding.view = query.getColumn("view");
     finding.same_as = query.getColumn("same_as");
     finding.finding = finding_of(query);
-    finding.in_foot_m = point(query.getColumn("in_foot_m"));
+    finding.in_foot_m = point_in(query.getColumn("in_foot_m"));
     if (const SQLite::Column moved_from = query.getColumn("moved_from"); !moved_from.isNull())
       finding.moved_from = moved_from.getInt();
     finding.decision = last_decision(database, inspection, comparison, finding.number);

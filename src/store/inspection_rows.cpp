@@ -11,6 +11,8 @@
 #include "core/error.hpp"
 #include "core/json_object.hpp"
 #include "store/finding_rows.hpp"
+#include "store/mark_rows.hpp"
+#include "store/round_rows.hpp"
 
 namespace rva {
 namespace {
@@ -46,27 +48,6 @@ void read_sides(SQLite::Database& database, Inspection& inspection) {
   }
 }
 
-std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int64_t id) {
-  SQLite::Statement query(
-      database,
-      "select view, method, compared, unseen, invalid, judged, warnings, left_out from compared_view "
-      "where inspection = ? order by view");
-  query.bind(1, id);
-  std::vector<ComparedView> views;
-  while (query.executeStep()) {
-    ComparedView view;
-    view.view = query.getColumn(0);
-    view.method = query.getColumn(1).getString();
-    view.coverage = {
-        .compared = query.getColumn(2), .unseen = query.getColumn(3), .invalid = query.getColumn(4)};
-    if (!query.getColumn(7).isNull()) view.coverage.left_out = query.getColumn(7).getDouble();
-    view.judged = query.getColumn(5);
-    view.warnings = nlohmann::json::parse(query.getColumn(6).getString()).get<std::vector<std::string>>();
-    views.push_back(std::move(view));
-  }
-  return views;
-}
-
 std::map<int, std::vector<Polygon>> ignored_of(SQLite::Database& database, std::int64_t id) {
   SQLite::Statement query(database, "select view, regions from ignored_region where inspection = ?");
   query.bind(1, id);
@@ -76,29 +57,15 @@ std::map<int, std::vector<Polygon>> ignored_of(SQLite::Database& database, std::
   return ignored;
 }
 
-std::optional<RecordedComparison> comparison_of(SQLite::Database& database, std::int64_t id, int number) {
+std::optional<Closing> closing_of(SQLite::Database& database, std::int64_t id) {
   SQLite::Statement query(database,
-                          "select compared_at, folder from comparison where inspection = ? and number = ?");
+                          "select comparison, person, note, closed_at from closing where inspection = ?");
   query.bind(1, id);
-  query.bind(2, number);
   if (!query.executeStep()) return std::nullopt;
-  return RecordedComparison{number, query.getColumn(0), query.getColumn(1)};
-}
-
-int comparisons_of(SQLite::Database& database, std::int64_t id) {
-  SQLite::Statement query(database, "select coalesce(max(number), 0) from comparison where inspection = ?");
-  query.bind(1, id);
-  query.executeStep();
-  return query.getColumn(0);
-}
-
-std::vector<std::string> unfinished_comparisons_of(SQLite::Database& database, std::int64_t id) {
-  SQLite::Statement query(database,
-                          "select folder from comparison where inspection = ? and compared_at = ''");
-  query.bind(1, id);
-  std::vector<std::string> folders;
-  while (query.executeStep()) folders.push_back(query.getColumn(0));
-  return folders;
+  return Closing{.comparison = query.getColumn(0),
+                 .person = query.getColumn(1),
+                 .note = query.getColumn(2),
+                 .closed_at = query.getColumn(3)};
 }
 
 }  // namespace
@@ -123,16 +90,24 @@ std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64
   inspection.comparison = comparison_of(database, id, query.getColumn(6));
   inspection.comparisons = comparisons_of(database, id);
   inspection.unfinished_comparisons = unfinished_comparisons_of(database, id);
-  inspection.compared = compared_views_of(database, id);
-  if (inspection.comparison) inspection.findings = findings_of(database, id, inspection.comparison->number);
+  if (inspection.comparison) {
+    inspection.compared = compared_views_of(database, id, inspection.comparison->number);
+    inspection.findings = findings_of(database, id, inspection.comparison->number);
+  }
+  inspection.marked = marked_findings_of(database, id);
+  inspection.closing = closing_of(database, id);
   return inspection;
 }
 
-void require_inspection(SQLite::Database& database, std::int64_t id) {
-  SQLite::Statement query(database, "select 1 from inspection where id = ?");
+void require_open_inspection(SQLite::Database& database, std::int64_t id) {
+  SQLite::Statement query(database,
+                          "select c.person from inspection i left join closing c on c.inspection = i.id "
+                          "where i.id = ?");
   query.bind(1, id);
-  if (!query.executeStep())
-    throw Error(fmt::format("inspection {}", id), "does not exist", "see the list of inspections");
+  const std::string title = fmt::format("inspection {}", id);
+  if (!query.executeStep()) throw Error(title, "does not exist", "see the list of inspections");
+  if (!query.getColumn(0).isNull())
+    throw Error(title, "has been closed by " + query.getColumn(0).getString(), "begin a new inspection");
 }
 
 void replace_views(SQLite::Database& database, std::int64_t id, const std::vector<PanTilt>& views) {
@@ -151,29 +126,6 @@ void replace_views(SQLite::Database& database, std::int64_t id, const std::vecto
   }
 }
 
-void replace_compared_views(SQLite::Database& database, std::int64_t id,
-                            const std::vector<ComparedView>& views) {
-  SQLite::Statement remove(database, "delete from compared_view where inspection = ?");
-  remove.bind(1, id);
-  remove.exec();
-  for (const ComparedView& view : views) {
-    SQLite::Statement insert(
-        database,
-        "insert into compared_view (inspection, view, method, compared, unseen, invalid, judged, warnings, "
-        "left_out) values (?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(1, id);
-    insert.bind(2, view.view);
-    insert.bind(3, view.method);
-    insert.bind(4, view.coverage.compared);
-    insert.bind(5, view.coverage.unseen);
-    insert.bind(6, view.coverage.invalid);
-    insert.bind(7, view.judged);
-    insert.bind(8, json_text(nlohmann::json(view.warnings)));
-    if (view.coverage.left_out) insert.bind(9, *view.coverage.left_out);
-    insert.exec();
-  }
-}
-
 void insert_side(SQLite::Database& database, std::int64_t id, Side side, const BegunSide& round,
                  const std::optional<std::string>& taken_at) {
   SQLite::Statement insert(database,
@@ -188,27 +140,33 @@ void insert_side(SQLite::Database& database, std::int64_t id, Side side, const B
   insert.exec();
 }
 
-// A comparison that was begun but not completed has an empty time.
-void insert_comparison(SQLite::Database& database, std::int64_t id, const RecordedComparison& comparison) {
-  SQLite::Statement remove(database,
-                           "delete from comparison where inspection = ? and number = ? and compared_at = ''");
-  remove.bind(1, id);
-  remove.bind(2, comparison.number);
-  remove.exec();
+void insert_closing(SQLite::Database& database, std::int64_t id, const Closing& closing) {
   SQLite::Statement insert(
-      database, "insert into comparison (inspection, number, compared_at, folder) values (?, ?, ?, ?)");
+      database,
+      "insert into closing (inspection, comparison, person, note, closed_at) values (?, ?, ?, ?, ?)");
   insert.bind(1, id);
-  insert.bind(2, comparison.number);
-  insert.bind(3, comparison.compared_at);
-  insert.bind(4, comparison.folder);
+  insert.bind(2, closing.comparison);
+  insert.bind(3, closing.person);
+  insert.bind(4, closing.note);
+  insert.bind(5, closing.closed_at);
   insert.exec();
 }
 
-void forget_comparison(SQLite::Database& database, std::int64_t id) {
-  SQLite::Statement forget(database, "update inspection set comparison = 0 where id = ?");
-  forget.bind(1, id);
-  forget.exec();
-  replace_compared_views(database, id, {});
+void remove_unused_inspection(SQLite::Database& database, std::int64_t id) {
+  for (const char* const table : {"side", "comparison", "mark"}) {
+    SQLite::Statement query(database, fmt::format("select 1 from {} where inspection = ?", table));
+    query.bind(1, id);
+    if (query.executeStep())
+      throw Error(fmt::format("inspection {}", id), "has captures or marks, which are kept",
+                  "close it instead of deleting it");
+  }
+  for (const char* const remove :
+       {"delete from view where inspection = ?", "delete from ignored_region where inspection = ?",
+        "delete from inspection where id = ?"}) {
+    SQLite::Statement statement(database, remove);
+    statement.bind(1, id);
+    statement.exec();
+  }
 }
 
 }  // namespace rva

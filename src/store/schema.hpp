@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 5;
 
 /// The tables of version 1. Lists within a row are JSON. Rows of `decision` are only added: the latest one of
 /// a finding applies.
@@ -141,6 +141,54 @@ insert into finding_4 (inspection, comparison, number, view, same_as, kind, box,
   from finding;
 drop table finding;
 alter table finding_4 rename to finding;
+)sql";
+
+/// Changes from version 4 to 5: coverage belongs to a comparison, so that earlier ones keep theirs; findings
+/// that people mark; decisions and comparisons name the round of captures; inspections are closed.
+inline constexpr const char* schema_5_from_4 = R"sql(
+alter table comparison add column final_round integer not null default 0;
+update comparison set final_round = coalesce((select max(s.round) from side s
+  where s.inspection = comparison.inspection and s.side = 'final' and s.taken_at is not null), 0)
+  where exists (select 1 from inspection i where i.id = comparison.inspection and i.comparison = comparison.number);
+alter table decision add column round integer not null default 0;
+update decision set round = coalesce((select c.final_round from comparison c
+  where c.inspection = decision.inspection and c.number = decision.comparison), 0);
+alter table finding add column above_surroundings_mm real;
+alter table finding add column background_jump integer not null default 0;
+
+create table compared_view_5 (
+  inspection integer not null, comparison integer not null, view integer not null,
+  method text not null, compared real not null, unseen real not null, invalid real not null, judged real not null,
+  warnings text not null, left_out real, findable text,
+  primary key (inspection, comparison, view),
+  foreign key (inspection, comparison) references comparison
+) strict, without rowid;
+insert into compared_view_5 (inspection, comparison, view, method, compared, unseen, invalid, judged, warnings,
+                             left_out)
+  select v.inspection, i.comparison, v.view, v.method, v.compared, v.unseen, v.invalid, v.judged, v.warnings,
+         v.left_out
+  from compared_view v join inspection i on i.id = v.inspection where i.comparison > 0;
+drop table compared_view;
+alter table compared_view_5 rename to compared_view;
+
+create table mark (
+  inspection integer not null references inspection, number integer not null,
+  view integer, comparison integer not null, round integer not null, picture text not null,
+  box text not null, position_m text, in_foot_m text, size_mm text,
+  note text not null, person text not null, marked_at text not null,
+  primary key (inspection, number)
+) strict, without rowid;
+create table mark_decision (
+  id integer primary key,
+  inspection integer not null, mark integer not null, round integer not null,
+  verdict text not null, note text not null, person text not null, decided_at text not null,
+  foreign key (inspection, mark) references mark
+) strict;
+create index decision_of_mark on mark_decision (inspection, mark);
+create table closing (
+  inspection integer primary key references inspection,
+  comparison integer not null, person text not null, note text not null, closed_at text not null
+) strict;
 )sql";
 
 }  // namespace rva

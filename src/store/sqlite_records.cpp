@@ -11,9 +11,12 @@
 #include "core/error.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
+#include "inspect/closing.hpp"
 #include "store/finding_rows.hpp"
 #include "store/inspection_rows.hpp"
+#include "store/mark_rows.hpp"
 #include "store/open_database.hpp"
+#include "store/round_rows.hpp"
 #include "store/summary_rows.hpp"
 
 namespace rva {
@@ -77,8 +80,12 @@ std::vector<std::int64_t> SqliteRecords::inspections() const {
   });
 }
 
-std::vector<InspectionSummary> SqliteRecords::summaries() const {
-  return read([](SQLite::Database& database) { return summaries_of(database); });
+std::vector<InspectionSummary> SqliteRecords::summaries(const InspectionFilter& filter) const {
+  return read([&](SQLite::Database& database) { return summaries_of(database, filter); });
+}
+
+std::vector<ComparedRound> SqliteRecords::rounds(std::int64_t id) const {
+  return read([&](SQLite::Database& database) { return rounds_of(database, id); });
 }
 
 std::optional<Inspection> SqliteRecords::find(std::int64_t id) const {
@@ -87,7 +94,7 @@ std::optional<Inspection> SqliteRecords::find(std::int64_t id) const {
 
 void SqliteRecords::set_views(std::int64_t id, const std::vector<PanTilt>& views) {
   change([&](SQLite::Database& database) {
-    require_inspection(database, id);
+    require_open_inspection(database, id);
     replace_views(database, id, views);
     return true;
   });
@@ -95,7 +102,7 @@ void SqliteRecords::set_views(std::int64_t id, const std::vector<PanTilt>& views
 
 void SqliteRecords::begin_side(std::int64_t id, Side side, const BegunSide& begun) {
   change([&](SQLite::Database& database) {
-    require_inspection(database, id);
+    require_open_inspection(database, id);
     insert_side(database, id, side, begun, std::nullopt);
     return true;
   });
@@ -103,30 +110,30 @@ void SqliteRecords::begin_side(std::int64_t id, Side side, const BegunSide& begu
 
 void SqliteRecords::set_side(std::int64_t id, Side side, const TakenSide& taken) {
   change([&](SQLite::Database& database) {
-    require_inspection(database, id);
+    require_open_inspection(database, id);
     insert_side(database, id, side, {taken.round, taken.person, taken.base}, taken.taken_at);
-    forget_comparison(database, id);
+    set_current_comparison(database, id, 0);
     return true;
   });
 }
 
 void SqliteRecords::set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
   change([&](SQLite::Database& database) {
-    require_inspection(database, id);
+    require_open_inspection(database, id);
     SQLite::Statement insert(
         database, "insert or replace into ignored_region (inspection, view, regions) values (?, ?, ?)");
     insert.bind(1, id);
     insert.bind(2, view);
     insert.bind(3, json_text(json_of(IgnoredRegions{ignored, {}})) + "\n");
     insert.exec();
-    forget_comparison(database, id);
+    set_current_comparison(database, id, 0);
     return true;
   });
 }
 
 void SqliteRecords::begin_comparison(std::int64_t id, const RecordedComparison& comparison) {
   change([&](SQLite::Database& database) {
-    require_inspection(database, id);
+    require_open_inspection(database, id);
     insert_comparison(database, id, comparison);
     return true;
   });
@@ -136,13 +143,10 @@ void SqliteRecords::set_comparison(std::int64_t id, const RecordedComparison& co
                                    const std::vector<ComparedView>& views,
                                    const std::vector<ReviewedFinding>& findings) {
   change([&](SQLite::Database& database) {
-    require_inspection(database, id);
+    require_open_inspection(database, id);
     insert_comparison(database, id, comparison);
-    SQLite::Statement update(database, "update inspection set comparison = ? where id = ?");
-    update.bind(1, comparison.number);
-    update.bind(2, id);
-    update.exec();
-    replace_compared_views(database, id, views);
+    set_current_comparison(database, id, comparison.number);
+    insert_compared_views(database, id, comparison.number, views);
     for (const ReviewedFinding& finding : findings) insert_finding(database, id, comparison.number, finding);
     return true;
   });
@@ -150,22 +154,58 @@ void SqliteRecords::set_comparison(std::int64_t id, const RecordedComparison& co
 
 void SqliteRecords::decide(std::int64_t id, int comparison, int finding, const Decision& decision) {
   change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
     SQLite::Statement insert(
         database,
-        "insert into decision (inspection, comparison, finding, verdict, note, person, decided_at) "
-        "select f.inspection, f.comparison, f.number, ?, ?, ?, ? from finding f join inspection i "
+        "insert into decision (inspection, comparison, finding, verdict, note, person, decided_at, round) "
+        "select f.inspection, f.comparison, f.number, ?, ?, ?, ?, ? from finding f join inspection i "
         "on i.id = f.inspection and i.comparison = f.comparison where f.inspection = ? and f.number = ? "
         "and f.comparison = ?");
     insert.bind(1, std::string(name_of(decision.verdict)));
     insert.bind(2, decision.note);
     insert.bind(3, decision.person);
     insert.bind(4, decision.decided_at);
-    insert.bind(5, id);
-    insert.bind(6, finding);
-    insert.bind(7, comparison);
+    insert.bind(5, decision.round);
+    insert.bind(6, id);
+    insert.bind(7, finding);
+    insert.bind(8, comparison);
     if (insert.exec() == 0)
       throw Error(fmt::format("finding {} of inspection {}", finding, id),
                   "is not a finding of the latest comparison", "reload the list of findings");
+    return true;
+  });
+}
+
+int SqliteRecords::add_mark(std::int64_t id, const MarkedFinding& marked) {
+  return change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    return insert_mark(database, id, marked);
+  });
+}
+
+void SqliteRecords::decide_mark(std::int64_t id, int mark, const Decision& decision) {
+  change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    if (!insert_mark_decision(database, id, mark, decision))
+      throw Error(fmt::format("inspection {}", id), fmt::format("has no finding {} marked by hand", mark),
+                  "reload the list of findings");
+    return true;
+  });
+}
+
+void SqliteRecords::close(std::int64_t id, const Closing& closing) {
+  change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    require_closable(find_inspection(database, id).value(), closing);
+    insert_closing(database, id, closing);
+    return true;
+  });
+}
+
+void SqliteRecords::remove(std::int64_t id) {
+  change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    remove_unused_inspection(database, id);
     return true;
   });
 }

@@ -24,8 +24,9 @@ class SqliteRecords : public Records, public Accounts {
                                             int dither, const std::vector<PanTilt>& views,
                                             std::int64_t above) override;
   [[nodiscard]] std::vector<std::int64_t> inspections() const override;
-  [[nodiscard]] std::vector<InspectionSummary> summaries() const override;
+  [[nodiscard]] std::vector<InspectionSummary> summaries(const InspectionFilter& filter) const override;
   [[nodiscard]] std::optional<Inspection> find(std::int64_t id) const override;
+  [[nodiscard]] std::vector<ComparedRound> rounds(std::int64_t id) const override;
   void set_views(std::int64_t id, const std::vector<PanTilt>& views) override;
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) override;
   void begin_side(std::int64_t id, Side side, const BegunSide& begun) override;
@@ -35,6 +36,10 @@ class SqliteRecords : public Records, public Accounts {
                       const std::vector<ComparedView>& views,
                       const std::vector<ReviewedFinding>& findings) override;
   void decide(std::int64_t id, int comparison, int finding, const Decision& decision) override;
+  [[nodiscard]] int add_mark(std::int64_t id, const MarkedFinding& marked) override;
+  void decide_mark(std::int64_t id, int mark, const Decision& decision) override;
+  void close(std::int64_t id, const Closing& closing) override;
+  void remove(std::int64_t id) override;
   void set_account(const Account& account) override;
   [[nodiscard]] std::vector<Account> accounts() const override;
   bool remove_account(const std::string& name) override;

@@ -3,33 +3,73 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 #include <utility>
+
+#include "core/json_object.hpp"
 
 namespace rva {
 namespace {
 
-// `compared_whole` and `undecided` must match stage_of() and is_settled().
+// `stage` and `undecided` must match stage_of() and is_settled(). The stage is computed for the rows alone
+// that the other conditions leave, and those are tried newest first until there are enough.
 constexpr const char* summaries = R"sql(
 select i.id, i.aircraft, i.zone, i.work_order, i.person, i.created_at,
   a.taken_at, a.person, a.base, a.round,
   b.taken_at, b.person, b.base, b.round,
-  c.number, c.compared_at, c.folder,
-  (select count(*) from finding f where f.inspection = i.id and f.comparison = i.comparison),
+  c.number, c.compared_at, c.folder, c.final_round,
+  (select count(*) from finding f where f.inspection = i.id and f.comparison = i.comparison)
+    + (select count(*) from mark m where m.inspection = i.id),
   (select count(*) from finding f where f.inspection = i.id and f.comparison = i.comparison and coalesce(
     (select verdict from decision d
      where d.inspection = f.inspection and d.comparison = f.comparison and d.finding = f.number
-     order by d.id desc limit 1), 'second-look') = 'second-look') as undecided,
-  exists (select 1 from compared_view v where v.inspection = i.id)
-    and (select count(*) from compared_view v where v.inspection = i.id)
-      = (select count(*) from view w where w.inspection = i.id) as compared_whole
+     order by d.id desc limit 1), 'second-look') in ('second-look', 'debris'))
+    + (select count(*) from mark m where m.inspection = i.id and coalesce(
+    (select verdict from mark_decision d where d.inspection = m.inspection and d.mark = m.number
+     order by d.id desc limit 1), 'second-look') in ('second-look', 'debris')) as undecided,
+  case
+    when k.inspection is not null then 'done'
+    when a.taken_at is null then 'baseline'
+    when c.number is null
+      or not exists (select 1 from compared_view v where v.inspection = i.id and v.comparison = i.comparison)
+      or (select count(*) from compared_view v where v.inspection = i.id and v.comparison = i.comparison)
+        <> (select count(*) from view w where w.inspection = i.id) then 'work'
+    else 'review'
+  end as stage,
+  k.comparison, k.person, k.note, k.closed_at
 from inspection i
+left join closing k on k.inspection = i.id
 left join side a on a.inspection = i.id and a.side = 'initial' and a.round =
   (select max(round) from side where inspection = i.id and side = 'initial' and taken_at is not null)
 left join side b on b.inspection = i.id and b.side = 'final' and b.round =
   (select max(round) from side where inspection = i.id and side = 'final' and taken_at is not null)
 left join comparison c on c.inspection = i.id and c.number = i.comparison
+where (?1 = 0 or i.id < ?1) and i.created_at >= ?2 and (?3 = '' or i.created_at < ?3)
+  and not exists (select 1 from json_each(?4) word where
+    i.aircraft || char(10) || i.zone || char(10) || i.work_order || char(10) || i.person || char(10) || i.id
+    not like word.value escape '\')
+  and (?5 = '' or (?5 = 'done') = (k.inspection is not null))
+  and (?5 = '' or stage = ?5)
 order by i.id desc
+limit ?6
 )sql";
+
+// The words of a text as patterns of LIKE that match wherever the word occurs, in JSON.
+std::string patterns_of(const std::string& text) {
+  nlohmann::json patterns = nlohmann::json::array();
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    std::string pattern = "%";
+    for (const char c : word) {
+      if (c == '%' || c == '_' || c == '\\') pattern += '\\';
+      pattern += c;
+    }
+    patterns.push_back(pattern + "%");
+  }
+  return json_text(patterns);
+}
 
 std::optional<TakenSide> side_from(SQLite::Statement& row, int first) {
   if (row.getColumn(first).isNull()) return std::nullopt;
@@ -39,16 +79,21 @@ std::optional<TakenSide> side_from(SQLite::Statement& row, int first) {
                    .round = row.getColumn(first + 3)};
 }
 
-Stage stage_from(const InspectionSummary& summary, bool compared_whole) {
-  if (!summary.initial) return Stage::baseline;
-  if (!summary.comparison || !compared_whole) return Stage::work;
-  return summary.undecided == 0 ? Stage::done : Stage::review;
+void bind_filter(SQLite::Statement& query, const InspectionFilter& filter) {
+  constexpr std::int64_t all = -1;
+  query.bind(1, filter.before);
+  query.bind(2, filter.from);
+  query.bind(3, filter.until);
+  query.bind(4, patterns_of(filter.text));
+  query.bind(5, filter.stage ? std::string(name_of(*filter.stage)) : "");
+  query.bind(6, filter.most == 0 ? all : static_cast<std::int64_t>(filter.most));
 }
 
 }  // namespace
 
-std::vector<InspectionSummary> summaries_of(SQLite::Database& database) {
+std::vector<InspectionSummary> summaries_of(SQLite::Database& database, const InspectionFilter& filter) {
   SQLite::Statement row(database, summaries);
+  bind_filter(row, filter);
   std::vector<InspectionSummary> all;
   while (row.executeStep()) {
     InspectionSummary summary;
@@ -61,10 +106,13 @@ std::vector<InspectionSummary> summaries_of(SQLite::Database& database) {
     summary.initial = side_from(row, 6);
     summary.final = side_from(row, 10);
     if (!row.getColumn(14).isNull())
-      summary.comparison = RecordedComparison{row.getColumn(14), row.getColumn(15), row.getColumn(16)};
-    summary.findings = static_cast<std::size_t>(row.getColumn(17).getInt64());
-    summary.undecided = static_cast<std::size_t>(row.getColumn(18).getInt64());
-    summary.stage = stage_from(summary, row.getColumn(19).getInt() != 0);
+      summary.comparison =
+          RecordedComparison{row.getColumn(14), row.getColumn(15), row.getColumn(16), row.getColumn(17)};
+    summary.findings = static_cast<std::size_t>(row.getColumn(18).getInt64());
+    summary.undecided = static_cast<std::size_t>(row.getColumn(19).getInt64());
+    summary.stage = value_of<Stage>(row.getColumn(20).getString()).value_or(Stage::review);
+    if (!row.getColumn(21).isNull())
+      summary.closing = Closing{row.getColumn(21), row.getColumn(22), row.getColumn(23), row.getColumn(24)};
     all.push_back(std::move(summary));
   }
   return all;

@@ -9,7 +9,8 @@
 
 namespace rva {
 
-/// Summaries of all inspections, newest first, in one query.
-[[nodiscard]] std::vector<InspectionSummary> summaries_of(SQLite::Database& database);
+/// Summaries of the inspections that a filter selects, newest first, in one query.
+[[nodiscard]] std::vector<InspectionSummary> summaries_of(SQLite::Database& database,
+                                                          const InspectionFilter& filter);
 
 }  // namespace rva

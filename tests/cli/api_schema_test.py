@@ -99,7 +99,10 @@ class ApiSchemaTest(program.ProgramTest):
         self.post('simulation', 'SimulationRequest', {'done': True})
         self.take('final', then='comparison')
         self.review()
+        self.mark()
         self.begin_another_round()
+        self.take('final', then='comparison')
+        self.close()
         self.sign_in()
         self.assertLessEqual(SCHEMA.not_met(), NOT_MET, 'fields that were in no request, answer or message: remove them '
                              'from the schema, or list them here')
@@ -141,6 +144,30 @@ class ApiSchemaTest(program.ProgramTest):
         self.get('inspections', 'InspectionList')
         self.post('inspections/1/compare', None, {}, status=202)
         self.cancel('comparison')
+
+    def mark(self):
+        found = self.get('inspections/1', 'Inspection')
+        in_view = {'comparison': found['comparison'], 'view': 0, 'bbox': [340, 336, 24, 24], 'note': 'a rag', 'person': 'Ann'}
+        self.post('inspections/1/marked', 'MarkRequest', in_view, 'Inspection', 201)
+        live = {'stream': 'color', 'bbox': [340, 336, 24, 24], 'note': '', 'person': 'Ann'}
+        self.post('inspections/1/marked', 'MarkRequest', live, 'Inspection', 201)
+        for number in (1, 2):
+            self.post(f'inspections/1/marked/{number}/decision', 'MarkDecisionRequest',
+                      {'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
+        self.refuse('POST', 'inspections/1/marked', {**in_view, 'comparison': 99}, 409)
+
+    def close(self):
+        self.get('inspections/1/rounds', 'RoundList')
+        found = self.get('inspections/1', 'Inspection')
+        closing = {'comparison': found['comparison'], 'note': '', 'person': 'Ann'}
+        for finding in found['findings']:
+            self.refuse('POST', 'inspections/1/close', closing, 409)
+            self.post(f'inspections/1/findings/{finding["number"]}/decision', 'DecisionRequest',
+                      {'comparison': found['comparison'], 'verdict': 'installed-work', 'note': '', 'person': 'Ann'}, 'Inspection')
+        closed = self.post('inspections/1/close', 'CloseRequest', closing, 'Inspection')
+        self.assertEqual(closed['stage'], 'done')
+        self.refuse('POST', 'inspections/1/close', closing, 409)
+        self.get('inspections?text=n1+bay&stage=done&most=5', 'InspectionList')
 
     def begin_another_round(self):
         self.post('inspections/1/capture', 'CaptureRequest', {'side': 'final', 'person': 'Ann', 'replaced': True}, status=202)

@@ -72,8 +72,82 @@ TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
   EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map(inspection)));
   EXPECT_THROW(inspector_->decide(id, 2, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error)
       << "of findings that are shown no more";
-  inspector_->decide(id, inspection.comparison->number, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
+  const int comparison = inspection.comparison->number;
+  EXPECT_THROW(inspector_->close(id, comparison, {"", "Ann"}), Error) << "a finding is undecided";
+  inspector_->decide(id, comparison, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
+  EXPECT_EQ(inspector_->inspection(id).findings[0].decision->round, 1);
+  EXPECT_THROW(inspector_->close(id, comparison, {"", "Ann"}), Error) << "no picture shows that it is gone";
+  plug_->bump_mm = 0;
+  take(id, Side::final);
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::review) << "nobody has looked yet";
+  EXPECT_THROW(inspector_->close(id, comparison, {"", "Ann"}), Error) << "another comparison was reviewed";
+  EXPECT_THROW(inspector_->close(id, comparison + 1, {"", " "}), Error) << "nobody";
+  inspector_->close(id, comparison + 1, {"", "Ann"});
   EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
+}
+
+TEST_F(Standing, EveryRoundStaysWithWhatItShowed) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  plug_->bump_mm = 12;
+  take(id, Side::final);
+  inspector_->decide(id, 1, 1, {Verdict::debris_removed, "a bolt", "Ann", "t"});
+  plug_->bump_mm = 0;
+  take(id, Side::final);
+  restart();
+  const std::vector<ComparedRound> rounds = inspector_->rounds(id);
+  ASSERT_EQ(rounds.size(), 2U);
+  EXPECT_TRUE(rounds[0].findings.empty());
+  EXPECT_EQ(rounds[0].final->round, 2);
+  ASSERT_EQ(rounds[1].findings.size(), 1U);
+  EXPECT_EQ(rounds[1].findings[0].decision->note, "a bolt");
+  EXPECT_EQ(rounds[1].final->round, 1);
+  EXPECT_GT(rounds[1].compared.at(0).judged, 0.5);
+}
+
+TEST_F(Standing, WhatAPersonMarksIsAFindingThroughAllRounds) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  take(id, Side::initial);
+  EXPECT_THROW(inspector_->mark(id, 1, 0, {5, 5, 9, 9}, {"", "Ann"}), Error) << "there are no pictures yet";
+  EXPECT_EQ(inspector_->mark_in_picture(id, {.box = {0, 0, 4, 4}}, ColorImage(4, 4), {"a rag", "Ann"}), 1);
+  take(id, Side::final);
+  EXPECT_THROW(inspector_->mark(id, 1, 1, {5, 5, 9, 9}, {"", "Ann"}), Error) << "no such view";
+  EXPECT_THROW(inspector_->mark(id, 2, 0, {5, 5, 9, 9}, {"", "Ann"}), Error) << "not these pictures";
+  EXPECT_THROW(inspector_->mark(id, 1, 0, {5, 5, 9, 9}, {"", ""}), Error) << "nobody";
+  EXPECT_EQ(inspector_->mark(id, 1, 0, {5, 5, 9, 9}, {"a washer", "Bob"}), 2);
+  inspector_->decide_mark(id, 1, {Verdict::debris_removed, "", "Ann", "t"});
+  take(id, Side::final);
+  const Inspection inspection = inspector_->inspection(id);
+  ASSERT_EQ(inspection.marked.size(), 2U);
+  EXPECT_EQ(inspection.marked[0].round, 0);
+  EXPECT_EQ(inspection.marked[1].note, "a washer");
+  EXPECT_EQ(inspection.marked[1].person, "Bob");
+  EXPECT_TRUE(inspection.marked[1].position_m);
+  for (const MarkedFinding& marked : inspection.marked)
+    EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).path() / marked.picture)) << marked.picture;
+  EXPECT_THROW(inspector_->close(id, 2, {"", "Ann"}), Error) << "one is undecided";
+  inspector_->decide_mark(id, 2, {Verdict::false_alarm, "", "Ann", "t"});
+  EXPECT_NO_THROW(inspector_->close(id, 2, {"", "Ann"})) << "the other one was removed before the last round";
+  EXPECT_THROW(inspector_->decide_mark(id, 2, {Verdict::debris, "", "Ann", "t"}), Error) << "closed";
+  EXPECT_THROW(inspector_->mark(id, 2, 0, {5, 5, 9, 9}, {"", "Ann"}), Error) << "closed";
+  EXPECT_THROW(inspector_->capture(id, Side::final, "Ann", false), Error) << "closed";
+  EXPECT_THROW(inspector_->compare(id), Error) << "closed";
+  EXPECT_THROW(inspector_->set_ignored(id, 0, {}), Error) << "closed";
+}
+
+TEST_F(Standing, AnInspectionIsRemovedOnlyWhileNothingWasCapturedOrMarked) {
+  const std::int64_t empty = inspector_->begin({"", "", "", "Ann"});
+  const std::int64_t marked = inspector_->begin({"", "", "", "Ann"});
+  const std::int64_t taken = inspector_->begin({"", "", "", "Ann"});
+  static_cast<void>(
+      inspector_->mark_in_picture(marked, {.box = {0, 0, 4, 4}}, ColorImage(4, 4), {"", "Ann"}));
+  take(taken, Side::initial);
+  inspector_->remove(empty);
+  EXPECT_FALSE(inspector_->has(empty));
+  EXPECT_THROW(inspector_->remove(empty), Error);
+  EXPECT_THROW(inspector_->remove(marked), Error);
+  EXPECT_THROW(inspector_->remove(taken), Error);
+  EXPECT_TRUE(inspector_->has(marked) && inspector_->has(taken));
 }
 
 TEST_F(Standing, WhatIsLeftOutIsNotFoundAndTheComparisonIsMadeAgain) {
@@ -109,7 +183,7 @@ TEST_F(Standing, AFinalCaptureThatWasNotComparedIsNotDone) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   take(id, Side::initial);
   take(id, Side::final);
-  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::done);
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::review);
   // Somebody does more work, and ends the second look before it is compared.
   plug_->bump_mm = 12;
   inspector_->capture(id, Side::final, "Ann", false);

@@ -15,8 +15,12 @@ using testing::HasSubstr;
 
 class Asked : public testing::Test {
  protected:
-  ApiResponse ask(const std::string& method, const std::string& path, const std::string& body = "") const {
-    return api_.answer({method, path, body, "client-of-this-test", token_, "here"});
+  ApiResponse ask(const std::string& method, const std::string& path, const std::string& body = "",
+                  const std::string& query = "") const {
+    return api_.answer({method, path, body, "client-of-this-test", token_, "here", query});
+  }
+  std::size_t listed(const std::string& query) const {
+    return Json::parse(ask("GET", "/api/inspections", "", query).body)["inspections"].size();
   }
   std::string code(const std::string& method, const std::string& path, const std::string& body = "") const {
     return Json::parse(ask(method, path, body).body)["error"]["code"];
@@ -45,6 +49,59 @@ TEST_F(Asked, AnInspectionIsBegunListedAndGivenItsViews) {
   const Json inspection = Json::parse(ask("GET", "/api/inspections/1").body);
   EXPECT_EQ(inspection["views"][0]["tilt_deg"], -2.0);
   EXPECT_EQ(Json::parse(ask("GET", "/api/inspections").body)["inspections"].size(), 1U);
+}
+
+TEST_F(Asked, AListIsFiltered) {
+  for (const char* const zone : {"left wing", "right wing", "tail"})
+    ask("POST", "/api/inspections", Json{{"person", "Ann"}, {"zone", zone}}.dump());
+  EXPECT_EQ(listed(""), 3U);
+  EXPECT_EQ(listed("text=wing+left"), 1U);
+  EXPECT_EQ(listed("text=le%66t&most=5"), 1U);
+  EXPECT_EQ(listed("most=2"), 2U);
+  EXPECT_EQ(listed("before=3&stage=baseline"), 2U);
+  EXPECT_EQ(listed("stage=done"), 0U);
+  EXPECT_EQ(listed("from=2000-01-01&until=2001-01-01"), 0U);
+  for (const char* const query : {"most=0", "most=x", "most=99999", "before=-1", "stage=maybe", "colour=red",
+                                  "text=%zz", "text=%", "text=%0a"})
+    EXPECT_EQ(ask("GET", "/api/inspections", "", query).status, 400) << query;
+  EXPECT_EQ(ask("GET", "/api/inspections", "", "text=" + std::string(300, 'x')).status, 400);
+}
+
+TEST_F(Asked, AnEmptyInspectionIsRemoved) {
+  ask("POST", "/api/inspections", R"({"person":"Ann"})");
+  EXPECT_EQ(ask("DELETE", "/api/inspections/1").status, 200);
+  EXPECT_EQ(ask("GET", "/api/inspections/1").status, 404);
+}
+
+TEST_F(Asked, WhatIsSeenInTheLivePictureIsMarked) {
+  ASSERT_TRUE(test::eventually([&] { return served_.camera.newest() != nullptr; }));
+  ask("POST", "/api/inspections", R"({"person":"Ann"})");
+  const std::string path = "/api/inspections/1/marked";
+  const ApiResponse answer =
+      ask("POST", path, R"({"stream":"depth","bbox":[20,60,10,10],"note":"a rag","person":"Ann"})");
+  ASSERT_EQ(answer.status, 201) << answer.body;
+  const Json marked = Json::parse(answer.body)["marked"].at(0);
+  EXPECT_EQ(marked["note"], "a rag");
+  EXPECT_EQ(marked["bbox"].dump(), "[20,60,10,10]");
+  EXPECT_TRUE(marked.contains("position_m"));
+  EXPECT_FALSE(marked.contains("view"));
+  EXPECT_EQ(ask("GET", path + "/1/picture.png").status, 200);
+  EXPECT_EQ(ask("GET", path + "/2/picture.png").status, 404);
+  for (const char* const body : {R"({"stream":"depth","bbox":[20,60,10,10],"person":""})",
+                                 R"({"stream":"depth","bbox":[20,60,1e8,10],"person":"Ann"})",
+                                 R"({"stream":"depth","bbox":[-1,60,10,10],"person":"Ann"})",
+                                 R"({"stream":"depth","bbox":[1,2,3],"person":"Ann"})",
+                                 R"({"stream":"sonar","bbox":[20,60,10,10],"person":"Ann"})",
+                                 R"({"stream":"color","bbox":[20,60,10,10],"person":"Ann"})",
+                                 R"({"comparison":1,"view":0,"bbox":[20,60,10,10],"person":"Ann"})"})
+    EXPECT_GE(ask("POST", path, body).status, 400) << body;
+  EXPECT_EQ(ask("POST", path + "/1/decision", R"({"verdict":"debris","note":"","person":"Ann"})").status,
+            200);
+  EXPECT_EQ(ask("POST", path + "/2/decision", R"({"verdict":"debris","note":"","person":"Ann"})").status,
+            409);
+  EXPECT_EQ(code("POST", "/api/inspections/1/close", R"({"comparison":1,"person":"Ann"})"), "refused");
+  EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1/rounds").body)["rounds"].size(), 0U);
+  EXPECT_EQ(ask("GET", "/api/inspections/1/rounds/1/views/0/final_color.png").status, 404);
 }
 
 TEST_F(Asked, RegionsToLeaveOutNeedABaselineAndPolygons) {
@@ -134,12 +191,15 @@ TEST_F(Asked, RolesMayDoWhatIsTheirs) {
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);
   EXPECT_EQ(code("POST", "/api/inspections", R"({"person":"Ann"})"), "not-allowed");
   EXPECT_EQ(code("POST", "/api/readiness", "{}"), "not-allowed");
+  EXPECT_EQ(code("POST", "/api/inspections/1/marked", "{}"), "not-allowed");
+  EXPECT_EQ(code("DELETE", "/api/inspections/1", "{}"), "not-allowed");
   sign_in(PersonRole::operator_);
   EXPECT_EQ(ask("POST", "/api/inspections", R"({"person":"Bob"})").status, 201);
   EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1").body)["person"], "ann")
       << "an account cannot lend a name";
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision", R"({"verdict":"false-alarm"})"),
             "not-allowed");
+  EXPECT_EQ(code("POST", "/api/inspections/1/close", R"({"comparison":1})"), "not-allowed");
   sign_in(PersonRole::inspector);
   EXPECT_EQ(code("POST", "/api/inspections/1/findings/1/decision",
                  R"({"verdict":"false-alarm","compared_at":"t"})"),

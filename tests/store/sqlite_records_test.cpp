@@ -188,6 +188,9 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   EXPECT_EQ(back.comparison->compared_at, "t1");
   EXPECT_EQ(back.findings[0].finding.evidence, Evidence{}) << "depth, as all were";
   EXPECT_EQ(back.final->round, 1);
+  EXPECT_EQ(back.comparison->final_round, 1);
+  EXPECT_EQ(back.findings[0].decision->round, 1);
+  EXPECT_EQ(back.compared.at(0).judged, 0.8);
   EXPECT_EQ(records.accounts().at(0).generation.size(), 32U);
   EXPECT_NO_THROW(records.decide(1, 1, 1, {Verdict::false_alarm, "", "Ann", "t3"}));
   EXPECT_NO_THROW(records.set_comparison(1, comparison(2), {}, {finding(1)}));
@@ -242,7 +245,7 @@ TEST_F(Kept, ARoundUnderWayIsKnownUntilItIsComplete) {
 
 TEST_F(Kept, TheListAgreesWithEachInspection) {
   const auto list = [this] {
-    std::vector<InspectionSummary> all = records_->summaries();
+    std::vector<InspectionSummary> all = records_->summaries({});
     for (const InspectionSummary& summary : all) {
       const InspectionSummary whole = summary_of(*records_->find(summary.id));
       EXPECT_EQ(summary.stage, whole.stage) << summary.id;
@@ -265,9 +268,136 @@ TEST_F(Kept, TheListAgreesWithEachInspection) {
   EXPECT_EQ(list().at(1).undecided, 2U);
   records_->decide(id, 1, 1, {Verdict::false_alarm, "", "Ann", "t"});
   records_->decide(id, 1, 2, {Verdict::false_alarm, "", "Ann", "t"});
+  EXPECT_EQ(list().at(1).stage, Stage::review) << "nobody has closed it";
+  EXPECT_EQ(list().at(1).undecided, 0U);
+  for (const Verdict verdict : {Verdict::second_look, Verdict::debris}) {
+    records_->decide(id, 1, 2, {verdict, "", "Ann", "t"});
+    EXPECT_EQ(list().at(1).undecided, 1U);
+  }
+  EXPECT_EQ(records_->add_mark(id, {.box = {1, 2, 3, 4}}), 1);
+  EXPECT_EQ(list().at(1).undecided, 2U);
+  records_->decide_mark(id, 1, {Verdict::installed_work, "", "Ann", "t"});
+  records_->decide(id, 1, 2, {Verdict::debris_unreachable, "", "Ann", "t"});
+  EXPECT_EQ(list().at(1).undecided, 0U);
+  EXPECT_THROW(records_->close(id, {1, "Ann", "a note", "t"}), Error) << "a round is under way";
+  records_->set_side(id, Side::final, {"t", "Ann", "base", 3});
+  records_->set_comparison(id, comparison(2), {{0, "static", {1, 0, 0, {}}, 1, {}}}, {});
+  records_->close(id, {2, "Ann", "a note", "t"});
   EXPECT_EQ(list().at(1).stage, Stage::done);
-  records_->decide(id, 1, 2, {Verdict::second_look, "", "Ann", "t"});
-  EXPECT_EQ(list().at(1).stage, Stage::review);
+  EXPECT_EQ(list().at(1).closing->person, "Ann");
+}
+
+TEST_F(Kept, AListIsFilteredByWordsStageTimeAndNumber) {
+  const auto add_of = [&](const std::string& aircraft, const std::string& zone, const std::string& at) {
+    return records_->add_inspection({aircraft, zone, "WO_7", "Ann"}, at, 1, {{0, 0}}, 0);
+  };
+  const std::int64_t first = add_of("N1", "left wing", "2026-01-01T10:00:00Z");
+  const std::int64_t second = add_of("N2", "right wing", "2026-01-02T10:00:00Z");
+  const std::int64_t third = add_of("N1", "100% tail", "2026-01-03T10:00:00Z");
+  records_->set_side(second, Side::initial, {"t", "Ann", "base"});
+  const auto ids = [&](const InspectionFilter& filter) {
+    std::vector<std::int64_t> found;
+    for (const InspectionSummary& summary : records_->summaries(filter)) found.push_back(summary.id);
+    return found;
+  };
+  EXPECT_THAT(ids({}), ElementsAre(third, second, first));
+  EXPECT_THAT(ids({.text = "WING"}), ElementsAre(second, first)) << "in any case";
+  EXPECT_THAT(ids({.text = " wing  n1 "}), ElementsAre(first)) << "every word, wherever it is";
+  EXPECT_THAT(ids({.text = "0%"}), ElementsAre(third)) << "literally";
+  EXPECT_THAT(ids({.text = "WO_"}), SizeIs(3));
+  EXPECT_THAT(ids({.text = "W_7"}), SizeIs(0)) << "an underscore stands for itself";
+  EXPECT_THAT(ids({.text = "\\"}), SizeIs(0));
+  EXPECT_THAT(ids({.text = "' or 1=1 --"}), SizeIs(0));
+  EXPECT_THAT(ids({.stage = Stage::work}), ElementsAre(second));
+  EXPECT_THAT(ids({.stage = Stage::done}), SizeIs(0));
+  EXPECT_THAT(ids({.from = "2026-01-02"}), ElementsAre(third, second));
+  EXPECT_THAT(ids({.until = "2026-01-02"}), ElementsAre(first));
+  EXPECT_THAT(ids({.before = third, .most = 1}), ElementsAre(second));
+}
+
+TEST_F(Kept, AMarkComesBackAsItWas) {
+  const std::int64_t id = add();
+  MarkedFinding marked;
+  marked.view = 1;
+  marked.comparison = 3;
+  marked.round = 2;
+  marked.picture = "marks/001.png";
+  marked.box = {1, 2, 3, 4};
+  marked.position_m = Eigen::Vector3d(0.1, -0.2, 1.0 / 3.0);
+  marked.in_foot_m = Eigen::Vector3d(1, 2, 3);
+  marked.size_mm = {7.1, 8.2};
+  marked.note = "a \"washer\"; drop table mark";
+  marked.person = "Ann";
+  marked.marked_at = "t1";
+  EXPECT_EQ(records_->add_mark(id, marked), 1);
+  EXPECT_EQ(records_->add_mark(id, {.box = {0, 0, 1, 1}}), 2);
+  records_->decide_mark(id, 1, {Verdict::second_look, "?", "Ann", "t2", 1});
+  records_->decide_mark(id, 1, {Verdict::debris, "!", "Bob", "t3", 2});
+  open();
+  const std::vector<MarkedFinding> back = records_->find(id)->marked;
+  ASSERT_THAT(back, SizeIs(2));
+  EXPECT_EQ(back[0].view, 1);
+  EXPECT_EQ(back[0].comparison, 3);
+  EXPECT_EQ(back[0].round, 2);
+  EXPECT_EQ(back[0].picture, marked.picture);
+  EXPECT_EQ(back[0].box, marked.box);
+  EXPECT_EQ(back[0].position_m, marked.position_m);
+  EXPECT_EQ(back[0].in_foot_m, marked.in_foot_m);
+  EXPECT_EQ(back[0].size_mm, marked.size_mm);
+  EXPECT_EQ(back[0].note, marked.note);
+  EXPECT_EQ(back[0].marked_at, "t1");
+  EXPECT_EQ(back[0].decision->verdict, Verdict::debris);
+  EXPECT_EQ(back[0].decision->round, 2);
+  EXPECT_FALSE(back[1].view || back[1].position_m || back[1].size_mm || back[1].decision);
+  EXPECT_THROW(records_->decide_mark(id, 3, {}), Error);
+  EXPECT_THROW(static_cast<void>(records_->add_mark(id + 1, {})), Error);
+}
+
+TEST_F(Kept, AClosedInspectionDoesNotChange) {
+  const std::int64_t id = add();
+  records_->set_side(id, Side::initial, {"t", "Ann", "base"});
+  records_->set_side(id, Side::final, {"t", "Ann", "base"});
+  records_->set_comparison(id, comparison(1), {{0, "static", {1, 0, 0, {}}, 1, {}}}, {finding(1)});
+  EXPECT_THROW(records_->close(id, {1, "Ann", "", "t"}), Error) << "something is undecided";
+  records_->decide(id, 1, 1, {Verdict::installed_work, "", "Ann", "t"});
+  records_->close(id, {1, "Ann", "", "t"});
+  open();
+  EXPECT_EQ(records_->find(id)->closing->person, "Ann");
+  EXPECT_THROW(records_->close(id, {1, "Bob", "", "t"}), Error);
+  EXPECT_THROW(records_->decide(id, 1, 1, {Verdict::debris, "", "Ann", "t"}), Error);
+  EXPECT_THROW(records_->set_views(id, {{1, 1}}), Error);
+  EXPECT_THROW(records_->set_ignored(id, 0, {}), Error);
+  EXPECT_THROW(records_->begin_side(id, Side::final, {2, "Ann", "base"}), Error);
+  EXPECT_THROW(records_->set_side(id, Side::final, {"t", "Ann", "base", 2}), Error);
+  EXPECT_THROW(records_->begin_comparison(id, comparison(2)), Error);
+  EXPECT_THROW(static_cast<void>(records_->add_mark(id, {})), Error);
+  EXPECT_THROW(records_->remove(id), Error);
+  EXPECT_EQ(records_->find(id)->findings.at(0).decision->verdict, Verdict::installed_work);
+}
+
+TEST_F(Kept, EarlierComparisonsStayWithTheirCoverageFindingsAndDecisions) {
+  const std::int64_t id = add();
+  records_->set_side(id, Side::final, {"t", "Ann", "base", 1});
+  records_->set_comparison(id, {1, "noon", "comparison-1", 1}, {{0, "spatial", {0.9, 0, 0, {}}, 0.6, {"w"}}},
+                           {finding(1), finding(2)});
+  records_->decide(id, 1, 2, {Verdict::debris_removed, "a collar", "Bob", "t2", 1});
+  records_->begin_comparison(id, {2, "", "comparison-2", 1});
+  records_->set_side(id, Side::final, {"t", "Bob", "base", 2});
+  records_->set_comparison(id, {3, "noon", "comparison-3", 2}, {{0, "spatial", {0.8, 0, 0, {}}, 0.5, {}}},
+                           {});
+  open();
+  const std::vector<ComparedRound> rounds = records_->rounds(id);
+  ASSERT_THAT(rounds, SizeIs(2)) << "the one that was not completed shows nothing";
+  EXPECT_EQ(rounds[0].comparison.number, 3);
+  EXPECT_EQ(rounds[0].final->person, "Bob");
+  EXPECT_EQ(rounds[0].compared.at(0).judged, 0.5);
+  EXPECT_EQ(rounds[1].comparison.folder, "comparison-1");
+  EXPECT_EQ(rounds[1].final->person, "Ann");
+  EXPECT_EQ(rounds[1].compared.at(0).judged, 0.6);
+  EXPECT_THAT(rounds[1].compared.at(0).warnings, ElementsAre("w"));
+  ASSERT_THAT(rounds[1].findings, SizeIs(2));
+  EXPECT_EQ(rounds[1].findings[1].decision->note, "a collar");
+  EXPECT_EQ(rounds[1].findings[1].decision->round, 1);
 }
 
 TEST_F(Kept, WhatIsNotThereCannotBeChanged) {

@@ -1,0 +1,53 @@
+#include "inspect/closing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+
+namespace rva {
+namespace {
+
+// Whether debris is not known to be gone: it cannot be reached, or no later round of captures shows the bay
+// without it.
+bool may_still_be_there(const std::optional<Decision>& decision, int final_round) {
+  if (!decision) return false;
+  if (decision->verdict == Verdict::debris_unreachable) return true;
+  return decision->verdict == Verdict::debris_removed && decision->round >= final_round;
+}
+
+std::string title(const Inspection& inspection) { return fmt::format("inspection {}", inspection.id); }
+
+}  // namespace
+
+bool closing_needs_note(const Inspection& inspection) {
+  const int round = inspection.final ? inspection.final->round : 0;
+  const auto remains = [&](const auto& finding) { return may_still_be_there(finding.decision, round); };
+  return std::ranges::any_of(inspection.findings, remains) || std::ranges::any_of(inspection.marked, remains);
+}
+
+void require_open(const Inspection& inspection) {
+  if (inspection.closing)
+    throw Error(title(inspection), "has been closed by " + inspection.closing->person,
+                "begin a new inspection");
+}
+
+void require_closable(const Inspection& inspection, const Closing& closing) {
+  require_open(inspection);
+  if (inspection.begun.contains(Side::final))
+    throw Error(title(inspection), "the last capture was not completed", "capture again, then review it");
+  if (stage_of(inspection) != Stage::review)
+    throw Error(title(inspection), "has not been compared", "take both captures, then review the findings");
+  if (closing.comparison != inspection.comparison->number)
+    throw Error(title(inspection), "was compared again in the meantime", "review the latest findings");
+  if (const std::size_t open = undecided(inspection); open > 0)
+    throw Error(title(inspection),
+                fmt::format("{} finding(s) are undecided, or debris that is still there", open),
+                "decide on every finding");
+  if (closing.note.empty() && closing_needs_note(inspection))
+    throw Error(title(inspection), "debris was removed after the last captures, or cannot be reached",
+                "capture again, or state in a note why the inspection may be closed");
+}
+
+}  // namespace rva

@@ -1,0 +1,71 @@
+// Findings as people see them: with their number in the inspection and the decision on them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "core/enum_names.hpp"
+#include "detect/findings/findings.hpp"
+
+namespace rva {
+
+/// The verdict of a person who reviewed a finding.
+enum class Verdict { debris, debris_removed, debris_unreachable, installed_work, false_alarm, second_look };
+template <>
+inline constexpr auto enum_names<Verdict> = std::to_array<EnumName<Verdict>>({
+    {Verdict::debris, "debris"},  ///< which is still there
+    {Verdict::debris_removed, "debris-removed"},
+    {Verdict::debris_unreachable, "debris-unreachable"},
+    {Verdict::installed_work, "installed-work"},
+    {Verdict::false_alarm, "false-alarm"},
+    {Verdict::second_look, "second-look"},
+});
+
+/// A person's decision on a finding.
+struct Decision {
+  Verdict verdict = Verdict::second_look;
+  std::string note;
+  std::string person;
+  std::string decided_at;  ///< ISO 8601
+  /// The last complete round of the final side at that time; 0 if there was none, or it is not known.
+  int round = 0;
+};
+
+/// Whether nothing remains to be done about a finding: there is a decision, which neither asks for a second
+/// look nor states that debris is still there.
+[[nodiscard]] bool is_settled(const std::optional<Decision>& decision);
+
+/// A finding of one view, with its decision.
+struct ReviewedFinding {
+  int number = 0;  ///< from 1 within its comparison, most suspicious first
+  int view = 0;    ///< index into Inspection::views
+  /// Number of the most suspicious finding of the same object among all views, which may be this one.
+  int same_as = 0;
+  Finding finding;                             ///< in the coordinates of its view; without its pixels
+  std::optional<Eigen::Vector3d> in_foot_m{};  ///< position in the frame of the robot's foot, as in the map
+  std::optional<Decision> decision{};          ///< the latest one
+  /// For an added finding: number of the removed finding in the same view that has about the same size.
+  std::optional<int> moved_from{};
+};
+
+/// A finding that a person marked in a picture. It stays with its inspection through later rounds.
+struct MarkedFinding {
+  int number = 0;             ///< from 1 within its inspection
+  std::optional<int> view{};  ///< index into Inspection::views; empty if it was marked in the live picture
+  int comparison = 0;         ///< whose pictures were shown; 0 for the live picture
+  int round = 0;              ///< the last complete round of the final side at that time; 0 if there was none
+  std::string picture{};      ///< the file it was marked in, relative to the inspection's folder
+  Box box{};                  ///< in pixels of that picture
+  /// The surface in the middle of the box, in the depth camera's frame; empty if it was not measured.
+  std::optional<Eigen::Vector3d> position_m{};
+  std::optional<Eigen::Vector3d> in_foot_m{};      ///< the same in the frame of the robot's foot
+  std::optional<std::array<double, 2>> size_mm{};  ///< the box's width and height at that distance
+  std::string note{};
+  std::string person{};
+  std::string marked_at{};             ///< ISO 8601
+  std::optional<Decision> decision{};  ///< the latest one
+};
+
+}  // namespace rva
