@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "capture/capture.hpp"
@@ -37,6 +39,24 @@ Decision with_round(Decision decision, const Inspection& inspection) {
   return decision;
 }
 
+// The joints of a robot that rests: two answers of its servos, far enough apart to show a motion, agree.
+PanTilt joints_at_rest(Drive& drive) {
+  constexpr int most_waits = 15;
+  constexpr std::chrono::milliseconds between{200};
+  std::optional<PanTilt> before = drive.state_after_asking().joints;
+  for (int wait = 0; wait < most_waits; ++wait) {
+    std::this_thread::sleep_for(between);
+    const DriveState now = drive.state_after_asking();
+    if (!now.joints)
+      throw Error("robot", "has not reported its position", "check that it is connected, then try again");
+    if (before && !now.driving && std::abs(now.joints->pan_deg - before->pan_deg) < servo_step_deg &&
+        std::abs(now.joints->tilt_deg - before->tilt_deg) < servo_step_deg)
+      return *now.joints;
+    before = now.joints;
+  }
+  throw Error("robot", "is still moving", "wait until it rests, then try again");
+}
+
 std::string base_of(std::int64_t id, bool replaced) {
   return fmt::format("inspection-{}{}", id, replaced ? "-replaced" : "");
 }
@@ -54,10 +74,8 @@ Inspector::Inspector(const InspectionRig& rig, Records& records, std::filesystem
 
 std::int64_t Inspector::begin(const InspectionOrder& order) {
   require_person(order.person);
-  const std::optional<PanTilt> joints = rig_.drive == nullptr ? PanTilt{} : rig_.drive->state().joints;
-  if (!joints)
-    throw Error("robot", "has not reported its position", "check that it is connected, then try again");
-  const PanTilt view = rig_.drive == nullptr ? *joints : rig_.drive->limits().nearest(*joints);
+  const PanTilt view =
+      rig_.drive == nullptr ? PanTilt{} : rig_.drive->limits().nearest(joints_at_rest(*rig_.drive));
   // Folders left by an inspection whose record was lost must not be taken over by another inspection.
   return records_.add_inspection(order, iso_8601_now(), rig_.drive == nullptr ? 1 : options_.dither, {view},
                                  InspectionFolder::greatest_id(data_));

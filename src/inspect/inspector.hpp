@@ -58,7 +58,8 @@ class Inspector {
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
 
-  /// A new one, with the view where the camera is now. @throws Error when nobody's name is given
+  /// A new one, with the view where the camera is now. A robot that moves is waited for, up to three seconds.
+  /// @throws Error when nobody's name is given, or the robot still moves or does not answer
   [[nodiscard]] std::int64_t begin(const InspectionOrder& order);
   /// Summaries of the inspections that a filter selects, newest first.
   [[nodiscard]] std::vector<InspectionSummary> summaries(const InspectionFilter& filter = {}) const {

@@ -14,6 +14,7 @@
 #include "inspect/watched_camera.hpp"
 #include "map/view_capture.hpp"
 #include "map/view_folder.hpp"
+#include "robot/dither.hpp"
 
 namespace rva {
 namespace {
@@ -80,6 +81,17 @@ Clock clock_that_asks(const Witness& witness) {
           }};
 }
 
+// The camera's view stays as it was before the capture, so that a person who goes on from there does not
+// begin with the pose of its last step. A robot that fails now has taken all captures; its state reports the
+// failure.
+void return_to(const PanTilt& start, Robot& robot, const Clock& clock) {
+  try {
+    approach(robot, start, clock);
+  } catch (const Error&) {
+    return;
+  }
+}
+
 void take_with_robot(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,
                      const std::function<void()>& while_waiting) {
   const std::unique_ptr<Camera> frames = rig.camera.every_frame(while_waiting);
@@ -87,6 +99,7 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
   WatchedCamera camera(*frames, [&](const CameraFrame& frame) { witness.see(frame); });
   const Clock clock = clock_that_asks(witness);
   const Drive::Loan loan(*rig.drive);
+  const PanTilt start = rig.drive->limits().nearest(loan.robot().joints());
   // The last call reports that all are complete.
   const Progress progress = [&](std::string_view /*step*/, std::size_t done, std::size_t total) {
     if (done < total) witness.begin(progress_at(side, done));
@@ -98,6 +111,7 @@ void take_with_robot(const InspectionRig& rig, const SideCapture& side, const Ca
                  [&](const ReachedPose& reached, bool last) { witness.approached(reached, last); }};
   take_views({camera, loan.robot(), clock, rig.chain, side.base}, side.waypoints, side.folder, options,
              progress);
+  return_to(start, loan.robot(), clock);
 }
 
 void take_standing(const InspectionRig& rig, const SideCapture& side, const CaptureEvents& events,

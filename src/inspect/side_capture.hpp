@@ -55,7 +55,8 @@ struct SideCapture {
   PoseReturnOptions pose_return{};
 };
 
-/// With a robot, goes on where an earlier call was ended: captures that are there are not taken again. A
+/// With a robot, goes on where an earlier call was ended: captures that are there are not taken again. At the
+/// end the robot returns to where it was before. A
 /// camera or a robot that goes away is waited for, and only the capture under way is taken anew.
 /// @return when the last capture was taken, as its capture states it (ISO 8601)
 /// @throws UsageError  a waypoint is beyond the robot's limits

@@ -339,6 +339,20 @@ TEST_F(Standing, ReadinessNamesWhatIsMissing) {
   EXPECT_THAT(inspector_->readiness()->items.at(0).says, HasSubstr("unplugged"));
 }
 
+TEST(WithRobot, AnInspectionBeginsWithTheViewInWhichTheRobotRests) {
+  const test::TemporaryFolder folder;
+  LiveCamera camera(std::make_unique<test::WavingCamera>(std::make_shared<test::Plug>()), 1000.0);
+  SimulatedRobot robot({.speed_deg_s = 20.0});
+  Drive drive(robot);
+  SqliteRecords records(folder / "rva.db");
+  Inspector inspector({camera, &drive}, records, folder.path());
+  ASSERT_TRUE(eventually([&] { return drive.state().joints.has_value(); }));
+  robot.move_to({-20, 0});
+  EXPECT_NEAR(inspector.inspection(inspector.begin({"", "", "", "Ann"})).views.at(0).pan_deg, -20.0, 0.4);
+  robot.move_to({70, 0});
+  EXPECT_THROW(static_cast<void>(inspector.begin({"", "", "", "Ann"})), Error) << "it moves for 4.5 seconds";
+}
+
 TEST(WithRobot, AFinalSideForWhichAnotherThingIsSaidIsBegunAnew) {
   const test::TemporaryFolder folder;
   LiveCamera camera(std::make_unique<test::WavingCamera>(std::make_shared<test::Plug>()), 1000.0);

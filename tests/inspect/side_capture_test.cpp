@@ -82,6 +82,20 @@ TEST_F(Side3Views, AreTakenWithTheirPosesAndTheirNoiseIsReported) {
   EXPECT_NEAR(noise_, 0.5, 0.1);
 }
 
+TEST_F(Side3Views, AreLeftAsTheyWereFound) {
+  move_and_wait(robot_, {-7, 3});
+  take();
+  EXPECT_NEAR(robot_.joints().pan_deg, -7.0, 0.4);
+  EXPECT_NEAR(robot_.joints().tilt_deg, 3.0, 0.4);
+}
+
+TEST_F(Side3Views, AreCompleteThoughTheRobotFailsOnItsWayBack) {
+  take([&](const CaptureProgress& now) {
+    if (now.view == 2 && now.frame == 12) robot_.pulled = true;
+  });
+  EXPECT_EQ(captures(), 3U);
+}
+
 TEST_F(Side3Views, ProgressCountsTheCapturesOfAView) {
   side_.captures_each = 3;
   std::vector<std::size_t> begun;
