@@ -1,15 +1,11 @@
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <vector>
 
-#include "camera/recording.hpp"
+#include "camera/capture_recording.hpp"
 #include "capture/folder/capture_writer.hpp"
-#include "capture/mcap/mcap_capture_writer.hpp"
 #include "cli/camera_uri.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
@@ -17,8 +13,6 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
-#include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "map/dithered_recording.hpp"
@@ -44,35 +38,6 @@ struct RecordArguments {
   bool overwrite = false;
 };
 
-// Passes on the failure that is being handled, and states where the frames until then are kept: those of a
-// device cannot be recorded a second time.
-[[noreturn]] void rethrow_with_kept(std::size_t frames, const fs::path& kept) {
-  try {
-    throw;
-  } catch (const Interrupted&) {
-    fmt::print(stderr, "rva: {} frame(s) are kept in {}\n", frames, printable(kept));
-    throw;
-  } catch (const Error& error) {
-    throw Error(
-        error.source(),
-        fmt::format("{} ({} frame(s) until then are kept in {})", error.problem(), frames, printable(kept)),
-        error.remedy());
-  }
-}
-
-/// Counts the frames that were recorded, and shows the progress.
-struct CountedProgress {
-  std::size_t done = 0;
-  Progress shown = terminal_progress();
-
-  [[nodiscard]] Progress progress() {
-    return [this](std::string_view step, std::size_t now, std::size_t total) {
-      done = now;
-      if (shown) shown(step, now, total);
-    };
-  }
-};
-
 void require_lamp(const Camera& camera, const RecordArguments& arguments) {
   if (arguments.lamp && !camera.has_lamp())
     throw UsageError("--lamp", printable(arguments.camera) + " has no lamp", "leave it out");
@@ -85,9 +50,8 @@ std::unique_ptr<Camera> camera_of(const RecordArguments& arguments) {
   return camera;
 }
 
-// Fields of a replayed capture that are not part of the format are kept.
-std::string extra_fields(const CaptureInfo& info) {
-  return info.format == "rva-capture" && !info.source_json.empty() ? info.source_json : "{}";
+CaptureRecording recording_of(const RecordArguments& arguments) {
+  return {.frames = arguments.frames, .lamp = arguments.lamp, .keep = is_device(arguments.camera)};
 }
 
 Recorded record_into_folder(const RecordArguments& arguments) {
@@ -97,53 +61,31 @@ Recorded record_into_folder(const RecordArguments& arguments) {
     fmt::print(stderr,
                "rva: {} contains an unfinished recording of a program that was killed; keep or remove it\n",
                printable(remains));
-  const std::unique_ptr<Camera> camera = camera_of(arguments);
-  CaptureWriter writer(out.path(""), camera->info(), extra_fields(camera->info()));
-  CountedProgress counted;
-  Recorded recorded;
-  try {
-    recorded = record(*camera, arguments.frames, writer, counted.progress());
-  } catch (...) {
-    if (!is_device(arguments.camera) || counted.done == 0) throw;
-    rethrow_with_kept(counted.done, out.keep_partial());
-  }
-  if (arguments.lamp) record_lamp(*camera, arguments.frames, writer, terminal_progress());
-  out.commit();
-  return recorded;
+  return rva::record_capture(*camera_of(arguments), recording_of(arguments), out, terminal_progress());
 }
 
-// After a failure of a device, the file has the frames until then.
 Recorded record_into_mcap(const RecordArguments& arguments) {
   require_replaceable(arguments.out, arguments.overwrite);
-  const std::unique_ptr<Camera> camera = camera_of(arguments);
-  CountedProgress counted;
-  Recorded recorded;
-  std::exception_ptr failure;
-  replace_file(arguments.out, [&](const fs::path& partial) {
-    McapCaptureWriter writer(partial, camera->info(), extra_fields(camera->info()));
-    try {
-      recorded = record(*camera, arguments.frames, writer, counted.progress());
-      if (arguments.lamp) record_lamp(*camera, arguments.frames, writer, terminal_progress());
-    } catch (...) {
-      if (!is_device(arguments.camera) || counted.done == 0) throw;
-      failure = std::current_exception();
-    }
-    writer.finish();
-  });
+  return rva::record_capture(*camera_of(arguments), recording_of(arguments), fs::path(arguments.out),
+                             terminal_progress());
+}
+
+Recorded record_into(const RecordArguments& arguments) {
   try {
-    if (failure) std::rethrow_exception(failure);
-  } catch (...) {
-    rethrow_with_kept(counted.done, arguments.out);
+    return fs::path(arguments.out).extension() == ".mcap" ? record_into_mcap(arguments)
+                                                          : record_into_folder(arguments);
+  } catch (const RecordingInterrupted& interrupted) {
+    fmt::print(stderr, "rva: {} frame(s) are kept in {}\n", interrupted.frames(),
+               printable(interrupted.kept()));
+    throw;
   }
-  return recorded;
 }
 
 void record_capture(const CLI::App& command, const RecordArguments& arguments) {
   if (command.count("--seed") > 0 && !arguments.camera.starts_with("sim:"))
     throw UsageError("--seed", "has no effect with " + printable(arguments.camera),
                      "leave it out; it is for sim:SCENE");
-  const Recorded recorded = fs::path(arguments.out).extension() == ".mcap" ? record_into_mcap(arguments)
-                                                                           : record_into_folder(arguments);
+  const Recorded recorded = record_into(arguments);
   print("{}\n", arguments.out);
   if (recorded.lost > 0) print("{} frame(s) were lost between those recorded\n", recorded.lost);
 }
