@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "camera/camera_check.hpp"
@@ -47,6 +49,24 @@ JudgedCheck check_and_remember(Camera& camera, const fs::path& folder, std::size
   judged.check.fit = judged.judgement.fit;
   add_to_history(judged.history, judged.check);
   return judged;
+}
+
+nlohmann::ordered_json json_of(const JudgedCheck& judged) {
+  const auto& [check, judgement, history] = judged;
+  nlohmann::ordered_json json{{"format", "rva-camera-check"}, {"version", 1},
+                              {"taken_at", check.taken_at},   {"frames", check.frames},
+                              {"known", judgement.known},     {"fit", judgement.fit},
+                              {"earlier", judgement.earlier}};
+  if (check.temperature_c) json["temperature_c"] = *check.temperature_c;
+  json["quantities"] = nlohmann::ordered_json::array();
+  for (const CheckedQuantity& quantity : judgement.quantities) {
+    nlohmann::ordered_json entry{{"name", quantity.name}, {"value", quantity.value}, {"fit", quantity.fit}};
+    if (quantity.low) entry["low"] = *quantity.low;
+    if (quantity.high) entry["high"] = *quantity.high;
+    json["quantities"].push_back(std::move(entry));
+  }
+  json["history"] = history.string();
+  return json;
 }
 
 }  // namespace rva

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 
 #include "camera/camera.hpp"
 #include "camera/check_standard.hpp"
@@ -22,10 +23,13 @@ struct JudgedCheck {
 /// @param folder of the histories of all cameras; created where it is missing
 /// @param frames number of frames, at least 4
 /// @throws Error when the camera or the disk fails, or the history is damaged; UsageError when an option is
-/// out
-///         of range; Interrupted
+///         out of range; Interrupted
 [[nodiscard]] JudgedCheck check_and_remember(Camera& camera, const std::filesystem::path& folder,
                                              std::size_t frames, const CheckStandardOptions& options,
                                              const Progress& progress);
+
+/// The check in the format rva-camera-check: each quantity with its limits, whether the camera is fit, and
+/// the file of its history.
+[[nodiscard]] nlohmann::ordered_json json_of(const JudgedCheck& judged);
 
 }  // namespace rva

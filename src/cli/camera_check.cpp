@@ -12,14 +12,11 @@
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/json_object.hpp"
-#include "core/path_text.hpp"
 
 namespace fs = std::filesystem;
 
 namespace rva::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// How a quantity is printed, and what the user can do if it is not as usual.
 struct Wording {
@@ -58,23 +55,6 @@ std::string limits_of(const CheckedQuantity& quantity) {
   return "-";
 }
 
-Json json_of(const CameraCheck& check, const CameraJudgement& judgement, const fs::path& file) {
-  Json json{{"format", "rva-camera-check"}, {"version", 1},
-            {"taken_at", check.taken_at},   {"frames", check.frames},
-            {"known", judgement.known},     {"fit", judgement.fit},
-            {"earlier", judgement.earlier}};
-  if (check.temperature_c) json["temperature_c"] = *check.temperature_c;
-  json["quantities"] = Json::array();
-  for (const CheckedQuantity& quantity : judgement.quantities) {
-    Json entry{{"name", quantity.name}, {"value", quantity.value}, {"fit", quantity.fit}};
-    if (quantity.low) entry["low"] = *quantity.low;
-    if (quantity.high) entry["high"] = *quantity.high;
-    json["quantities"].push_back(entry);
-  }
-  json["history"] = file.string();
-  return json;
-}
-
 void print_for_a_person(const CameraCheck& check, const CameraJudgement& judgement,
                         const CheckStandardOptions& options) {
   print("{:<10}  {:>10}      {}\n", "", "now", "usual");
@@ -102,14 +82,14 @@ void print_for_a_person(const CameraCheck& check, const CameraJudgement& judgeme
 bool check_before_work(Camera& camera, const CameraCheckArguments& arguments) {
   check_options(arguments.options);
   const fs::path folder = arguments.history.empty() ? own_folder() : fs::path(arguments.history);
-  const auto [check, judgement, file] =
+  const JudgedCheck judged =
       check_and_remember(camera, folder, arguments.frames, arguments.options, terminal_progress());
   if (arguments.json) {
-    print("{}", json_file_text(json_of(check, judgement, file)));
+    print("{}", json_file_text(json_of(judged)));
   } else {
-    print_for_a_person(check, judgement, arguments.options);
+    print_for_a_person(judged.check, judged.judgement, arguments.options);
   }
-  return judgement.fit;
+  return judged.judgement.fit;
 }
 
 }  // namespace rva::cli

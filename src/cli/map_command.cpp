@@ -116,9 +116,13 @@ void map_bay(const MapArguments& arguments) {
   require_replaceable(files, arguments.overwrite);
   const OpenRig rig = open_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   const std::string base = base_of(arguments, *rig.camera);
-  const BayMap map = rva::map_bay({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, files,
-                                  start_of(arguments), arguments.map, terminal_progress());
-  print_summary(files, map, arguments.json);
+  try {
+    const BayMap map = rva::map_bay({*rig.camera, *rig.robot, rig.clock, chain, base}, waypoints, files,
+                                    start_of(arguments), arguments.map, terminal_progress());
+    print_summary(files, map, arguments.json);
+  } catch (const EmptyMapError& error) {
+    throw Error(error.source(), error.problem(), error.remedy() + " with --near and --far");
+  }
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ std::vector<Transform> transforms(const std::vector<RefinedPose>& poses) {
 
 BayMap map_bay(const Rig& rig, const std::vector<PanTilt>& waypoints, const MapFiles& files,
                ViewFolder::Start start, const BayMapOptions& options, const Progress& progress) {
+  check_map_cloud_options(options.cloud);
+  check_options(options.refinement);
   check_waypoints(waypoints, rig.robot.limits());
   const ViewFolder folder(files.views, start, waypoints.size());
   take_views(rig, waypoints, folder.path(), options.capture, progress);
@@ -69,9 +71,10 @@ BayMap map_bay(const Rig& rig, const std::vector<PanTilt>& waypoints, const MapF
   map.points = points.size();
   map.refine_and_join_ms = since_read.ms();
   if (points.empty())
-    throw Error(printable(files.ply),
-                "would have no point: nothing was measured between the nearest and the farthest distance",
-                "check the views in " + printable(folder.path()));
+    throw EmptyMapError(
+        printable(files.ply),
+        "would have no point: nothing was measured between the nearest and the farthest distance",
+        "check the views in " + printable(folder.path()) + ", or map other distances");
   throw_if_interrupted();
   write_map(files, points, map.views, map.poses);
   return map;

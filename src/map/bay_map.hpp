@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/progress.hpp"
 #include "map/map_files.hpp"
 #include "map/rig.hpp"
@@ -24,8 +25,14 @@ struct BayMapOptions {
 struct BayMap {
   std::vector<MapView> views;  ///< with the names of their captures in the folder of views
   MapPoses poses;
-  std::size_t points = 0;
-  double refine_and_join_ms = 0.0;
+  std::size_t points = 0;           ///< of the cloud
+  double refine_and_join_ms = 0.0;  ///< time that the poses and the cloud took, without reading and writing
+};
+
+/// No view measured anything within the distances of MapCloudOptions.
+class EmptyMapError : public Error {
+ public:
+  using Error::Error;
 };
 
 /// Moves the camera to each waypoint and takes a capture there, corrects the poses that the joints give by
@@ -33,9 +40,10 @@ struct BayMap {
 /// run that was interrupted is continued by `start` resume: only missing captures are taken.
 /// @param waypoints at least one, within the robot's limits
 /// @param files     to which finish_map() and require_replaceable() were applied
-/// @throws Error when the robot, the camera or the disk fails, a capture cannot be read, or nothing was
-/// measured
-///         within the distances of the options; UsageError when a waypoint is beyond the limits; Interrupted
+/// @throws UsageError when an option is out of range, or a waypoint is beyond the limits; nothing has moved
+/// @throws EmptyMapError when there is no point; the captures stay in the folder of views
+/// @throws Error when the robot, the camera or the disk fails, or a capture cannot be read
+/// @throws Interrupted after stopping the robot
 [[nodiscard]] BayMap map_bay(const Rig& rig, const std::vector<PanTilt>& waypoints, const MapFiles& files,
                              ViewFolder::Start start, const BayMapOptions& options, const Progress& progress);
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "camera/replay_camera.hpp"
 #include "capture/memory_capture.hpp"
@@ -64,6 +66,23 @@ TEST_F(CameraHistory, StaysInItsFolderWhateverTheSerialNumber) {
   const JudgedCheck checked = check("../../a/b", 3.0, 1);
   EXPECT_EQ(checked.history, folder_.path() / "new" / "histories" / "------a-b.jsonl");
   EXPECT_EQ(parse_checks(read_text_file(checked.history), "history").size(), 1U);
+}
+
+TEST_F(CameraHistory, IsJsonWithLimitsOnceTheCameraIsKnown) {
+  nlohmann::ordered_json json = json_of(check("17", 3.0, 1));
+  EXPECT_EQ(json["known"], false);
+  EXPECT_FALSE(json["quantities"][0].contains("high"));
+  for (std::uint64_t seed = 2; seed <= 6; ++seed) {
+    const JudgedCheck checked = check("17", 3.0, seed);
+    json = json_of(checked);
+    EXPECT_EQ(json["history"], checked.history.string());
+  }
+  EXPECT_EQ(json["format"], "rva-camera-check");
+  EXPECT_EQ(json["known"], true);
+  ASSERT_EQ(json["quantities"].size(), 4U);
+  EXPECT_EQ(json["quantities"][0]["name"], "noise");
+  EXPECT_GT(json["quantities"][0]["high"], json["quantities"][0]["value"]);
+  EXPECT_FALSE(json["quantities"][0].contains("low")) << "less noise is no fault";
 }
 
 TEST_F(CameraHistory, IsUnchangedByACheckThatFails) {

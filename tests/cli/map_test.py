@@ -101,6 +101,12 @@ class Mapping(MapTest):
         self.assertGreater(len(red), 100)
         self.assertAlmostEqual(float(np.median(red[:, 1])), 0.646, delta=0.03)
 
+    def test_a_map_without_a_point_names_the_options_of_distance(self):
+        kept = (copy := self.copy()).read_bytes()
+        self.check_refused(*self.arguments(copy, '--resume', '--overwrite', '--near', 90, '--far', 100),
+                           names=[copy, 'no point', '--near and --far'])
+        self.assertEqual(copy.read_bytes(), kept)
+
     def test_poses_stand_beside(self):
         poses = poses_of(self.map)
         self.assertEqual((poses['format'], poses['base'], poses['refined']), ('rva-map', 'b1-foot', True))
