@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "camera/noise.hpp"
+#include "camera/noise_files.hpp"
 #include "cli/camera_check.hpp"
 #include "cli/camera_uri.hpp"
 #include "cli/commands.hpp"
@@ -13,16 +13,11 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/output_folder.hpp"
-#include "depth/colorize.hpp"
-#include "depth/image_file.hpp"
 
 namespace rva::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct NoiseArguments {
   std::string capture;
@@ -36,42 +31,6 @@ struct NoiseArguments {
   bool overwrite = false;
   bool json = false;
 };
-
-Json json_of(const NoiseBin& bin) {
-  Json json{{"from_m", bin.from_m}, {"to_m", bin.to_m}, {"pixels", bin.pixels}};
-  if (bin.pixels == 0) return json;
-  json["median_std_mm"] = bin.median_std_mm;
-  json["p95_std_mm"] = bin.p95_std_mm;
-  if (bin.subpixel_rms_px) json["subpixel_rms_px"] = *bin.subpixel_rms_px;
-  return json;
-}
-
-Json json_of(const NoiseReport& report) {
-  Json json{{"format", "rva-noise"},
-            {"version", 1},
-            {"frames", report.frames},
-            {"fill_rate", report.fill_rate},
-            {"overall", json_of(report.overall)}};
-  json["by_distance"] = Json::array();
-  for (const NoiseBin& bin : report.bins) json["by_distance"].push_back(json_of(bin));
-  json["welch"] = {
-      {"frames", report.welch_frames}, {"alpha", report.alpha}, {"tested_px", report.welch_tested_px}};
-  if (report.welch_tested_px > 0) json["welch"]["rejected"] = report.welch_rejected;
-  return json;
-}
-
-// White where the first and the last frames differ, black where they do not, grey where there was nothing to
-// test.
-GrayImage drift_picture(const Noise& noise) {
-  constexpr std::uint8_t untested = 96;
-  GrayImage picture(noise.welch_p.width(), noise.welch_p.height());
-  for (std::size_t i = 0; i < picture.size(); ++i) {
-    const float p = noise.welch_p[i];
-    const bool rejected = static_cast<double>(p) < noise.report.alpha;
-    picture[i] = std::isnan(p) ? untested : rejected ? mask_set : std::uint8_t{0};
-  }
-  return picture;
-}
 
 void print_row(const char* name, const NoiseBin& bin) {
   print("{:>10}  {:>9}  {:>14.2f}  {:>11.2f}  {:>12}\n", name, bin.pixels, bin.median_std_mm, bin.p95_std_mm,
@@ -96,18 +55,13 @@ void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& repo
 void measure(const NoiseArguments& arguments) {
   const CaptureOptions capture_options = arguments.captures.options();
   check_options(arguments.noise);
-  OutputFolder out(arguments.out, {"noise.json", "std.png", "drift.png"},
-                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  OutputFolder out(arguments.out, noise_files(), arguments.overwrite ? Existing::replace : Existing::refuse);
   const auto capture = open_capture(arguments.capture, capture_options);
   const Noise noise = measure_noise(*capture, arguments.noise, terminal_progress());
-  const ColorScale scale = scale_from_zero(noise.std_mm);
-  const std::string json = json_file_text(json_of(noise.report));
-  write_file(out.path("std.png"), encode_png(with_scale_bar(colorize(noise.std_mm, scale), scale, "std mm")));
-  write_file(out.path("drift.png"), encode_png(drift_picture(noise)));
-  write_file(out.path("noise.json"), json);
+  write_noise(noise, out);
   out.commit();
   if (arguments.json) {
-    print("{}", json);
+    print("{}", json_file_text(json_of(noise.report)));
   } else {
     print_for_a_person(arguments, noise.report);
   }
