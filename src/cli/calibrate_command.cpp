@@ -1,10 +1,7 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -20,6 +17,7 @@
 #include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "map/calibration.hpp"
+#include "map/calibration_views.hpp"
 
 namespace fs = std::filesystem;
 
@@ -35,59 +33,6 @@ struct CalibrateArguments {
   bool json = false;
 };
 
-// All captures must come from one camera on one robot whose foot did not move.
-void require_same_robot(const CaptureInfo& first, const CaptureInfo& info, const std::string& name) {
-  const auto base = [](const CaptureInfo& of) { return of.pose ? of.pose->base : std::nullopt; };
-  const auto device = [](const CaptureInfo& of) { return of.camera.value_or(CameraInfo{}); };
-  if (!base(info))
-    throw Error(name, "does not state where it was taken (pose.base)", "give captures of one rva map");
-  if (base(info) != base(first))
-    throw Error(name, "was not taken from the same position as the others (pose.base)",
-                "give captures of one rva map");
-  if (info.depth != first.depth || device(info).serial != device(first).serial ||
-      device(info).baseline_m != device(first).baseline_m)
-    throw Error(name, "was not taken by the same camera as the others", "give captures of one rva map");
-}
-
-std::vector<MapView> load_views(const std::vector<std::string>& captures) {
-  const Progress progress = terminal_progress();
-  std::vector<MapView> views;
-  std::optional<CaptureInfo> first;
-  std::set<fs::path> seen;
-  for (const std::string& path : captures) {
-    std::error_code ignored;
-    if (!seen.insert(fs::weakly_canonical(path, ignored)).second)
-      throw Error(printable(path), "is given twice", "give each view once");
-    const std::unique_ptr<Capture> capture = open_capture(path);
-    if (!first) first = capture->info();
-    require_same_robot(*first, capture->info(), printable(path));
-    views.push_back(load_map_view(*capture, printable(path)));
-    if (progress) progress("reading", views.size(), captures.size());
-  }
-  return views;
-}
-
-/// Sums over all views.
-struct ResidualsBeforeAndAfter {
-  ViewResiduals before;
-  ViewResiduals after;
-};
-
-ResidualsBeforeAndAfter sum_of(const Calibration& calibration) {
-  const auto add = [](const ViewResiduals& view, ViewResiduals& sum) {
-    sum.neighbours += view.neighbours;
-    sum.compared += view.compared;
-    sum.agreeing += view.agreeing;
-    sum.squares += view.squares;
-  };
-  ResidualsBeforeAndAfter sum;
-  for (const CalibratedView& view : calibration.views) {
-    add(view.before, sum.before);
-    add(view.after, sum.after);
-  }
-  return sum;
-}
-
 using Json = nlohmann::ordered_json;
 
 Json json_of(const ViewResiduals& residuals) {
@@ -95,7 +40,7 @@ Json json_of(const ViewResiduals& residuals) {
 }
 
 void print_json(const Calibration& calibration, const std::vector<MapView>& views) {
-  const ResidualsBeforeAndAfter sum = sum_of(calibration);
+  const CalibrationResiduals sum = sum_of_residuals(calibration);
   Json json = {{"before", json_of(sum.before)},
                {"after", json_of(sum.after)},
                {"numbers", Json::array()},
@@ -127,7 +72,7 @@ void print_table(const Calibration& calibration, const std::vector<MapView>& vie
     print("{:36} {:+6.2f} {:+6.2f} {:6.2f} px {:7.0f} %\n", views[i].name, error.pan_deg, error.tilt_deg,
           after.residual_px(), 100.0 * after.share());
   }
-  const ResidualsBeforeAndAfter sum = sum_of(calibration);
+  const CalibrationResiduals sum = sum_of_residuals(calibration);
   print("\nOn the same surfaces: {:.0f} % before, {:.0f} % after.\n", 100.0 * sum.before.share(),
         100.0 * sum.after.share());
 }
@@ -150,7 +95,8 @@ void calibrate_robot(const CalibrateArguments& arguments) {
   require_replaceable(arguments.out, arguments.overwrite);
   check_options(arguments.options);
   const PanTiltChain given = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
-  const std::vector<MapView> views = load_views(arguments.captures);
+  const std::vector<MapView> views =
+      load_calibration_views({arguments.captures.begin(), arguments.captures.end()}, terminal_progress());
   const Calibration calibration = calibrate(views, given, arguments.options);
   if (!calibration.doubt.empty())
     throw Error("views", calibration.doubt,

@@ -215,4 +215,19 @@ Calibration calibrate(std::span<const MapView> views, const PanTiltChain& given,
   return Estimation(views, given, options).run();
 }
 
+CalibrationResiduals sum_of_residuals(const Calibration& calibration) {
+  const auto add = [](const ViewResiduals& view, ViewResiduals& sum) {
+    sum.neighbours += view.neighbours;
+    sum.compared += view.compared;
+    sum.agreeing += view.agreeing;
+    sum.squares += view.squares;
+  };
+  CalibrationResiduals sum;
+  for (const CalibratedView& view : calibration.views) {
+    add(view.before, sum.before);
+    add(view.after, sum.after);
+  }
+  return sum;
+}
+
 }  // namespace rva

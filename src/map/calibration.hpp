@@ -44,6 +44,12 @@ struct CalibratedView {
   ViewResiduals after;
 };
 
+/// How well the surfaces of all views coincide, with the given geometry and with the estimated one.
+struct CalibrationResiduals {
+  ViewResiduals before;
+  ViewResiduals after;
+};
+
 /// The result of a calibration of the robot's geometry.
 struct Calibration {
   PanTiltChain chain;
@@ -64,5 +70,8 @@ struct Calibration {
 ///         UsageError when an option is out of range; Interrupted
 [[nodiscard]] Calibration calibrate(std::span<const MapView> views, const PanTiltChain& given,
                                     const CalibrationOptions& options = {});
+
+/// The residuals summed over all views.
+[[nodiscard]] CalibrationResiduals sum_of_residuals(const Calibration& calibration);
 
 }  // namespace rva
