@@ -1,31 +1,21 @@
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
-#include <system_error>
+#include <type_traits>
 #include <vector>
 
-#include "camera/recording.hpp"
-#include "capture/folder/capture_writer.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
-#include "core/file.hpp"
-#include "core/json_object.hpp"
+#include "core/error.hpp"
 #include "core/output_folder.hpp"
-#include "depth/image_file.hpp"
 #include "scene/file/scene_file.hpp"
 #include "sim/sensor/camera_models.hpp"
 #include "sim/simulated_camera.hpp"
-#include "sim/truth.hpp"
+#include "sim/simulated_capture.hpp"
 
 namespace rva::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct SimulateArguments {
   std::string scene;
@@ -58,36 +48,6 @@ SceneOverrides overrides_from(const CLI::App& command, const SimulateArguments& 
   return overrides;
 }
 
-// The settings of the simulation, so that the capture can be reproduced.
-Json json_of(const SimulateArguments& arguments, const SceneOverrides& overrides, const Scene& scene) {
-  Json options;
-  StereoSensorOptions::describe(arguments.sensor, [&](const auto& value, const OptionField& field) {
-    options[json_name(field)] = value;
-  });
-  Json simulation{{"scene", scene.name},
-                  {"seed", arguments.seed},
-                  {"camera_model", arguments.camera_model},
-                  {"matcher", name_of_matcher(arguments.sensor)},
-                  {"options", options}};
-  if (!arguments.debris.empty()) simulation["debris"] = arguments.debris;
-  if (overrides.debris_seed) simulation["debris_seed"] = *overrides.debris_seed;
-  return Json{{"simulation", simulation}};
-}
-
-std::vector<std::string> files_of_a_simulated_capture() {
-  std::vector<std::string> files = capture_files();
-  files.insert(files.end(), {"truth/labels.png", "truth/depth.png", "truth/truth.json", "infrared/left.png",
-                             "infrared/right.png"});
-  return files;
-}
-
-void write_infrared(const SimulatedCamera& camera, const OutputFolder& out) {
-  std::error_code ignored;  // write_file() reports the error
-  std::filesystem::create_directory(out.path("infrared"), ignored);
-  write_file(out.path("infrared/left.png"), encode_png(camera.left_infrared()));
-  write_file(out.path("infrared/right.png"), encode_png(camera.right_infrared()));
-}
-
 // The options of the camera model, except those that were given explicitly.
 StereoSensorOptions sensor_of(const CLI::App& command, const std::string& model) {
   StereoSensorOptions sensor = camera_model(model);
@@ -101,18 +61,20 @@ StereoSensorOptions sensor_of(const CLI::App& command, const std::string& model)
 void simulate(const CLI::App& command, SimulateArguments arguments) {
   check_options(arguments.sensor);
   arguments.sensor = sensor_of(command, arguments.camera_model);
-  OutputFolder out(arguments.out, files_of_a_simulated_capture(),
+  OutputFolder out(arguments.out, simulated_capture_files(),
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const SceneOverrides overrides = overrides_from(command, arguments);
   SimulatedCamera camera(load_scene(arguments.scene, overrides), arguments.sensor, arguments.seed,
                          arguments.all_colors ? ColorFrames::all : ColorFrames::first);
   if (arguments.lamp && !camera.has_lamp())
     throw UsageError("--lamp", "there is none with --lamp-light 0", "leave one of them out");
-  CaptureWriter writer(out.path(""), camera.info(), json_text(json_of(arguments, overrides, camera.scene())));
-  write_truth(camera, out);
-  record(camera, arguments.frames, writer, terminal_progress());
-  if (arguments.infrared) write_infrared(camera, out);
-  if (arguments.lamp) record_lamp(camera, arguments.frames, writer, terminal_progress());
+  write_simulated_capture(
+      camera,
+      {.camera_model = arguments.camera_model,
+       .debris = arguments.debris,
+       .debris_seed = overrides.debris_seed},
+      {.frames = arguments.frames, .infrared = arguments.infrared, .lamp = arguments.lamp}, out,
+      terminal_progress());
   out.commit();
   print("{}\n", arguments.out);
 }

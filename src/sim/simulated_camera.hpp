@@ -47,6 +47,8 @@ class SimulatedCamera : public Camera {
   [[nodiscard]] const InfraredImage& right_infrared() const { return right_infrared_; }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const StereoSensorOptions& options() const { return options_; }
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
  private:
   [[nodiscard]] bool wants_color(bool moving) const;
