@@ -11,6 +11,7 @@
 #include "camera/infrared_sum.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/options.hpp"
 
 namespace rva {
 namespace {
@@ -36,7 +37,7 @@ FrameMetadata metadata_of(const CameraFrame& frame) {
 }
 
 void require_frames(std::size_t frames) {
-  if (frames == 0) throw UsageError("--frames", "0 is out of range", "give 1 or more");
+  if (frames == 0) throw OptionError("frames", "0 is out of range", "give 1 or more");
 }
 
 Recorded record_frames(Camera& camera, std::size_t frames, CaptureSink& sink, InfraredSum& infrared,

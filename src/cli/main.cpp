@@ -8,6 +8,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/options.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 
@@ -65,6 +66,9 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const rva::Interrupted& interrupted) {
     return 128 + interrupted.signal();
+  } catch (const rva::OptionError& error) {
+    fmt::print(stderr, "rva: --{}\n", rva::printable(error.what()));
+    return rva::cli::status_usage;
   } catch (const rva::UsageError& error) {
     fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
     return rva::cli::status_usage;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -40,6 +41,16 @@ void require(const std::string& value, const char* option, const std::string& wh
   if (value.empty()) throw UsageError(option, "is missing", "give " + what);
 }
 
+std::unique_ptr<WebServer> open_server(const ServerOptions& options, const ServerParts& parts,
+                                       const std::function<void(const std::string&)>& log) {
+  try {
+    return std::make_unique<WebServer>(options, parts, log);
+  } catch (const UnsafeAccessError& error) {
+    throw OptionError(error.source(), error.problem(),
+                      error.remedy() + " (--tls-certificate and --tls-key; rva account add)");
+  }
+}
+
 void serve(ServeArguments arguments) {
   check_options(arguments.inspector);
   check_options(arguments.drive);
@@ -59,11 +70,11 @@ void serve(ServeArguments arguments) {
   Inspector inspector({camera, drive.get(), chain}, records, arguments.data, arguments.inspector);
   Sessions sessions(records);
   Lease lease;
-  WebServer server(arguments.server, {camera, drive.get(), inspector, sessions, lease, rig.simulated_work},
-                   log);
-  print("{}\n", server.address());
+  const std::unique_ptr<WebServer> server = open_server(
+      arguments.server, {camera, drive.get(), inspector, sessions, lease, rig.simulated_work}, log);
+  print("{}\n", server->address());
   static_cast<void>(std::fflush(stdout));
-  server.run();
+  server->run();
 }
 
 }  // namespace

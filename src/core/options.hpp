@@ -33,14 +33,21 @@ inline std::string json_name(const OptionField& field) {
   return name;
 }
 
-/// @throws Error naming the option, its bounds and its unit when a field is out of bounds or not a number
+/// An option is out of range, or does not go with others. Its source is the option's name, as OptionField has
+/// it: `rva`, whose flags have these names, prints it with dashes.
+class OptionError : public UsageError {
+ public:
+  using UsageError::UsageError;
+};
+
+/// @throws OptionError stating the bounds and the unit when a field is out of bounds or not a number
 template <typename Options>
 void check_options(const Options& options) {
   Options::describe(options, [](const auto& value, const OptionField& field) {
     const auto number = static_cast<double>(value);
     if (number >= field.min && number <= field.max) return;  // false for NaN
-    throw UsageError(
-        fmt::format("--{}", field.name), fmt::format("{} is out of range", number),
+    throw OptionError(
+        std::string(field.name), fmt::format("{} is out of range", number),
         fmt::format("give {} to {}{}{}", field.min, field.max, field.unit.empty() ? "" : " ", field.unit));
   });
 }

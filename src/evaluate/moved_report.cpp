@@ -382,14 +382,14 @@ std::vector<MovedInspection> moved_inspections_from_json(const std::string& text
   const nlohmann::json json = parse_json(text, source);
   try {
     if (json.at("arguments").get<std::string>() != arguments)
-      throw UsageError("--resume", "the evaluation that is there was begun with other options",
-                       "give the options that it was begun with, or another --out");
+      throw OptionError("resume", "the evaluation that is there was begun with other options",
+                        "give the options that it was begun with, or another folder");
     std::vector<MovedInspection> inspections;
     for (const nlohmann::json& one : json.at("inspections")) inspections.push_back(inspection_from(one));
     return inspections;
   } catch (const nlohmann::json::exception& exception) {
     throw Error(source, std::string("is no evaluation to go on with: ") + exception.what(),
-                "give another --out");
+                "choose another folder");
   }
 }
 

@@ -23,10 +23,10 @@ void check(const MovedStudyOptions& options) {
   const bool in_range =
       !options.captures.empty() && options.captures.front() >= 1 && options.captures.back() <= most_dithers;
   if (!ascending || !in_range)
-    throw UsageError("--captures", "requires numbers from 1 to 16 in ascending order",
-                     "give for example 1,4,8");
+    throw OptionError("captures", "requires numbers from 1 to 16 in ascending order",
+                      "give for example 1,4,8");
   if (options.allowed.empty() || !std::ranges::is_sorted(options.allowed, std::less_equal{}))
-    throw UsageError("--allowed", "requires numbers in ascending order", "give for example 0.05,0.5");
+    throw OptionError("allowed", "requires numbers in ascending order", "give for example 0.05,0.5");
   for (const double allowed : options.allowed) {
     CalibratedOptions calibrated;
     calibrated.false_findings = allowed;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/options.hpp"
 #include "core/path_text.hpp"
 #include "core/random.hpp"
 #include "scene/debris/debris_catalogue.hpp"
@@ -101,8 +102,8 @@ BayFeatures bay_features(const std::vector<std::string>& names) {
       features.*feature.member = known = true;
     }
     if (!known)
-      throw UsageError("--bay", printable(name) + " is not a known bay feature",
-                       fmt::format("give some of {}, or all", fmt::join(bay_feature_names(), ", ")));
+      throw OptionError("bay", printable(name) + " is not a known bay feature",
+                        fmt::format("give some of {}, or all", fmt::join(bay_feature_names(), ", ")));
   }
   return features;
 }

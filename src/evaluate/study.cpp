@@ -139,8 +139,8 @@ void check(const StudyOptions& options) {
   const bool in_range = !options.frames.empty() && options.frames.front() >= 2 &&
                         options.frames.back() <= static_cast<int>(DepthStatistics::max_frames);
   if (!ascending || !in_range)
-    throw UsageError("--frames", "requires numbers of at least 2 in ascending order",
-                     "give for example 10,20,40");
+    throw OptionError("frames", "requires numbers of at least 2 in ascending order",
+                      "give for example 10,20,40");
 }
 
 bool is_of(const SimulatedInspection& inspection, const std::vector<int>& frames,
@@ -161,8 +161,8 @@ void check(const std::vector<SimulatedInspection>& done, const StudyOptions& opt
   std::uint64_t seed = options.first_seed;
   for (const SimulatedInspection& inspection : done) {
     if (inspection.seed != seed++ || !is_of(inspection, options.frames, detectors))
-      throw UsageError("--resume", "the existing evaluation has other seeds, frames or methods",
-                       "repeat the options of the earlier run, or choose another output folder");
+      throw OptionError("resume", "the existing evaluation has other seeds, frames or methods",
+                        "repeat the options of the earlier run, or choose another output folder");
   }
 }
 

@@ -59,8 +59,8 @@ std::vector<SimulatedInspection> earlier(const EvaluationFile& file, const Study
   Evaluation evaluation = evaluation_from_json(read_text_file(file.path()), printable(file.path()));
   if (evaluation.scene != subject.scene || evaluation.cameras != subject.cameras ||
       evaluation.bay != name_of_bay(subject))
-    throw UsageError("--resume", "the evaluation that is there is of another scene, bay or camera",
-                     "give the options that it was begun with, or another --out");
+    throw OptionError("resume", "the evaluation that is there is of another scene, bay or camera",
+                      "give the options that it was begun with, or another folder");
   return std::move(evaluation.inspections);
 }
 

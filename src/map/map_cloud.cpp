@@ -152,8 +152,8 @@ MapPoint point_of(const VoxelSum& sum) {
 void check_map_cloud_options(const MapCloudOptions& options) {
   check_options(options);
   if (options.near_m >= options.far_m)
-    throw UsageError("--near", fmt::format("{} m is not less than the far limit", options.near_m),
-                     "give a smaller one");
+    throw OptionError("near", fmt::format("{} m is not less than the far limit", options.near_m),
+                      "give a smaller one");
 }
 
 Mask supported(const DepthView& view) {

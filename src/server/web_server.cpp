@@ -19,8 +19,8 @@ asio::ip::address parse_address(const std::string& text) {
   ErrorCode failure;
   const auto address = asio::ip::make_address(text, failure);
   if (failure)
-    throw UsageError("--address", printable(text) + " is not an IP address",
-                     "give one like 127.0.0.1, or 0.0.0.0 for all interfaces");
+    throw OptionError("address", printable(text) + " is not an IP address",
+                      "give one like 127.0.0.1, or 0.0.0.0 for all interfaces");
   return address;
 }
 
@@ -37,23 +37,23 @@ std::unique_ptr<asio::ssl::context> tls_context(const ServerOptions& options) {
   context->use_certificate_chain_file(options.tls_certificate, failure);
   if (failure)
     throw Error(printable(options.tls_certificate), "contains no certificate (" + failure.message() + ")",
-                "give --tls-certificate a PEM file");
+                "give a PEM file of the certificate and its chain");
   context->use_private_key_file(options.tls_key, asio::ssl::context::pem, failure);
   if (failure)
     throw Error(printable(options.tls_key),
                 "contains no key for that certificate (" + failure.message() + ")",
-                "give --tls-key a PEM file");
+                "give a PEM file of its key");
   return context;
 }
 
 void require_safe(const asio::ip::address& address, bool tls, bool accounts) {
   if (address.is_loopback()) return;
   if (!tls)
-    throw UsageError("--address", "remote access requires TLS",
-                     "give --tls-certificate and --tls-key, or use 127.0.0.1");
+    throw UnsafeAccessError("address", "remote access requires TLS",
+                            "give a certificate and its key, or use 127.0.0.1");
   if (!accounts)
-    throw UsageError("--address", "remote access requires an account, and there is none",
-                     "add one: rva account add NAME --role inspector --data DIR");
+    throw UnsafeAccessError("address", "remote access requires an account, and there is none",
+                            "add one of an inspector, or use 127.0.0.1");
 }
 
 tcp::acceptor listen(asio::io_context& context, const asio::ip::address& address, int port) {
@@ -68,14 +68,14 @@ tcp::acceptor listen(asio::io_context& context, const asio::ip::address& address
   } catch (const boost::system::system_error& error) {
     throw Error(fmt::format("{}:{}", address.to_string(), port),
                 fmt::format("cannot listen on this address ({})", error.code().message()),
-                "give another --port or --address");
+                "choose another port or address");
   }
 }
 
 const ServerOptions& checked(const ServerOptions& options) {
   check_options(options);
   if (options.tls_certificate.empty() != options.tls_key.empty())
-    throw UsageError("--tls-certificate", "and --tls-key belong together", "give both or neither");
+    throw OptionError("tls-certificate", "and its key belong together", "give both or neither");
   return options;
 }
 

@@ -27,6 +27,12 @@ struct ServerOptions {
   }
 };
 
+/// Remote access was requested without TLS, or without an account.
+class UnsafeAccessError : public OptionError {
+ public:
+  using OptionError::OptionError;
+};
+
 /// Remote access requires TLS and at least one account. One thread serves all connections; slow work (the
 /// database, pictures, passwords) is done by two others, lists of all inspections by one more. A client that
 /// sends malformed or too much data, or reads too slowly, is refused without affecting others (docs/api.md,
@@ -35,7 +41,7 @@ class WebServer {
  public:
   /// Listens at once; requests are served by run().
   /// @param log receives lines for the user, from any thread
-  /// @throws UsageError when options are out of range or permit unsafe remote access
+  /// @throws OptionError when options are out of range; UnsafeAccessError when they permit unsafe access
   /// @throws Error when the server cannot listen on the address, or certificate, key or console cannot be
   /// read
   WebServer(const ServerOptions& options, const ServerParts& parts,

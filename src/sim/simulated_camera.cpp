@@ -19,8 +19,8 @@ constexpr double frames_per_s = 30.0;
 const StereoSensorOptions& checked(const StereoSensorOptions& options) {
   check_options(options);
   if (options.window_px % 2 == 0)
-    throw UsageError("--window", "must be odd, so that the window is centred on a pixel",
-                     "give 5, 7, 9, 11 or 13");
+    throw OptionError("window", "must be odd, so that the window is centred on a pixel",
+                      "give 5, 7, 9, 11 or 13");
   return options;
 }
 

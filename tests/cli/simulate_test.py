@@ -337,7 +337,7 @@ class BadScene(SimulationTest):
 
     def test_camera_moved_into_a_solid(self):
         self.check_fails('simulate', WALL, '--out', self.out, '--position', '0,0.985,0',
-                         names=['--position', '"wall"'])
+                         names=['position: the camera', '"wall"'])
 
     def test_meshes(self):
         text = self.HEAD + ('meshes:\n- name: part\n  file: part.stl\n  unit: mm\n  at_m: [0, 1, 0]\n'

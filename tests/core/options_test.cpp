@@ -29,8 +29,8 @@ TEST(Options, NamesTheFieldThatIsOut) {
     try {
       check_options(Sample{.gap_mm = bad});
       FAIL() << bad;
-    } catch (const UsageError& error) {
-      EXPECT_EQ(error.source(), "--gap-width");
+    } catch (const OptionError& error) {
+      EXPECT_EQ(error.source(), "gap-width");
       EXPECT_THAT(error.remedy(), testing::HasSubstr("0 to 10 mm"));
     }
   }

@@ -192,7 +192,7 @@ TEST(SceneErrors, OfACameraInsideASolid) {
       " material: steel }]\n";
   EXPECT_THAT(complaint(blocked), AllOf(StartsWith("scene.yaml:4: field robot: the camera at"),
                                         HasSubstr("is inside \"block\"; move the robot elsewhere")));
-  EXPECT_THAT(complaint(blocked, test::with_robot_at({0.1, 0, 0})), StartsWith("--position: the camera at"));
+  EXPECT_THAT(complaint(blocked, test::with_robot_at({0.1, 0, 0})), StartsWith("position: the camera at"));
   EXPECT_EQ(complaint(blocked, test::with_robot_at({0, 1, 0})), "accepted");
 }
 

@@ -257,7 +257,7 @@ TEST_F(Web, APortThatIsTakenIsReported) {
     const WebServer second(options, served_.parts(), [](const std::string&) {});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--port"));
+    EXPECT_THAT(error.what(), HasSubstr("port"));
   }
 }
 

@@ -98,7 +98,7 @@ void require_free_camera(const YamlNode& document, const SceneOverrides& overrid
       fmt::format("the camera at {:.3f}, {:.3f}, {:.3f} m is inside \"{}\"", camera.x(), camera.y(),
                   camera.z(), printable(scene.objects[*solid].name));
   const std::string remedy = "move the robot elsewhere";
-  if (overrides.position_m) throw Error("--position", problem, remedy);
+  if (overrides.position_m) throw Error("position", problem, remedy);
   throw document.find("robot").value_or(document).error(problem, remedy);
 }
 

@@ -105,8 +105,8 @@ StereoSensorOptions camera_model(const std::string& text) {
     if (model.name == text) return model.sensor;
   }
   if (const std::optional<Drawn> drawn = drawn_from_text(text)) return drawn->draw(drawn->seed);
-  throw UsageError("--camera-model", printable(text) + " is not a known camera model",
-                   "give one of " + known_names());
+  throw OptionError("camera-model", printable(text) + " is not a known camera model",
+                    "give one of " + known_names());
 }
 
 std::function<StereoSensorOptions(std::uint64_t)> camera_of_each(const std::string& text) {
