@@ -1,5 +1,6 @@
 #include "server/http_answer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -44,13 +45,36 @@ ApiResponse wrong_origin() {
   return refusal(403, "wrong-origin", "the requesting page is not this server's console");
 }
 
+bool has_no_weight(const http::param_list& parameters) {
+  return std::ranges::any_of(parameters, [](const auto& parameter) {
+    return beast::iequals(parameter.first, "q") && !parameter.second.empty() &&
+           view_of(parameter.second).find_first_not_of("0.") == std::string_view::npos;
+  });
+}
+
+// RFC 9110, section 12.5.3: a weight of 0 refuses a coding, and * stands for all that are not named. Codings
+// are parsed one by one, since Beast 1.74 gives a coding without parameters those of the one before it.
+bool accepts_gzip(const Request& request) {
+  bool accepts_others = false;
+  std::string_view codings = field(request, "Accept-Encoding");
+  while (!codings.empty()) {
+    const std::size_t end = std::min(codings.find(','), codings.size());
+    for (const auto& [coding, parameters] : http::ext_list({codings.data(), end})) {
+      if (beast::iequals(coding, "gzip")) return !has_no_weight(parameters);
+      if (coding == "*") accepts_others = !has_no_weight(parameters);
+    }
+    codings.remove_prefix(std::min(end + 1, codings.size()));
+  }
+  return accepts_others;
+}
+
 ApiResponse file_answer(const ConsoleFile& file, const Request& request) {
   ApiResponse answer{200, file.content_type, file.bytes};
   answer.headers.emplace_back("Cache-Control",
                               file.immutable ? "public, max-age=31536000, immutable" : "no-cache");
   if (file.gzip.empty()) return answer;
   answer.headers.emplace_back("Vary", "Accept-Encoding");
-  if (field(request, "Accept-Encoding").find("gzip") == std::string_view::npos) return answer;
+  if (!accepts_gzip(request)) return answer;
   answer.body = file.gzip;
   answer.headers.emplace_back("Content-Encoding", "gzip");
   return answer;

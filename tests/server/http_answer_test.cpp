@@ -114,6 +114,20 @@ TEST_F(HttpAnswer, FilesAreCompressedForThoseWhoAcceptIt) {
   EXPECT_EQ(text(plain, "Vary"), "Accept-Encoding") << "a cache must keep both apart";
 }
 
+TEST_F(HttpAnswer, FilesAreCompressedAsTheWeightsOfCodingsAllow) {
+  const auto is_compressed = [&](const char* accepted) {
+    Request request = get("/assets/main-1.js");
+    request.set(http::field::accept_encoding, accepted);
+    return http_answer(request, caller()).count("Content-Encoding") > 0;
+  };
+  for (const char* const accepted :
+       {"gzip;q=1", "GZIP", "br;q=0, gzip ; q=0.001", "*", "identity;q=0, *;q=0.5", "*;q=0, gzip"})
+    EXPECT_TRUE(is_compressed(accepted)) << accepted;
+  for (const char* const refused :
+       {"gzip;q=0", "gzip;Q=0.000", "br, gzip ; q=0.0", "gzip;q=0, *", "*;q=0", "not-gzip", "br;gzip", ""})
+    EXPECT_FALSE(is_compressed(refused)) << refused;
+}
+
 TEST_F(HttpAnswer, ToHeadIsThatToGetWithoutTheContent) {
   const Response head = http_answer(get("/", http::verb::head), caller());
   EXPECT_EQ(head.result_int(), 200U);
