@@ -15,6 +15,7 @@ namespace rva {
 /// any other text.
 [[nodiscard]] std::optional<std::uint64_t> ns_since_1970(const std::string& text);
 
+/// The present time as iso_8601() writes it.
 [[nodiscard]] inline std::string iso_8601_now() { return iso_8601(std::chrono::system_clock::now()); }
 
 }  // namespace rva

@@ -12,8 +12,8 @@ namespace rva {
 /// One value of an enumeration, with its name.
 template <typename Value>
 struct EnumName {
-  Value value;
-  std::string_view name;
+  Value value;            ///< of the enumeration
+  std::string_view name;  ///< in files, options and messages
 };
 
 /// Every value of an enumeration with its name, in the order of lists for users. An enumeration that has
@@ -25,6 +25,7 @@ struct EnumName {
 template <typename Value>
 inline constexpr std::array<EnumName<Value>, 0> enum_names{};
 
+/// The name of a value, which must be in the table of its enumeration.
 template <typename Value>
 [[nodiscard]] constexpr std::string_view name_of(Value value) {
   static_assert(!enum_names<Value>.empty(), "the enumeration has no names");
@@ -41,6 +42,7 @@ template <typename Value>
   return named == enum_names<Value>.end() ? std::nullopt : std::optional(named->value);
 }
 
+/// All names of an enumeration, in the order of its table.
 template <typename Value>
 [[nodiscard]] constexpr auto names_of() {
   std::array<std::string_view, enum_names<Value>.size()> names;

@@ -17,8 +17,11 @@ class Error : public std::runtime_error {
   /// @param remedy  what the user can do about it, as an instruction
   Error(std::string source, std::string problem, std::string remedy);
 
+  /// The path, option or device that is wrong.
   [[nodiscard]] const std::string& source() const { return source_; }
+  /// What is wrong with it, without a full stop.
   [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// An instruction for the user.
   [[nodiscard]] const std::string& remedy() const { return remedy_; }
 
  private:

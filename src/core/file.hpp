@@ -16,6 +16,7 @@ namespace rva {
 /// the memory.
 inline constexpr std::uintmax_t max_file_bytes = 512ULL << 20U;
 
+/// Reads a whole file.
 /// @throws Error when the file is missing, unreadable, not a regular file, or larger than max_file_bytes
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path);
 
@@ -51,12 +52,16 @@ class OpenFile {
 /// @throws Error when the disk is full or refuses; the file may then be incomplete, so write into a folder
 ///         that is renamed at the end (OutputFolder).
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// @overload
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// Writes a temporary file beside the target and renames it: whatever happens, also a power cut, the target
 /// is complete or unchanged. Temporary files that killed programs left beside it are removed.
 /// @throws Error when the disk is full or refuses
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// @overload
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
 /// Writes the complete file under the name that it is given, and returns when its bytes are on the disk.
@@ -69,6 +74,7 @@ void replace_file(const std::filesystem::path& path, const WritesFile& write);
 /// programs nor syncs the folder: it is meant for the many files of an OutputFolder, which is removed or made
 /// durable as a whole.
 void put_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// The same for a file that is too large for memory. @throws what `write` throws; nothing is left of the file
 void put_file(const std::filesystem::path& path, const WritesFile& write);
 
 /// Appends to a file, which is created where there is none. When it returns, the operating system has the

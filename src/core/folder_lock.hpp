@@ -16,6 +16,7 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// Locks a folder without waiting.
   /// @return null when another program has locked it, it cannot be opened, or it has been removed meanwhile
   [[nodiscard]] static std::unique_ptr<FolderLock> try_lock(const std::filesystem::path& folder);
 

@@ -8,8 +8,11 @@ namespace rva {
 /// The user asked the program to stop. Not an Error: nothing is wrong. `rva` exits with 128 + the signal.
 class Interrupted : public std::exception {
  public:
+  /// @param signal number of the signal; 0 if the work was cancelled without one
   explicit Interrupted(int signal) : signal_(signal) {}
+  /// Number of the signal; 0 if the work was cancelled without one.
   [[nodiscard]] int signal() const { return signal_; }
+  /// "interrupted".
   [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
 
  private:

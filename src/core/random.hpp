@@ -28,8 +28,10 @@ template <typename... Numbers>
 /// have a stream of its own.
 class Random {
  public:
+  /// Equal seeds give equal streams.
   explicit constexpr Random(std::uint64_t seed) : state_(seed) {}
 
+  /// 64 random bits.
   [[nodiscard]] constexpr std::uint64_t bits() {
     state_ += 0x9E3779B97F4A7C15ULL;
     std::uint64_t z = state_;
@@ -39,6 +41,7 @@ class Random {
   }
   /// In [0, 1).
   [[nodiscard]] constexpr double uniform() { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
+  /// In [low, high).
   [[nodiscard]] constexpr double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Mean 0, standard deviation 1 (Box and Muller 1958).
   [[nodiscard]] double normal() {

@@ -18,6 +18,7 @@ class StagingFolder {
   /// @throws Error when it cannot be created
   explicit StagingFolder(const std::filesystem::path& target);
 
+  /// The folder, whose name is unique.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

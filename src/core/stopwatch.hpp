@@ -8,6 +8,7 @@ namespace rva {
 /// Starts when it is constructed.
 class Stopwatch {
  public:
+  /// Time since its construction, milliseconds.
   [[nodiscard]] double ms() const {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
   }
