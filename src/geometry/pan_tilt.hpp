@@ -11,15 +11,15 @@ namespace rva {
 /// Joint angles. Pan turns about the vertical, positive to the left (counterclockwise seen from above);
 /// tilt is positive up. At 0, 0 the camera looks level along the foot's +y.
 struct PanTilt {
-  double pan_deg = 0.0;
-  double tilt_deg = 0.0;
+  double pan_deg = 0.0;   ///< positive is to the left
+  double tilt_deg = 0.0;  ///< positive is up
   bool operator==(const PanTilt&) const = default;
 };
 
 /// A servo's axis, in the frame of the part that carries the servo, given by a point on it and its direction.
 /// A positive angle is a right-handed turn about the axis.
 struct JointAxis {
-  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();   ///< a point on the axis, metres
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit length
 };
 
@@ -42,9 +42,11 @@ struct PanTiltChain {
 /// The camera's motion in its own frame per radian of each joint: the rotation vector (rad/rad), then the
 /// translation of the camera's origin (m/rad).
 struct JointTwists {
-  Twist pan;
-  Twist tilt;
+  Twist pan;   ///< per radian of the first joint
+  Twist tilt;  ///< per radian of the second joint
 };
+
+/// The derivative of foot_from_camera() by both joint angles.
 [[nodiscard]] JointTwists joint_twists(const PanTiltChain& chain, const PanTilt& joints);
 
 }  // namespace rva

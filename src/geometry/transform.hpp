@@ -17,6 +17,7 @@ using Transform = Eigen::Isometry3d;
 /// The 4x4 matrix as files carry it: 16 numbers, row by row.
 [[nodiscard]] std::array<double, 16> to_row_major(const Transform& a_from_b);
 
+/// The transform of a 4x4 matrix as files carry it.
 /// @param numbers 16 numbers, row by row
 /// @throws Error when they are not finite, the upper left 3x3 is not a rotation (to 1e-3, since files contain
 ///         rounded numbers), or the last row is not 0 0 0 1. The rotation returned is exactly orthonormal.
