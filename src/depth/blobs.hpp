@@ -13,10 +13,10 @@ namespace rva {
 
 /// A run of set pixels in one row, columns [first, end), that belongs to one blob.
 struct Run {
-  int v = 0;
-  int first = 0;
-  int end = 0;
-  std::size_t blob = 0;
+  int v = 0;             ///< row
+  int first = 0;         ///< first column
+  int end = 0;           ///< column after the last one
+  std::size_t blob = 0;  ///< index of its blob, from 0
 };
 
 /// The 8-connected blobs of a mask. They are found in one pass over the pixels and one over the runs, so that
@@ -26,13 +26,16 @@ class Blobs {
   /// @param mask pixels other than 0 are set
   explicit Blobs(const Mask& mask);
 
+  /// Number of blobs.
   [[nodiscard]] std::size_t count() const { return areas_.size(); }
   /// All runs, from top to bottom, then from left to right.
   [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+  /// The runs of one row, from left to right.
   [[nodiscard]] std::span<const Run> runs_of_row(int v) const {
     const auto row = static_cast<std::size_t>(v);
     return std::span(runs_).subspan(row_starts_[row], row_starts_[row + 1] - row_starts_[row]);
   }
+  /// Number of pixels of a blob.
   [[nodiscard]] int area_px(std::size_t blob) const { return areas_[blob]; }
   /// The blob that contains a pixel, which must be set.
   [[nodiscard]] std::size_t blob_at(int u, int v) const;

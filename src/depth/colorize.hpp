@@ -9,8 +9,8 @@ namespace rva {
 
 /// The range of values that the colours span; values beyond it have the colour of the nearer end.
 struct ColorScale {
-  float low = 0.0F;
-  float high = 1.0F;
+  float low = 0.0F;   ///< value with the first colour
+  float high = 1.0F;  ///< value with the last colour
 };
 
 /// OpenCV's jet colours, blue at `low` to red at `high`; black where the value is NaN.

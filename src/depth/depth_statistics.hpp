@@ -21,6 +21,7 @@ class DepthStatistics {
   /// More frames would overflow the sums: this is 18 minutes at 30 Hz.
   static constexpr std::size_t max_frames = 32767;
 
+  /// Statistics of frames of this size, in pixels; without any frame yet.
   DepthStatistics(int width, int height);
 
   /// Adds a frame as it arrives.
@@ -33,12 +34,18 @@ class DepthStatistics {
   /// Removes all frames, without a new allocation.
   void clear();
 
+  /// Number of columns of a frame.
   [[nodiscard]] int width() const { return reference_.width(); }
+  /// Number of rows of a frame.
   [[nodiscard]] int height() const { return reference_.height(); }
+  /// Number of pixels of a frame.
   [[nodiscard]] std::size_t size() const { return reference_.size(); }
+  /// Number of frames added since the last clear().
   [[nodiscard]] std::size_t frames() const { return frames_; }
 
-  // In all functions below, i is the pixel's index in row-major order.
+  /// @name Statistics of one pixel
+  /// i is the pixel's index in row-major order.
+  /// @{
 
   /// Number of frames in which the pixel was valid.
   [[nodiscard]] std::uint32_t count(std::size_t i) const { return count_[i]; }
@@ -68,6 +75,8 @@ class DepthStatistics {
                ? 0.0
                : std::sqrt(static_cast<double>(scaled_variance(i))) / static_cast<double>(count_[i]);
   }
+
+  /// @}
 
  private:
   void require_room_for(std::size_t frames) const;

@@ -29,22 +29,31 @@ class Image {
         height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
 
+  /// Number of columns.
   [[nodiscard]] int width() const { return width_; }
+  /// Number of rows.
   [[nodiscard]] int height() const { return height_; }
+  /// Number of pixels.
   [[nodiscard]] std::size_t size() const { return pixels_.size(); }
+  /// Whether there are no pixels.
   [[nodiscard]] bool empty() const { return pixels_.empty(); }
 
+  /// Pixel (u, v), which must be inside the image.
   [[nodiscard]] Pixel& operator()(int u, int v) { return pixels_[index(u, v)]; }
+  /// @overload
   [[nodiscard]] const Pixel& operator()(int u, int v) const { return pixels_[index(u, v)]; }
   /// Pixel by its index in row-major order.
   [[nodiscard]] Pixel& operator[](std::size_t i) { return pixels_[i]; }
+  /// @overload
   [[nodiscard]] const Pixel& operator[](std::size_t i) const { return pixels_[i]; }
 
   /// The first pixel; the others follow in row-major order.
   [[nodiscard]] Pixel* data() { return pixels_.data(); }
+  /// @overload
   [[nodiscard]] const Pixel* data() const { return pixels_.data(); }
   /// All pixels in row-major order.
   [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
+  /// @overload
   [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
 
   /// Whether width and height are equal.
@@ -73,14 +82,14 @@ inline constexpr std::uint16_t no_depth = 0;
 
 /// 255 where the pixel belongs to the mask, otherwise 0.
 using Mask = Image<std::uint8_t, struct InMask>;
-inline constexpr std::uint8_t mask_set = 255;
+inline constexpr std::uint8_t mask_set = 255;  ///< the value of a pixel that belongs to a Mask
 
 /// Brightness, 0 to 255.
 using GrayImage = Image<std::uint8_t, struct GreyLevel>;
 
 /// Brightness in 256ths of a grey level, 0 to 65280: the mean of several images has fractions.
 using FineGrayImage = Image<std::uint16_t, struct FineGreyLevel>;
-inline constexpr int fine_steps_per_grey_level = 256;
+inline constexpr int fine_steps_per_grey_level = 256;  ///< the unit of a FineGrayImage
 
 /// Converts grey levels to 256ths, rounded.
 /// @param levels grey levels, with or without fractions; clamped to 0 to 255
@@ -100,9 +109,9 @@ using LabelImage = Image<std::uint16_t, struct ObjectLabel>;
 
 /// A colour, 0 to 255 for each component.
 struct Rgb {
-  std::uint8_t r = 0;
-  std::uint8_t g = 0;
-  std::uint8_t b = 0;
+  std::uint8_t r = 0;  ///< red
+  std::uint8_t g = 0;  ///< green
+  std::uint8_t b = 0;  ///< blue
   bool operator==(const Rgb&) const = default;
 };
 /// Colour of each pixel.

@@ -12,22 +12,22 @@ struct MatType;
 /// OpenCV's type of one channel of this type.
 template <>
 struct MatType<std::uint8_t> {
-  static constexpr int value = CV_8UC1;
+  static constexpr int value = CV_8UC1;  ///< type of the matrix
 };
 /// OpenCV's type of one channel of this type.
 template <>
 struct MatType<std::uint16_t> {
-  static constexpr int value = CV_16UC1;
+  static constexpr int value = CV_16UC1;  ///< type of the matrix
 };
 /// OpenCV's type of one channel of this type.
 template <>
 struct MatType<float> {
-  static constexpr int value = CV_32FC1;
+  static constexpr int value = CV_32FC1;  ///< type of the matrix
 };
 /// The channels are RGB, whereas OpenCV's files and colour maps are BGR.
 template <>
 struct MatType<Rgb> {
-  static constexpr int value = CV_8UC3;
+  static constexpr int value = CV_8UC3;  ///< type of the matrix
 };
 
 /// The matrix shares the image's pixels and must not outlive it.
