@@ -21,23 +21,23 @@ namespace rva {
 
 /// The camera's pose. Captures with the same `base` share one world frame.
 struct Pose {
-  std::optional<std::string> base;
-  std::optional<double> pan_deg;
-  std::optional<double> tilt_deg;
-  std::optional<Transform> world_from_camera;
+  std::optional<std::string> base;  ///< name of the position of the robot's foot; empty if there was no robot
+  std::optional<double> pan_deg;    ///< reported by the robot at rest; positive is left
+  std::optional<double> tilt_deg;   ///< reported by the robot at rest; positive is up
+  std::optional<Transform> world_from_camera;  ///< pose of the depth imager
   /// How far the images show the camera from the pose of the baseline's capture, and how many approaches were
   /// made. Empty unless the pose of a baseline was approached again.
   std::optional<double> off_baseline_deg{};
-  std::optional<int> approaches{};
+  std::optional<int> approaches{};  ///< number of approaches made
 };
 
 /// Which camera it was, and how it was set. Texts are empty where unknown.
 struct CameraInfo {
-  std::string model;
-  std::string serial;
+  std::string model;                   ///< name of the product
+  std::string serial;                  ///< serial number
   std::optional<double> baseline_m{};  ///< distance between the two imagers of a stereo camera
-  std::string firmware{};
-  std::string usb{};  ///< type of the port that it was connected to: "3.2"
+  std::string firmware{};              ///< version of the firmware
+  std::string usb{};                   ///< type of the port that it was connected to: "3.2"
   /// By sensor, then by the manufacturer's name, in the manufacturer's unit: "Stereo Module", "Laser
   /// Power", 150.
   std::map<std::string, std::map<std::string, double>> settings{};
@@ -46,6 +46,8 @@ struct CameraInfo {
 /// The infrared imagers of a stereo camera. The left imager has the pixel grid of the depth images; the right
 /// one is rectified with it.
 enum class Imager { left, right };
+
+/// Both imagers, left first.
 inline constexpr std::array<Imager, 2> both_imagers{Imager::left, Imager::right};
 
 /// What illuminates the infrared images: the projector, whose dots the stereo matcher uses, or a lamp while
@@ -54,24 +56,25 @@ enum class Light { projector, lamp };
 
 /// Scale and exposure of infrared images, which are single frames or the mean of several (16 bits).
 struct InfraredBurst {
-  double per_grey_level = 1.0;  ///< counts of a 16-bit image per grey level of an 8-bit image
-  int frames = 1;               ///< number of frames that an image is the mean of
-  std::optional<double> exposure_us{};
-  std::optional<double> gain{};
+  double per_grey_level = 1.0;             ///< counts of a 16-bit image per grey level of an 8-bit image
+  int frames = 1;                          ///< number of frames that an image is the mean of
+  std::optional<double> exposure_us{};     ///< exposure time, microseconds
+  std::optional<double> gain{};            ///< in the manufacturer's unit
   std::optional<double> laser_power_mw{};  ///< 0: the projector was off
   bool operator==(const InfraredBurst&) const = default;
 };
 
 /// What is known of a capture besides its images.
 struct CaptureInfo {
-  std::string format;  ///< "rva-capture", "open3d", "tum", "images", "bag", "db3", "mcap"
-  Intrinsics depth;
-  double depth_unit_m = 0.001;   ///< depth of one step of a depth image, metres
-  bool unit_is_assumed = false;  ///< true when the files do not state the unit
-  std::optional<Intrinsics> color;
+  std::string format;               ///< "rva-capture", "open3d", "tum", "images", "bag", "db3", "mcap"
+  Intrinsics depth;                 ///< of the depth images
+  double depth_unit_m = 0.001;      ///< depth of one step of a depth image, metres
+  bool unit_is_assumed = false;     ///< true when the files do not state the unit
+  std::optional<Intrinsics> color;  ///< of the colour images, where their description states them
+  /// From the depth imager to the colour imager, where it is known.
   std::optional<Transform> color_from_depth;
-  std::optional<Pose> pose;
-  std::optional<CameraInfo> camera;
+  std::optional<Pose> pose;                 ///< of the depth imager; empty where it is not known
+  std::optional<CameraInfo> camera;         ///< empty where nothing is known of it
   std::optional<InfraredBurst> infrared{};  ///< of the images under the projector
   std::optional<InfraredBurst> lamp{};      ///< of the images under the lamp
   std::string captured_at;                  ///< ISO 8601, empty where unknown
@@ -84,10 +87,10 @@ struct CaptureInfo {
 struct FrameMetadata {
   std::optional<std::uint64_t> counter;  ///< the camera's own, up by one per frame: a gap means lost frames
   std::optional<double> time_s;          ///< when depth was exposed, by the camera's clock; for differences
-  std::optional<double> exposure_us;
-  std::optional<double> gain;
-  std::optional<double> laser_power_mw;
-  std::optional<double> temperature_c;  ///< of the chip that computes depth
+  std::optional<double> exposure_us;     ///< exposure time of the infrared imagers, microseconds
+  std::optional<double> gain;            ///< in the manufacturer's unit
+  std::optional<double> laser_power_mw;  ///< of the projector; 0: it was off
+  std::optional<double> temperature_c;   ///< of the chip that computes depth
 
   bool operator==(const FrameMetadata&) const = default;
 };
@@ -95,17 +98,20 @@ struct FrameMetadata {
 /// Frames and their description, from any recorder. Reading is const and may run on several threads.
 class Capture {
  public:
+  /// @param info the description, returned by info()
   explicit Capture(CaptureInfo info) : info_(std::move(info)) {}
   virtual ~Capture() = default;
   Capture(const Capture&) = delete;
   Capture& operator=(const Capture&) = delete;
 
+  /// The description of the capture, which does not change.
   [[nodiscard]] const CaptureInfo& info() const { return info_; }
   /// Number of depth images.
   [[nodiscard]] virtual std::size_t depth_frames() const = 0;
   /// Number of colour images, which may differ from that of depth images.
   [[nodiscard]] virtual std::size_t color_frames() const = 0;
 
+  /// Reads one depth image.
   /// @param i frame, from 0, below depth_frames()
   /// @return  an image of the size that info().depth states, in units of info().depth_unit_m; values that
   ///          mean no measurement are no_depth (no_depth.hpp)

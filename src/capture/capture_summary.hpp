@@ -12,9 +12,9 @@ namespace rva {
 
 /// What is known of a capture after reading every frame.
 struct CaptureSummary {
-  double fill_rate = 0.0;  ///< share of the pixels of all depth images that have a measurement
-  double nearest_m = 0.0;  ///< least and greatest measured depth; 0 if nothing was measured
-  double farthest_m = 0.0;
+  double fill_rate = 0.0;          ///< share of the pixels of all depth images that have a measurement
+  double nearest_m = 0.0;          ///< least and greatest measured depth; 0 if nothing was measured
+  double farthest_m = 0.0;         ///< likewise
   std::size_t lost = 0;            ///< frames between those of the capture, by the camera's counter
   std::vector<std::string> notes;  ///< remarks on the files and the depth images for the user
 };

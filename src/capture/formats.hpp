@@ -17,8 +17,9 @@ namespace rva {
 
 /// The files of a FolderCapture, by name.
 struct FrameFiles {
-  std::vector<std::filesystem::path> depth;
-  std::vector<std::filesystem::path> color;
+  std::vector<std::filesystem::path> depth;  ///< in the order of the frames
+  std::vector<std::filesystem::path> color;  ///< in any order; see `color_of`
+  /// One for each frame, or a single one that is the mean of all frames.
   std::map<std::pair<Imager, Light>, std::vector<std::filesystem::path>> infrared{};
   std::map<std::size_t, FrameMetadata> metadata{};  ///< by the frame number that is a depth file's name
   /// For each depth file, the index in `color` of the image that was taken with it. Empty when images are to
@@ -125,14 +126,14 @@ void settle_unit(const CaptureOptions& options, CaptureInfo& info);
 
 /// One line of a TUM list: a time and a file name.
 struct TumEntry {
-  double time_s = 0.0;
-  std::string file;
+  double time_s = 0.0;  ///< seconds, by the recorder's clock
+  std::string file;     ///< path of the image, relative to the folder of the list
 };
 
 /// A depth image and the colour image that belongs to it.
 struct TumPair {
-  TumEntry depth;
-  TumEntry color;
+  TumEntry depth;  ///< of the depth image
+  TumEntry color;  ///< of the colour image
 };
 
 /// Parses the text of an association list, as the benchmark's tool and SLAM programs use it: in each line

@@ -14,10 +14,10 @@ namespace rva {
 
 /// A depth frame, with the images and metadata that belong to it.
 struct MemoryFrame {
-  DepthImage depth;
-  std::optional<ColorImage> color{};
-  std::map<Imager, FineGrayImage> infrared{};
-  FrameMetadata metadata{};
+  DepthImage depth;                            ///< in the depth units of the capture
+  std::optional<ColorImage> color{};           ///< empty if none was taken with the frame
+  std::map<Imager, FineGrayImage> infrared{};  ///< under the projector, by imager
+  FrameMetadata metadata{};                    ///< what the camera stated about the frame
 };
 
 /// A capture in memory, for a recording that is replayed in a loop: decoding takes longer than showing.

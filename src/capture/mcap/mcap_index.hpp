@@ -15,7 +15,7 @@ namespace rva {
 
 /// The topics of an MCAP recording and the positions of their messages.
 struct McapIndex {
-  RecordedTopics topics;
+  RecordedTopics topics;                                      ///< the messages by topic
   std::map<std::string, std::string, std::less<>> encodings;  ///< of messages, by topic: "cdr", "ros1"
   bool finished = true;            ///< false: the recorder did not finish the file, or it was truncated
   std::size_t damaged_chunks = 0;  ///< chunks left out

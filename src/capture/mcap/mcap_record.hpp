@@ -26,6 +26,7 @@ enum class McapOp : std::uint8_t {
   data_end = 0x0F,
 };
 
+/// The bytes with which an MCAP file begins and ends.
 inline constexpr std::string_view mcap_magic = "\x89MCAP0\r\n";
 
 /// Bytes of a record before its content: the opcode (1) and the length (8).
@@ -33,8 +34,8 @@ inline constexpr std::size_t mcap_head_bytes = 9;
 
 /// A record of an MCAP file. The content is a view of the bytes that were parsed.
 struct McapRecord {
-  McapOp op{};
-  std::span<const std::byte> content;
+  McapOp op{};                         ///< opcode
+  std::span<const std::byte> content;  ///< refers to the bytes from which it was taken
 };
 
 /// Takes a record from the front of the bytes. @throws Error when fewer bytes are left than it states
@@ -42,22 +43,23 @@ struct McapRecord {
 
 /// A channel record: a topic and the encoding of its messages.
 struct McapChannel {
-  std::uint16_t id = 0;
-  std::uint16_t schema = 0;
-  std::string topic;
-  std::string encoding;  ///< of its messages: "cdr" (ROS 2), "ros1"
+  std::uint16_t id = 0;      ///< number that its messages refer to
+  std::uint16_t schema = 0;  ///< number of the schema of its messages
+  std::string topic;         ///< name of the topic
+  std::string encoding;      ///< of its messages: "cdr" (ROS 2), "ros1"
 };
 
-/// @throws Error when the record ends early; so do all functions below
+/// Parses a channel record. @throws Error when the record ends early; so do all functions below
 [[nodiscard]] McapChannel parse_mcap_channel(std::span<const std::byte> content, std::string_view source);
 
 /// A message record. The data are a view of the bytes that were parsed.
 struct McapMessage {
-  std::uint16_t channel = 0;
-  std::uint64_t time_ns = 0;
-  std::span<const std::byte> data;
+  std::uint16_t channel = 0;        ///< number of its channel
+  std::uint64_t time_ns = 0;        ///< recording time, nanoseconds
+  std::span<const std::byte> data;  ///< serialised message; refers to the parsed bytes
 };
 
+/// Parses a message record; its data refer to `content`.
 [[nodiscard]] McapMessage parse_mcap_message(std::span<const std::byte> content, std::string_view source);
 
 /// Decompresses the records of a chunk (LZ4, Zstandard or uncompressed).

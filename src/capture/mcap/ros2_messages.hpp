@@ -15,8 +15,8 @@ namespace rva {
 /// The name of a message type, and its definition with those of the types that it contains, as rosbag2 writes
 /// it.
 struct MessageType {
-  std::string_view name;
-  std::string_view definition;
+  std::string_view name;        ///< "sensor_msgs/msg/Image"
+  std::string_view definition;  ///< text in the language of .msg files
 };
 
 extern const MessageType image_type;        ///< sensor_msgs/msg/Image
@@ -25,18 +25,19 @@ extern const MessageType transforms_type;   ///< tf2_msgs/msg/TFMessage
 
 /// When a message was taken, and the frame that its coordinates are in.
 struct MessageHeader {
-  std::uint64_t time_ns = 0;
-  std::string_view frame;
+  std::uint64_t time_ns = 0;  ///< nanoseconds since 1970
+  std::string_view frame;     ///< name of the coordinate frame
 };
 
 /// The pixels of an image as they lie in memory.
 struct RawImage {
-  int width = 0;
-  int height = 0;
-  std::string_view encoding;  ///< "16UC1", "32FC1", "rgb8", "mono16"
-  std::span<const std::byte> pixels;
+  int width = 0;                      ///< px
+  int height = 0;                     ///< px
+  std::string_view encoding;          ///< "16UC1", "32FC1", "rgb8", "mono16"
+  std::span<const std::byte> pixels;  ///< row by row, without padding; little-endian
 };
 
+/// A serialised sensor_msgs/msg/Image.
 [[nodiscard]] std::vector<std::byte> image_message(const MessageHeader& header, const RawImage& image);
 
 /// Without lens distortion, or with that of Brown and Conrady ("plumb_bob"). Coefficients of the inverse

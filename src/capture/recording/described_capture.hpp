@@ -15,9 +15,9 @@ namespace recorded_topic {
 inline constexpr std::string_view description =
     "/rva/capture";                                      ///< the text of a capture.json; the last applies
 inline constexpr std::string_view frame = "/rva/frame";  ///< a line of frames.jsonl, at the frame's time
-inline constexpr std::string_view depth = "/camera/depth/image_rect_raw";
-inline constexpr std::string_view color = "/camera/color/image_raw";
-inline constexpr std::string_view transforms = "/tf_static";
+inline constexpr std::string_view depth = "/camera/depth/image_rect_raw";  ///< depth images
+inline constexpr std::string_view color = "/camera/color/image_raw";       ///< colour images
+inline constexpr std::string_view transforms = "/tf_static";  ///< of the colour imager, and the pose
 }  // namespace recorded_topic
 
 /// The topic of an imager's images: "/camera/infra1/image_rect_raw", "/camera/infra2/lamp/image_raw".

@@ -15,16 +15,16 @@ namespace rva {
 
 /// A sensor_msgs/Image, and metadata that the recorder stores with it.
 struct ImageMessage {
-  std::vector<std::byte> message;  ///< storage of the texts and the pixels
-  std::optional<std::uint64_t> counter;
-  std::optional<double> time_s;  ///< by the camera's clock
-  std::string frame;             ///< name of the coordinate frame, as ROS states it
-  int width = 0;                 ///< px
-  int height = 0;
-  std::string_view encoding;  ///< "mono16", "rgb8", ...
-  std::size_t row_bytes = 1;
-  std::span<const std::byte> pixels;
-  std::optional<double> unit_m;  ///< of depth, where the recording states it with each image
+  std::vector<std::byte> message;        ///< storage of the texts and the pixels
+  std::optional<std::uint64_t> counter;  ///< the camera's frame number; empty where the recording states none
+  std::optional<double> time_s;          ///< by the camera's clock
+  std::string frame;                     ///< name of the coordinate frame, as ROS states it
+  int width = 0;                         ///< px
+  int height = 0;                        ///< px
+  std::string_view encoding;             ///< "mono16", "rgb8", ...
+  std::size_t row_bytes = 1;             ///< from the beginning of one row to that of the next
+  std::span<const std::byte> pixels;     ///< refers to `message`
+  std::optional<double> unit_m;          ///< of depth, where the recording states it with each image
 
   ImageMessage() = default;
   ~ImageMessage() = default;

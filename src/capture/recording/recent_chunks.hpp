@@ -18,6 +18,7 @@ class RecentChunks {
   /// A decompressed chunk. It stays valid while it is used, also when the cache drops it.
   using Chunk = std::shared_ptr<const std::vector<std::byte>>;
 
+  /// The chunk at a position, from the cache or unpacked.
   /// @param at     the chunk's position in the file
   /// @param unpack returns its bytes; called when they are not in the cache. What it throws is passed on
   [[nodiscard]] Chunk get(std::uint64_t at, auto&& unpack) {

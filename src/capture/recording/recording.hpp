@@ -44,8 +44,11 @@ struct RecordedStream {
   std::string ros_images{};       ///< "/camera/depth/image_rect_raw"; empty in recordings of librealsense
   std::string ros_camera_info{};  ///< "/camera/depth/camera_info"; likewise
 
+  /// Whether topics are named as in ROS, not as in recordings of librealsense.
   [[nodiscard]] bool is_of_ros() const { return !ros_images.empty(); }
+  /// The topic of the images.
   [[nodiscard]] std::string images() const { return is_of_ros() ? ros_images : name + "/image/data"; }
+  /// The topic of the images' metadata in recordings of librealsense.
   [[nodiscard]] std::string metadata() const { return name + "/image/metadata"; }
 };
 
@@ -66,6 +69,7 @@ class Recording {
   /// The file's name, for errors.
   [[nodiscard]] virtual const std::string& source() const = 0;
 
+  /// All topics of the recording.
   [[nodiscard]] virtual const RecordedTopics& topics() const = 0;
 
   /// Remarks on the file for the user; sentences without a full stop.
@@ -89,6 +93,7 @@ class Recording {
   /// @param sensor "/device_0/sensor_0/"
   [[nodiscard]] virtual std::map<std::string, double> settings(const std::string& sensor) const = 0;
 
+  /// The intrinsics of the stream's images, with their distortion model (with_lens()).
   [[nodiscard]] virtual Intrinsics intrinsics(const RecordedStream& stream) const = 0;
 
   /// Transforms from the frames that the stream shares with others to its own frame, by the names of

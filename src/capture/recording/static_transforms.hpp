@@ -14,9 +14,9 @@ namespace rva {
 
 /// The pose of one frame in another, as a message states it.
 struct StaticTransform {
-  std::string parent;
-  std::string child;
-  Transform parent_from_child = Transform::Identity();
+  std::string parent;                                   ///< name of the frame that coordinates are taken to
+  std::string child;                                    ///< name of the frame that they are taken from
+  Transform parent_from_child = Transform::Identity();  ///< translation in metres
 };
 
 /// The transform between two frames that the transforms connect, over any number of others.

@@ -12,8 +12,8 @@ namespace rva {
 
 /// The streams of a recording that make up a capture.
 struct RecordedStreams {
-  RecordedStream depth;
-  std::optional<RecordedStream> color;
+  RecordedStream depth;                       ///< of the depth images
+  std::optional<RecordedStream> color;        ///< of the colour images; empty where there are none
   std::map<Imager, RecordedStream> infrared;  ///< of the imagers that were recorded
   std::map<Imager, RecordedStream> lamp;      ///< likewise, of images under the lamp
 };

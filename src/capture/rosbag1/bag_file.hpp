@@ -20,6 +20,7 @@ class BagFile {
   /// @throws Error as read_bag_index(), or when the file cannot be read; Interrupted
   explicit BagFile(const std::filesystem::path& path);
 
+  /// The topics, and whether the file is complete.
   [[nodiscard]] const BagIndex& index() const { return index_; }
 
   /// The file's name, for errors.

@@ -17,10 +17,11 @@ namespace rva {
 /// A record in the file: its header, and the position of its data.
 struct BagRecordLocation {
   std::vector<std::byte> fields;  ///< storage of the texts of `header`
-  BagRecordHeader header;
-  std::uint64_t data_at = 0;
-  std::uint32_t data_bytes = 0;
+  BagRecordHeader header;         ///< parsed; its texts refer to `fields`
+  std::uint64_t data_at = 0;      ///< byte of the file where its data begin
+  std::uint32_t data_bytes = 0;   ///< number of bytes of its data
 
+  /// Byte of the file after the record, where the next one begins.
   [[nodiscard]] std::uint64_t end() const { return data_at + data_bytes; }
 };
 
@@ -37,7 +38,7 @@ struct BagRecordLocation {
 
 /// The topics of a ROS 1 recording and the positions of their messages.
 struct BagIndex {
-  RecordedTopics topics;
+  RecordedTopics topics;           ///< the messages by topic
   bool finished = true;            ///< false: the recorder did not finish the file, or it was truncated
   std::size_t damaged_chunks = 0;  ///< chunks left out; always 0 where the index was read
 };

@@ -23,23 +23,23 @@ enum class BagOp : std::uint8_t {
 
 /// The header of a record; missing fields are 0 or empty. Texts refer to the bytes that were parsed.
 struct BagRecordHeader {
-  BagOp op{};
-  std::uint32_t connection = 0;
-  std::uint32_t count = 0;
-  std::uint32_t connection_count = 0;
-  std::uint32_t chunk_count = 0;
-  std::uint32_t size_bytes = 0;  ///< of a chunk when decompressed
-  std::uint64_t index_at = 0;    ///< byte of the file where the index begins; 0 if it is unfinished
-  std::uint64_t chunk_at = 0;    ///< byte of the file where a chunk's record begins
-  std::uint64_t time_ns = 0;
-  std::string_view topic;
-  std::string_view compression;
+  BagOp op{};                          ///< opcode
+  std::uint32_t connection = 0;        ///< number of the connection that a message or an index belongs to
+  std::uint32_t count = 0;             ///< number of entries in an index or a chunk's summary
+  std::uint32_t connection_count = 0;  ///< number of connections in the bag
+  std::uint32_t chunk_count = 0;       ///< number of chunks in the bag
+  std::uint32_t size_bytes = 0;        ///< of a chunk when decompressed
+  std::uint64_t index_at = 0;          ///< byte of the file where the index begins; 0 if it is unfinished
+  std::uint64_t chunk_at = 0;          ///< byte of the file where a chunk's record begins
+  std::uint64_t time_ns = 0;           ///< recording time of a message, nanoseconds
+  std::string_view topic;              ///< of a connection's messages
+  std::string_view compression;        ///< of a chunk: "none", "lz4", "bz2"
 };
 
 /// A record: its header, and its data.
 struct BagRecord {
-  BagRecordHeader header;
-  std::span<const std::byte> data;
+  BagRecordHeader header;           ///< its texts refer to the bytes from which it was taken
+  std::span<const std::byte> data;  ///< refers to the bytes from which it was taken
 };
 
 /// Takes a record from the front of the bytes.

@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// Opens a ROS bag of librealsense or ROS.
 /// @throws Error when it is not a bag of version 2.0, or cannot be read; Interrupted
 [[nodiscard]] std::unique_ptr<Recording> open_bag_recording(const std::filesystem::path& file);
 

@@ -19,7 +19,7 @@ class RosBytes {
   /// @param source the file's name, for errors
   RosBytes(std::span<const std::byte> bytes, std::string_view source) : rest_(bytes), source_(source) {}
 
-  /// @throws Error when fewer bytes are left; so do all functions below
+  /// Takes bytes as they are. @throws Error when fewer bytes are left; so do all functions below
   [[nodiscard]] std::span<const std::byte> take(std::size_t count) {
     if (count > rest_.size()) throw Error(std::string(source_), "a message ends early", "record it again");
     const auto taken = rest_.first(count);
@@ -27,6 +27,7 @@ class RosBytes {
     return taken;
   }
 
+  /// Takes a number of the given type.
   template <typename Number>
   [[nodiscard]] Number number() {
     Number value;
@@ -34,8 +35,10 @@ class RosBytes {
     return value;
   }
 
+  /// Takes a list of bytes.
   [[nodiscard]] std::span<const std::byte> list_of_bytes() { return take(number<std::uint32_t>()); }
 
+  /// Takes a text.
   [[nodiscard]] std::string_view text() { return as_text(list_of_bytes()); }
 
   /// All remaining bytes as a text.
@@ -47,6 +50,7 @@ class RosBytes {
     return seconds * 1'000'000'000ULL + number<std::uint32_t>();
   }
 
+  /// Number of bytes that remain.
   [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
  private:

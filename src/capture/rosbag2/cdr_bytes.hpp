@@ -28,7 +28,7 @@ class CdrBytes {
     bytes_ = message.subspan(encapsulation_bytes);
   }
 
-  /// @throws Error when fewer bytes are left; so do all functions below
+  /// Takes a number of the given type. @throws Error when fewer bytes are left; so do all functions below
   template <typename Number>
   [[nodiscard]] Number number() {
     at_ = (at_ + sizeof(Number) - 1) / sizeof(Number) * sizeof(Number);
@@ -37,6 +37,7 @@ class CdrBytes {
     return value;
   }
 
+  /// Takes a list of bytes.
   [[nodiscard]] std::span<const std::byte> list_of_bytes() { return take(number<std::uint32_t>()); }
 
   /// A text without its terminating zero.

@@ -24,6 +24,7 @@ class Db3File {
   /// @throws Error when it is not such a database, or cannot be read; Interrupted
   explicit Db3File(const std::filesystem::path& path);
 
+  /// The messages by topic.
   [[nodiscard]] const RecordedTopics& topics() const { return topics_; }
 
   /// The file's name, for errors.

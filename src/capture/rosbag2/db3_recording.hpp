@@ -8,6 +8,7 @@
 
 namespace rva {
 
+/// Opens a rosbag2 database of librealsense or ROS.
 /// @throws Error when it is not a database of rosbag2, or cannot be read; Interrupted
 [[nodiscard]] std::unique_ptr<Recording> open_db3_recording(const std::filesystem::path& file);
 
