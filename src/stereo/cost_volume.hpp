@@ -16,14 +16,20 @@ inline constexpr int cost_lanes = 128;
 /// compared with pixel u - d of the right one.
 class CostVolume {
  public:
+  /// All costs are 0.
+  /// @param width, height size of the images, px
   CostVolume(int width, int height)
       : width_(width),
         height_(height),
         costs_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * cost_lanes, 0) {}
 
+  /// Number of columns.
   [[nodiscard]] int width() const { return width_; }
+  /// Number of rows.
   [[nodiscard]] int height() const { return height_; }
+  /// The `cost_lanes` costs of pixel (u, v), by disparity.
   [[nodiscard]] std::uint16_t* at(int u, int v) { return &costs_[index(u, v)]; }
+  /// @overload
   [[nodiscard]] const std::uint16_t* at(int u, int v) const { return &costs_[index(u, v)]; }
 
  private:

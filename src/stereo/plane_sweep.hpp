@@ -14,8 +14,8 @@ namespace rva {
 /// The rectified pair of a capture, as returned by log_grey(): speckle multiplies light, so that in the
 /// logarithm its contrast is independent of brightness.
 struct StereoView {
-  Image<float> left;
-  Image<float> right;
+  Image<float> left;                                      ///< left image
+  Image<float> right;                                     ///< right image
   Transform view_from_reference = Transform::Identity();  ///< of the left imager
   double excess_px = 0.0;  ///< disparity of this pair minus that of the surface, due to temperature
 };
@@ -30,8 +30,11 @@ struct SweepOptions {
 /// Costs of each label for each pixel of the reference: how badly it explains the pairs.
 class SweptCosts {
  public:
+  /// All costs and degrees of freedom are 0.
+  /// @param width, height size of the reference view, px
   SweptCosts(int width, int height, const SweepOptions& options);
 
+  /// Number of labels per pixel.
   [[nodiscard]] int labels() const { return labels_; }
   /// Disparity of a label relative to the start, in pixels; labels may be fractional.
   [[nodiscard]] float offset_px(float label) const { return first_px_ + label * step_px_; }
@@ -39,6 +42,7 @@ class SweptCosts {
   /// Costs of all labels at a pixel: sums over the pairs of the squared difference of log brightness between
   /// left and right, over the window, without the mean difference of the window.
   [[nodiscard]] std::span<const float> at(int u, int v) const { return {row(u, v), row(u, v) + labels_}; }
+  /// @overload
   [[nodiscard]] std::span<float> at(int u, int v) {
     float* const first = costs_.data() + index(u, v);
     return {first, first + labels_};
@@ -77,15 +81,19 @@ void align_disparities(const ReferenceSurface& surface, const StereoScale& stere
 /// The minimum of some costs, interpolated between labels by a parabola through the least one and
 /// its neighbours.
 struct Minimum {
-  float label = 0.0F;
-  float cost = 0.0F;
-  float rise = 0.0F;  ///< of the parabola one label beside the minimum; 0 if there is no parabola
+  float label = 0.0F;  ///< position among the labels, with a fraction
+  float cost = 0.0F;   ///< value of the parabola there, at least 0
+  float rise = 0.0F;   ///< of the parabola one label beside the minimum; 0 if there is no parabola
 };
+
+/// The minimum of the costs of one pixel.
+/// @param costs at least one; an end of the range is not interpolated
 [[nodiscard]] Minimum minimum_of(std::span<const float> costs);
 
 /// Settings of space-time stereo: a coarse sweep of disparities, then a fine one about its result.
 struct SpaceTimeOptions {
-  SweepOptions coarse{.window_px = 5, .range_px = 4.0, .step_px = 0.5};
+  SweepOptions coarse{.window_px = 5, .range_px = 4.0, .step_px = 0.5};  ///< about the start surface
+  /// About the result of the coarse sweep.
   SweepOptions fine{.window_px = 5, .range_px = 1.0, .step_px = 0.25};
 };
 

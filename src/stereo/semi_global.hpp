@@ -13,7 +13,7 @@ struct SemiGlobalOptions {
   int census_threshold = 20;  ///< as in BlockMatchingOptions
   int small_step = 2;         ///< penalty if a disparity differs by one from that of its neighbour
   int large_step = 24;        ///< penalty if it differs by more
-  double uniqueness = 0.03;
+  double uniqueness = 0.03;   ///< as in BlockMatchingOptions
 };
 
 /// Sums census costs (Zabih and Woodfill 1994) along four paths with penalties for steps (Hirschmueller, PAMI

@@ -20,6 +20,7 @@ struct WindowWeights {
   /// The weights of one row of a window.
   using Row = std::array<std::int16_t, lanes>;
 
+  /// @param edge_px odd, 1 to most_px
   explicit WindowWeights(int edge_px) : window_px(edge_px), half_px(edge_px / 2) {
     for (int i = 0; i < edge_px; ++i)
       along[static_cast<std::size_t>(i)] =
@@ -36,9 +37,9 @@ struct WindowWeights {
     return sum * sum;
   }
 
-  int window_px;
-  int half_px;
-  Row along{};
+  int window_px;                    ///< edge, odd
+  int half_px;                      ///< half of the edge, rounded down
+  Row along{};                      ///< weights along one side
   std::array<Row, most_px> rows{};  ///< of the whole window
 };
 
@@ -79,6 +80,8 @@ class WeightedSums {
     });
   }
 
+  /// The sum around pixel (u, v).
+  /// @param u from -border_px to below width + border_px
   [[nodiscard]] std::int32_t operator()(int u, int v) const { return sums_(u + border_px, v); }
 
  private:
