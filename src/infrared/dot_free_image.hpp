@@ -27,10 +27,11 @@ struct InfraredView {
   Image<float> log_image;  ///< as returned by log_grey()
   Mask saturated;          ///< set where brightness is clipped
   Mask dots;               ///< as returned by dot_mask(): pixels that do not show the surface itself
-  Transform view_from_reference = Transform::Identity();
+  Transform view_from_reference = Transform::Identity();  ///< of the imager
   /// Intrinsics of the imager if it is not the left one; without lens distortion.
   std::optional<Intrinsics> camera{};
 
+  /// Maps the reference to this view.
   [[nodiscard]] Warp warp_from(const ReferenceSurface& surface) const {
     return {surface, view_from_reference, camera.value_or(surface.camera)};
   }
@@ -42,6 +43,7 @@ struct DotFreeImage {
   Image<float> variance;        ///< of that mean, from the differences of the views nearby; 0 if unknown
   Image<std::uint8_t> samples;  ///< number of views that see the pixel without a dot
 
+  /// Whether any view shows pixel i without a dot.
   [[nodiscard]] bool known(std::size_t i) const { return samples[i] > 0; }
 };
 

@@ -30,8 +30,10 @@ struct PairDifference {
 /// of a dot, half a pixel matters. It is learnt from the differences themselves, most of which are unchanged.
 class PixelNoise {
  public:
+  /// Learns the deviation for each class of brightness and steepness.
   explicit PixelNoise(const std::vector<PairDifference>& differences);
 
+  /// Standard deviation of the difference at pixel i where nothing changed.
   [[nodiscard]] float at(const PairDifference& difference, std::size_t i) const {
     return deviation_[kind_of(difference, i)];
   }

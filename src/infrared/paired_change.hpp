@@ -13,7 +13,7 @@ namespace rva {
 struct PairedChange {
   Image<float> deviations;  ///< increase of brightness in deviations of unchanged pixels; 0 if not judged
   Image<float> contrast;    ///< increase of brightness as a difference of logarithms; 0 if not judged
-  Mask judged;
+  Mask judged;              ///< set where images could be compared
 };
 
 /// Compares pairs of images of nearly one pose. A robot that returns brings each dithered pose back to within
