@@ -11,7 +11,7 @@ namespace rva {
 
 /// The current estimate of a registration.
 struct Alignment {
-  Transform initial_from_final = Transform::Identity();
+  Transform initial_from_final = Transform::Identity();  ///< pose of the final camera
   double offset_px = 0.0;  ///< disparity of the initial camera minus that of the final one: thermal drift
 };
 
@@ -29,7 +29,7 @@ using AlignmentInformation = Eigen::Matrix<double, 7, 7>;
 
 /// A point on a surface in a view, in the camera's frame.
 struct SurfaceSample {
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< on the surface
   /// Derivative, by a point's position, of its disparity minus that of the surface at its pixel, px / m.
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
@@ -40,7 +40,7 @@ struct SurfaceSample {
 /// A residual is in disparity, where noise is uniform: the disparity of the moved point minus that of the
 /// plane at the pixel to which it projects. Positive if the point lies in front of the surface.
 struct AlignmentResidual {
-  double px = 0.0;
+  double px = 0.0;               ///< disparity of the point minus that of the plane
   AlignmentStep by_step;         ///< derivative, with the slope of the surface onto which the point falls
   AlignmentStep by_step_of_own;  ///< derivative, with the slope of the surface on which the point lies
 };

@@ -28,6 +28,7 @@ class BaselinePoses {
   BaselinePoses(const BaselinePoses&) = delete;
   BaselinePoses& operator=(const BaselinePoses&) = delete;
 
+  /// Compares the camera's pose with that of a capture of the baseline.
   /// @param capture  by its position in the baseline
   /// @param returned what the camera sees now: a few frames, of the same intrinsics
   /// @return by how much the camera is turned from where that capture was taken, in degrees; empty where

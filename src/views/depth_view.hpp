@@ -12,12 +12,13 @@ namespace rva {
 /// The mean over the frames of a capture, in disparity: there a stereo camera's noise is even, and a plane is
 /// linear in the pixel's coordinates.
 struct DepthView {
-  Intrinsics camera;  ///< without lens distortion
-  StereoScale stereo;
+  Intrinsics camera;          ///< without lens distortion
+  StereoScale stereo;         ///< between depth and disparity
   Image<float> disparity_px;  ///< mean; 0 where the camera saw nothing in half of the frames, or where
                               ///< depth jumps between matches
   Image<float> deviation_px;  ///< of one frame, over time; 0 for single frames
 
+  /// Whether pixel i has a disparity.
   [[nodiscard]] bool seen(std::size_t i) const { return disparity_px[i] > 0.0F; }
 };
 

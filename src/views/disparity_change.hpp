@@ -11,12 +11,15 @@ namespace rva {
 /// Width of the border in which nothing is judged, since the matcher lacks half of its window there.
 inline constexpr int margin_px = 6;
 
+/// Whether a pixel has at least this distance from the border of the image.
+/// @param margin px
 [[nodiscard]] inline bool inside_margin(int u, int v, int width, int height, int margin = margin_px) {
   return u >= margin && v >= margin && u < width - margin && v < height - margin;
 }
 
 /// All images have the size of the statistics.
 struct DisparityChange {
+  /// No pixel is judged at first.
   DisparityChange(int width, int height)
       : before_px(width, height),
         after_px(width, height),

@@ -10,12 +10,13 @@ namespace rva {
 /// A change of disparity that is smooth over the image: a polynomial of second degree in u and v.
 class Drift {
  public:
-  static constexpr int terms = 6;
+  static constexpr int terms = 6;  ///< number of terms of the polynomial
   /// Coefficients of the terms 1, x, y, x^2, xy, y^2.
   using Terms = Eigen::Matrix<double, terms, 1>;
   /// Covariance of the coefficients, in the order of the terms.
   using Covariance = Eigen::Matrix<double, terms, terms>;
 
+  /// @param width, height size of the image, px
   Drift(int width, int height, const Terms& coefficients_px, const Covariance& covariance_px2);
 
   /// The drift at every pixel.

@@ -12,8 +12,8 @@ namespace rva {
 
 /// The change between two captures of one pose, and that pose.
 struct PlacedChange {
-  DisparityChange change;
-  Transform first_from_view = Transform::Identity();
+  DisparityChange change;                             ///< between the captures of this pose
+  Transform first_from_view = Transform::Identity();  ///< pose of the view in the frame of the first one
 };
 
 /// Fuses the changes of several views into the first one. In a single view that returned exactly, the errors

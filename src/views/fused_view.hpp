@@ -10,8 +10,8 @@ namespace rva {
 
 /// A view and its pose.
 struct PlacedView {
-  DepthView view;
-  Transform first_from_view = Transform::Identity();
+  DepthView view;                                     ///< what was measured
+  Transform first_from_view = Transform::Identity();  ///< pose of the view in the frame of the first one
 };
 
 /// Fuses views into the camera of the first one. The errors of a matcher depend on which dots fall on a

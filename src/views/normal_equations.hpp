@@ -12,11 +12,11 @@ namespace rva {
 
 /// Positions of up to `most` samples, one array per coordinate, for vector instructions.
 struct SampleBlock {
-  static constexpr Eigen::Index most = 64;
+  static constexpr Eigen::Index most = 64;  ///< number of samples for which a block has room
   /// One coordinate of all samples.
   using Numbers = Eigen::Array<float, most, 1>;
-  std::array<Numbers, 3> position_m;
-  Eigen::Index count = 0;  ///< number of valid positions, at the beginning
+  std::array<Numbers, 3> position_m;  ///< x, y and z in the camera's frame, metres
+  Eigen::Index count = 0;             ///< number of valid positions, at the beginning
 };
 
 /// Two views as planar patches, with samples of both.
@@ -24,19 +24,19 @@ struct ViewPair {
   /// @param every distance between samples along rows and columns, in patches
   ViewPair(const PlanarPatches& initial_patches, const PlanarPatches& final_patches, int every);
 
-  const PlanarPatches& initial;
-  const PlanarPatches& final;
-  std::vector<SurfaceSample> initial_samples;
-  std::vector<SurfaceSample> final_samples;
-  std::vector<SampleBlock> initial_blocks;  ///< the same samples in blocks
-  std::vector<SampleBlock> final_blocks;
+  const PlanarPatches& initial;                ///< must outlive the pair
+  const PlanarPatches& final;                  ///< must outlive the pair
+  std::vector<SurfaceSample> initial_samples;  ///< of the initial view
+  std::vector<SurfaceSample> final_samples;    ///< of the final view
+  std::vector<SampleBlock> initial_blocks;     ///< the same samples in blocks
+  std::vector<SampleBlock> final_blocks;       ///< the same samples in blocks
 };
 
 /// Sums over the samples of either view, compared with the planes of the other.
 struct NormalEquations {
   AlignmentInformation information = AlignmentInformation::Zero();  ///< of weighted residuals
   AlignmentStep gradient = AlignmentStep::Zero();                   ///< of half the weighted squares
-  double samples = 0.0;
+  double samples = 0.0;                                             ///< number of all samples
   double compared = 0.0;  ///< those that fall onto a plane of the other view
   double agreeing = 0.0;  ///< sum of weights
   double squares = 0.0;   ///< weighted, of residuals

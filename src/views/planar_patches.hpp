@@ -14,7 +14,7 @@ namespace rva {
 struct PlanarPatch {
   float disparity_px = 0.0F;  ///< at the centre; 0 where there is no plane
   float slope_u = 0.0F;       ///< px of disparity per px
-  float slope_v = 0.0F;
+  float slope_v = 0.0F;       ///< px of disparity per px
 };
 
 /// Patches on a grid of `step_px`, each fitted to a window of pixels around its centre. A patch is empty if
@@ -25,8 +25,11 @@ class PlanarPatches {
   /// @param window_px edge of a window, at least step_px
   PlanarPatches(const DepthView& view, int step_px, int window_px);
 
+  /// Number of patches along u.
   [[nodiscard]] int columns() const { return patches_.width(); }
+  /// Number of patches along v.
   [[nodiscard]] int rows() const { return patches_.height(); }
+  /// The patch of a column and row of the grid, which may be empty.
   [[nodiscard]] const PlanarPatch& at(int column, int row) const { return patches_(column, row); }
   /// The patch in whose cell a pixel lies; null outside the image and where there is no plane.
   template <std::floating_point Number>
@@ -53,7 +56,9 @@ class PlanarPatches {
            static_cast<Number>(patch.slope_v) * dv;
   }
 
+  /// Intrinsics of the view.
   [[nodiscard]] const Intrinsics& camera() const { return camera_; }
+  /// Between depth and disparity of the view.
   [[nodiscard]] const StereoScale& stereo() const { return stereo_; }
 
  private:

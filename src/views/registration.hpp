@@ -12,7 +12,7 @@ namespace rva {
 
 /// The pose of a final view in the frame of an initial one, with its uncertainty.
 struct Registration {
-  Transform initial_from_final = Transform::Identity();
+  Transform initial_from_final = Transform::Identity();  ///< pose of the final camera
   /// Covariance of a small rotation vector (rad) and translation (m) in the initial camera's frame, in
   /// this order.
   TwistMatrix covariance = TwistMatrix::Zero();
@@ -22,6 +22,7 @@ struct Registration {
   /// Why the transform is not reliable, for the user; empty if it is reliable.
   std::string doubt;
 
+  /// Whether the transform is reliable.
   [[nodiscard]] bool trusted() const { return doubt.empty(); }
 };
 
@@ -33,7 +34,7 @@ class RegistrationRefused : public Error {
 
 /// Initial estimate of the pose.
 struct RegistrationGuess {
-  Transform initial_from_final = Transform::Identity();
+  Transform initial_from_final = Transform::Identity();  ///< where the search starts
   bool nearby = false;  ///< accurate to a few centimetres and degrees: no other start is tried
 };
 

@@ -20,6 +20,7 @@ using Vectors = std::array<Numbers, 3>;
 template <typename Numbers>
 using RotationOf = Eigen::Matrix<typename Numbers::Scalar, 3, 3>;
 
+/// The vectors, rotated.
 template <typename Numbers>
 [[nodiscard]] Vectors<Numbers> turned(const RotationOf<Numbers>& by, const Vectors<Numbers>& v) {
   return {by(0, 0) * v[0] + by(0, 1) * v[1] + by(0, 2) * v[2],
@@ -27,6 +28,7 @@ template <typename Numbers>
           by(2, 0) * v[0] + by(2, 1) * v[1] + by(2, 2) * v[2]};
 }
 
+/// The points, transformed.
 template <typename Numbers>
 [[nodiscard]] Vectors<Numbers> moved(const Transform& by, const Vectors<Numbers>& v) {
   using Scalar = typename Numbers::Scalar;
@@ -106,9 +108,9 @@ template <typename Numbers>
 /// Residuals and their derivatives by a step.
 template <typename Numbers>
 struct SurfaceResiduals {
-  Numbers compared;  ///< 1 where a point falls onto a plane, else 0
-  Numbers px;        ///< positive where a point lies in front of the surface
-  BySteps<Numbers> by_step;
+  Numbers compared;          ///< 1 where a point falls onto a plane, else 0
+  Numbers px;                ///< positive where a point lies in front of the surface
+  BySteps<Numbers> by_step;  ///< derivatives of px by the numbers of the step
 };
 
 /// Points of the final view compared with the planes of the initial one (equation 35).

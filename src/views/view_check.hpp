@@ -11,7 +11,7 @@ namespace rva {
 
 /// Motion of a camera between two captures, according to their depth images.
 struct ViewCheck {
-  ViewMotion motion;
+  ViewMotion motion;  ///< motion near the identity
   /// Registration if much of the view differs, for motions too large for `motion`.
   std::optional<Registration> registration;
   double registered_px = 0.0;  ///< displacement in the image according to the registration
@@ -25,6 +25,7 @@ struct ViewCheck {
   [[nodiscard]] bool moved_far() const;
 };
 
+/// Checks views that are meant to be of one pose.
 [[nodiscard]] ViewCheck check_views(const DepthView& initial, const DepthView& final);
 
 /// Distance in the image between the projections of a view for two poses: root mean square, px.
