@@ -12,9 +12,9 @@ namespace rva {
 
 /// A check, how it was judged, and the file to which it was added.
 struct JudgedCheck {
-  CameraCheck check;
-  CameraJudgement judgement;
-  std::filesystem::path history;
+  CameraCheck check;              ///< with `fit` as judged
+  CameraJudgement judgement;      ///< compared with the earlier checks in the history
+  std::filesystem::path history;  ///< file to which it was added
 };
 
 /// Records frames of a still scene, compares them with the earlier checks of the same camera, and adds the

@@ -15,9 +15,9 @@ namespace rva {
 
 /// Options of the comparison of a camera with its own history.
 struct CheckStandardOptions {
-  int least_checks = 5;
-  double false_alarm = 0.01;
-  double least_spread = 0.02;
+  int least_checks = 5;        ///< number of earlier checks below which a camera is not judged
+  double false_alarm = 0.01;   ///< share of sound cameras that a check calls unfit
+  double least_spread = 0.02;  ///< least standard deviation between checks, as a share of their mean
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.least_checks,
@@ -34,31 +34,31 @@ struct CheckStandardOptions {
 
 /// What one check measured.
 struct CameraCheck {
-  std::string taken_at;  ///< ISO 8601
-  std::size_t frames = 0;
+  std::string taken_at;     ///< ISO 8601
+  std::size_t frames = 0;   ///< number of frames that were measured
   double noise_mm = 0.0;    ///< median over pixels of the standard deviation over time
   double measured = 0.0;    ///< share of pixels that have a measurement
   double drifting = 0.0;    ///< share of pixels whose first and last frames differ (Welch's test)
   double distance_m = 0.0;  ///< median over pixels, which does not change as long as the scene does not
-  std::optional<double> temperature_c;
+  std::optional<double> temperature_c;  ///< of the camera; empty where it states none
   bool fit = true;  ///< as judged at the time; later checks are not compared with unfit ones
 };
 
 /// One quantity of a check, compared with earlier checks.
 struct CheckedQuantity {
-  std::string_view name;  ///< "noise", "measured", "drift", "distance"
-  double value = 0.0;
-  std::optional<double> low;  ///< limits for a sound camera; empty for no limit, or too little history
-  std::optional<double> high;
-  bool fit = true;
+  std::string_view name;       ///< "noise", "measured", "drift", "distance"
+  double value = 0.0;          ///< as measured, in the unit of the field of CameraCheck
+  std::optional<double> low;   ///< limits for a sound camera; empty for no limit, or too little history
+  std::optional<double> high;  ///< likewise
+  bool fit = true;             ///< whether the value is within the limits; true where there are none
 };
 
 /// A camera compared with its own earlier checks.
 struct CameraJudgement {
-  std::size_t earlier = 0;  ///< number of earlier checks that were fit
-  bool known = false;       ///< whether there were enough of them to judge by
-  bool fit = true;          ///< true also when `known` is false
-  std::vector<CheckedQuantity> quantities;
+  std::size_t earlier = 0;                  ///< number of earlier checks that were fit
+  bool known = false;                       ///< whether there were enough of them to judge by
+  bool fit = true;                          ///< true also when `known` is false
+  std::vector<CheckedQuantity> quantities;  ///< one each for noise, measured share, drift and distance
 };
 
 /// Judges each quantity by the prediction interval for one more value of a normal distribution whose mean and

@@ -12,9 +12,11 @@ namespace rva {
 /// Sums the infrared images of the frames of one view, by imager.
 class InfraredSum {
  public:
+  /// Adds the infrared images of a frame.
   /// @param frame its infrared images, if any, must have the size of its depth image
   void add(const CameraFrame& frame);
 
+  /// Whether no infrared image has been added.
   [[nodiscard]] bool empty() const { return sums_.empty(); }
 
   /// Writes the mean of each imager's images, with the exposure of the last frame.

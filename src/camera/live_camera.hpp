@@ -19,8 +19,8 @@ namespace rva {
 
 /// A frame, and the description of the camera when it was taken.
 struct LiveFrame {
-  CameraFrame frame;
-  CaptureInfo info;
+  CameraFrame frame;                               ///< as the camera delivered it
+  CaptureInfo info;                                ///< Camera::info() when the frame was delivered
   std::chrono::system_clock::time_point taken_at;  ///< when the camera delivered it
 };
 
@@ -61,6 +61,7 @@ class LiveCamera {
   /// @param while_waiting called ten times a second while waiting for a frame; what it throws ends the wait
   [[nodiscard]] std::unique_ptr<Camera> every_frame(std::function<void()> while_waiting = {});
 
+  /// The state when it is called.
   [[nodiscard]] CameraHealth health() const;
 
   /// Whether the camera has a lamp beside its imagers (Camera::has_lamp()).

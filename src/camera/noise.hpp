@@ -15,10 +15,10 @@ namespace rva {
 
 /// Options of the measurement of a camera's noise.
 struct NoiseOptions {
-  int frames = 0;
-  int welch_frames = 10;
-  double alpha = 0.01;
-  double bin_m = 0.25;
+  int frames = 0;         ///< number of frames to use, from the first; 0 for all
+  int welch_frames = 10;  ///< frames at either end that Welch's test compares; fewer of short captures
+  double alpha = 0.01;    ///< p-value of Welch's test below which a pixel drifts
+  double bin_m = 0.25;    ///< width of the ranges of distance of the report
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.frames, OptionField{"frames", "", 0, DepthStatistics::max_frames,
@@ -34,23 +34,23 @@ struct NoiseOptions {
 
 /// Noise of the pixels in one range of distances.
 struct NoiseBin {
-  double from_m = 0.0;
-  double to_m = 0.0;
-  std::size_t pixels = 0;
-  double median_std_mm = 0.0;
-  double p95_std_mm = 0.0;
+  double from_m = 0.0;                    ///< least distance, included
+  double to_m = 0.0;                      ///< greatest distance, not included
+  std::size_t pixels = 0;                 ///< number of pixels with two or more measurements
+  double median_std_mm = 0.0;             ///< median of the standard deviation over time, along z
+  double p95_std_mm = 0.0;                ///< 95th percentile of the same
   std::optional<double> subpixel_rms_px;  ///< disparity noise, where the baseline is known
 };
 
 /// The noise of a camera, summarised over its pixels.
 struct NoiseReport {
-  std::size_t frames = 0;
-  double fill_rate = 0.0;  ///< share of all pixels of all frames that have a measurement
-  NoiseBin overall;        ///< over all pixels with two or more measurements
-  std::vector<NoiseBin> bins;
-  std::size_t welch_frames = 0;
-  double alpha = 0.0;
-  std::size_t welch_tested_px = 0;
+  std::size_t frames = 0;           ///< number of frames that were measured
+  double fill_rate = 0.0;           ///< share of all pixels of all frames that have a measurement
+  NoiseBin overall;                 ///< over all pixels with two or more measurements
+  std::vector<NoiseBin> bins;       ///< ranges of distance that contain pixels, near to far
+  std::size_t welch_frames = 0;     ///< number of frames at either end that Welch's test compares
+  double alpha = 0.0;               ///< level of significance of that test
+  std::size_t welch_tested_px = 0;  ///< number of tested pixels
   /// Share of the tested pixels with p < alpha; about alpha if nothing drifted.
   double welch_rejected = 0.0;
 };
@@ -59,9 +59,10 @@ struct NoiseReport {
 struct Noise {
   Image<float> std_mm;   ///< population standard deviation along z; NaN where fewer than two measurements
   Image<float> welch_p;  ///< p-value; NaN where untested (fewer than two measurements at either end)
-  NoiseReport report;
+  NoiseReport report;    ///< summary, as `rva noise` prints it
 };
 
+/// Measures the noise and the drift of each pixel over the frames of a capture of a still scene.
 /// @throws Error when there are fewer than four frames (Welch's test needs two at either end), or one cannot
 ///         be read; UsageError when an option is out of range; Interrupted
 [[nodiscard]] Noise measure_noise(const Capture& capture, const NoiseOptions& options,

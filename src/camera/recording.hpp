@@ -11,8 +11,8 @@ namespace rva {
 
 /// The extent of a recording.
 struct Recorded {
-  std::size_t frames = 0;
-  std::size_t lost = 0;  ///< dropped by the camera between them, by the frame numbers
+  std::size_t frames = 0;  ///< number of frames that were written
+  std::size_t lost = 0;    ///< dropped by the camera between them, by the frame numbers
 };
 
 /// Writes the camera's next `frames` frames, numbered from 0, with their colour images if any, and the mean

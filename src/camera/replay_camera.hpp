@@ -14,9 +14,9 @@ namespace rva {
 
 /// Options of the replay of a capture as a camera.
 struct ReplayOptions {
-  double rate_hz = 30.0;
-  bool paced = true;
-  bool loop = false;
+  double rate_hz = 30.0;  ///< frames per second, which captures do not state
+  bool paced = true;      ///< whether frames come at the rate, or else as fast as they are asked for
+  bool loop = false;      ///< whether the recording starts again at its end, without end
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.rate_hz, OptionField{"rate", "hz", 0.01, 1000,

@@ -13,12 +13,12 @@ namespace rva {
 /// Settings for comparing depth: nothing is left to automatic control by the camera. No filter of
 /// librealsense is applied.
 struct RealSenseOptions {
-  double rate_hz = 30.0;
-  double exposure_us = 8500.0;
-  double gain = 16.0;
-  double laser_power_mw = 150.0;
-  double depth_unit_mm = 0.1;
-  bool infrared = true;
+  double rate_hz = 30.0;          ///< frames per second
+  double exposure_us = 8500.0;    ///< of the infrared imagers, microseconds
+  double gain = 16.0;             ///< of the infrared imagers, in the manufacturer's unit
+  double laser_power_mw = 150.0;  ///< of the projector; 0 turns it off
+  double depth_unit_mm = 0.1;     ///< depth of one step of a depth image
+  bool infrared = true;           ///< whether frames have the images of the infrared imagers, too
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.rate_hz, OptionField{"rate", "hz", 1, 90, "frames a second of a RealSense"});
@@ -37,10 +37,10 @@ struct RealSenseOptions {
 
 /// A connected camera. Texts are empty where the camera does not state them.
 struct FoundCamera {
-  std::string model;
-  std::string serial;
-  std::string firmware;
-  std::string usb;  ///< type of the port: "3.2"; "2.1" is too slow for all frames
+  std::string model;     ///< name of the product, as in CameraInfo::model
+  std::string serial;    ///< serial number
+  std::string firmware;  ///< version of the firmware
+  std::string usb;       ///< type of the port: "3.2"; "2.1" is too slow for all frames
 };
 
 /// Whether the program was built with librealsense2.
