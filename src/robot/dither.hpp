@@ -12,6 +12,8 @@ namespace rva {
 
 /// Step of a Herkulex DRS-0101 servo, which resolves 1024 positions over 333 degrees.
 inline constexpr double servo_step_deg = 0.325;
+
+/// Limit of the number of captures of one view.
 inline constexpr int most_dithers = 16;
 
 /// Offsets of captures from a waypoint: whole servo steps, 0 to 7 in each joint (0 to 2.3 degrees). The first

@@ -16,8 +16,8 @@ namespace rva {
 
 /// Options of manual driving.
 struct DriveOptions {
-  double speed_deg_s = 30.0;
-  int silence_ms = 250;
+  double speed_deg_s = 30.0;  ///< of a joint whose stick is held at its end
+  int silence_ms = 250;       ///< time without a command after which the robot stops
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.speed_deg_s,
@@ -30,8 +30,8 @@ struct DriveOptions {
 
 /// Deflection of the sticks, -1 to 1 each: positive pan is to the left, positive tilt is up.
 struct Deflection {
-  double pan = 0.0;
-  double tilt = 0.0;
+  double pan = 0.0;   ///< of the pan stick
+  double tilt = 0.0;  ///< of the tilt stick
   bool operator==(const Deflection&) const = default;
 };
 
@@ -39,10 +39,10 @@ struct Deflection {
 struct DriveState {
   std::optional<PanTilt> joints;  ///< as last reported by the servos; empty while they do not answer
   std::string problem;            ///< why there are no joints, or why the robot did not move; for the user
-  bool driving = false;
-  bool armed = true;      ///< false after a stop, until the sticks have been released
-  bool lent = false;      ///< moved automatically, for captures
-  bool at_limit = false;  ///< driven against a limit that has been reached
+  bool driving = false;           ///< moved by the sticks
+  bool armed = true;              ///< false after a stop, until the sticks have been released
+  bool lent = false;              ///< moved automatically, for captures
+  bool at_limit = false;          ///< driven against a limit that has been reached
 };
 
 /// Converts deflections of the sticks into motion. Deflections must be repeated: without them the robot
@@ -60,27 +60,32 @@ class Drive {
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
+  /// Sets the deflection of the sticks, until the next call or for a short time (DriveOptions::silence_ms).
   /// @param deflection clamped to -1 to 1; a magnitude below 0.02 and NaN count as released (0)
   void steer(const Deflection& deflection);
 
   /// Stops the robot, also when it is lent. Repeated until the robot takes the command.
   void halt();
 
+  /// The state, with the joints as last reported.
   [[nodiscard]] DriveState state() const;
 
   /// As state(), but waits for joints that the robot is asked for after this call.
   [[nodiscard]] DriveState state_after_asking();
 
+  /// The robot's limits when the object was constructed.
   [[nodiscard]] RobotLimits limits() const { return limits_; }
 
   /// For its lifetime, other code moves the robot: sticks have no effect, but halt() does. The constructor
   /// first stops a robot that is being driven; it waits up to two seconds for that.
   class Loan {
    public:
+    /// @param drive must outlive the loan
     explicit Loan(Drive& drive);
     ~Loan();
     Loan(const Loan&) = delete;
     Loan& operator=(const Loan&) = delete;
+    /// The robot, which only the borrower may move.
     [[nodiscard]] Robot& robot() const { return drive_.robot_; }
 
    private:

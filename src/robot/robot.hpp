@@ -16,6 +16,7 @@ class Robot {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
+  /// The range of both joints.
   [[nodiscard]] virtual RobotLimits limits() const = 0;
 
   /// Starts a motion to the target and returns. It replaces an earlier target that has not been reached.

@@ -22,39 +22,39 @@ namespace rva {
 
 /// The line with which the robot states its protocol and limits.
 struct ReadyLine {
-  int protocol = 0;
-  std::string firmware;
-  RobotLimits limits;
+  int protocol = 0;      ///< version of the protocol
+  std::string firmware;  ///< version of the firmware
+  RobotLimits limits;    ///< range of the joints
 };
 
 /// ACK, or NAK with a reason.
 struct AnswerLine {
-  int number = 0;
+  int number = 0;       ///< number of the frame that it answers
   std::string refusal;  ///< empty for ACK
 };
 
 /// A joint's angle as the robot measured it.
 struct JointPosition {
-  double deg = 0.0;
+  double deg = 0.0;    ///< angle
   double age_s = 0.0;  ///< time since the measurement, when the robot sent it
 };
 
 /// The robot's report of its joints. A joint is empty where its servo gave no position.
 struct PositionsLine {
-  std::optional<JointPosition> pan;
-  std::optional<JointPosition> tilt;
-  std::string state;  ///< START, HOLD, MOVE, LOST, FAULT
+  std::optional<JointPosition> pan;   ///< empty if there is no measurement of at most 250 ms
+  std::optional<JointPosition> tilt;  ///< likewise
+  std::string state;                  ///< START, HOLD, MOVE, LOST, FAULT
 };
 
 /// The state of one axis: the name of the axis and the rest of the line.
 struct StatusLine {
   std::string axis;  ///< PAN or TILT
-  std::string rest;
+  std::string rest;  ///< the remaining words: error, detail, volts, heat
 };
 
 /// Positions of a robot with the thesis' firmware, which sends bare angles.
 struct BarePositionsLine {
-  PanTilt joints;
+  PanTilt joints;  ///< as the robot sends them
 };
 
 /// A line from the robot that was understood.

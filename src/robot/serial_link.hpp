@@ -16,7 +16,7 @@ class SerialLink {
   struct Listener {
     std::function<void()> opened;                   ///< each time the device is opened, before any line
     std::function<void(std::string_view)> on_line;  ///< without its line end; empty for input without one
-    std::function<void()> lost;
+    std::function<void()> lost;                     ///< each time the device is lost
   };
 
   /// @param device a serial port or a pseudo terminal, opened at 115200 baud for exclusive use

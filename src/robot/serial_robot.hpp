@@ -25,10 +25,12 @@ class SerialRobot : public Robot {
   explicit SerialRobot(const std::string& device);
   ~SerialRobot() override;
 
+  /// The firmware of the connected robot.
   [[nodiscard]] RobotKind kind() const;
   /// The version of the firmware; empty for a bare one.
   [[nodiscard]] std::string firmware() const;
 
+  /// The limits that the robot reported, else those of the thesis' robot.
   [[nodiscard]] RobotLimits limits() const override;
 
   /// Repeats the command until the robot answers, for up to half a second. A bare robot gets whole degrees,
