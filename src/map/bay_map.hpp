@@ -15,16 +15,16 @@ namespace rva {
 
 /// How views are captured and joined into a map.
 struct BayMapOptions {
-  ViewCaptureOptions capture;
-  MapCloudOptions cloud;
-  RefinementOptions refinement;
-  bool refine = true;  ///< false: poses are those of the joints, as in the thesis
+  ViewCaptureOptions capture;    ///< of the capture at each waypoint
+  MapCloudOptions cloud;         ///< of the cloud that joins the views
+  RefinementOptions refinement;  ///< of the poses; used if `refine`
+  bool refine = true;            ///< false: poses are those of the joints, as in the thesis
 };
 
 /// A map that was written.
 struct BayMap {
-  std::vector<MapView> views;  ///< with the names of their captures in the folder of views
-  MapPoses poses;
+  std::vector<MapView> views;       ///< with the names of their captures in the folder of views
+  MapPoses poses;                   ///< of the views, with the settings that they were made with
   std::size_t points = 0;           ///< of the cloud
   double refine_and_join_ms = 0.0;  ///< time that the poses and the cloud took, without reading and writing
 };

@@ -14,9 +14,9 @@ namespace rva {
 
 /// Prior standard deviations (one sigma) of the servos' angles and of the given geometry.
 struct CalibrationOptions {
-  double servo_error_deg = 0.1;
-  double place_error_mm = 10.0;
-  double turn_error_deg = 4.0;
+  double servo_error_deg = 0.1;  ///< of the angle that a joint reports
+  double place_error_mm = 10.0;  ///< of the measured lengths
+  double turn_error_deg = 4.0;   ///< of the measured directions
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.servo_error_deg, OptionField{"servo-error", "deg", 0.001, 10,
@@ -41,20 +41,20 @@ struct CalibratedNumber {
 struct CalibratedView {
   PanTilt joint_error;   ///< estimated error of the servos at this view
   ViewResiduals before;  ///< with the geometry that was given
-  ViewResiduals after;
+  ViewResiduals after;   ///< with the estimated geometry
 };
 
 /// How well the surfaces of all views coincide, with the given geometry and with the estimated one.
 struct CalibrationResiduals {
-  ViewResiduals before;
-  ViewResiduals after;
+  ViewResiduals before;  ///< with the geometry that was given
+  ViewResiduals after;   ///< with the estimated geometry
 };
 
 /// The result of a calibration of the robot's geometry.
 struct Calibration {
-  PanTiltChain chain;
-  std::vector<CalibratedNumber> numbers;
-  std::vector<CalibratedView> views;
+  PanTiltChain chain;                     ///< the estimated geometry
+  std::vector<CalibratedNumber> numbers;  ///< the eight parameters
+  std::vector<CalibratedView> views;      ///< in the order of the views given
   /// Empty when the geometry is reliable; otherwise the reason why it is not, for the user.
   std::string doubt;
 };

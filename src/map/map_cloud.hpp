@@ -13,9 +13,9 @@ namespace rva {
 
 /// Options of the joining of all views of a map into one cloud.
 struct MapCloudOptions {
-  double voxel_mm = 3.0;
-  double near_m = 0.15;
-  double far_m = 2.0;
+  double voxel_mm = 3.0;  ///< edge of the cubes in each of which the map has one point
+  double near_m = 0.15;   ///< nearer depth is left out
+  double far_m = 2.0;     ///< farther depth is left out
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.voxel_mm,
@@ -26,6 +26,7 @@ struct MapCloudOptions {
   }
 };
 
+/// Refuses options that are out of range or contradict each other.
 /// @throws UsageError when an option is out of range, or near_m is not less than far_m
 void check_map_cloud_options(const MapCloudOptions& options);
 

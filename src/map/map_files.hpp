@@ -14,19 +14,19 @@ namespace rva {
 
 /// The poses of a map's views, and the settings that it was made with.
 struct MapPoses {
-  std::string base;  ///< name of the position of the robot's foot; the map is in the foot's frame
-  PanTiltChain chain;
-  MapCloudOptions cloud;
-  bool refined = false;
-  RefinementOptions refinement;    ///< used if `refined`
+  std::string base;              ///< name of the position of the robot's foot; the map is in the foot's frame
+  PanTiltChain chain;            ///< geometry of the robot
+  MapCloudOptions cloud;         ///< options with which the views were joined
+  bool refined = false;          ///< whether poses were refined by refine_poses()
+  RefinementOptions refinement;  ///< used if `refined`
   std::vector<RefinedPose> poses;  ///< one per view
 };
 
 /// The paths of a map's files: the map as .ply and .pcd, its poses as .json, and two folders.
 struct MapFiles {
-  std::filesystem::path ply;
-  std::filesystem::path pcd;
-  std::filesystem::path poses;
+  std::filesystem::path ply;    ///< the map as PLY
+  std::filesystem::path pcd;    ///< the map as PCD
+  std::filesystem::path poses;  ///< the poses as JSON
   std::filesystem::path views;  ///< the folder of the captures
   /// The folder in which a new map is written completely before any file of an earlier map is replaced.
   std::filesystem::path commit;

@@ -12,16 +12,16 @@ namespace rva {
 
 /// The colour image of a view, with its camera.
 struct ViewColor {
-  ColorImage image;
-  Intrinsics camera;
-  Transform color_from_depth = Transform::Identity();
+  ColorImage image;                                    ///< as the capture has it
+  Intrinsics camera;                                   ///< intrinsics of the colour image
+  Transform color_from_depth = Transform::Identity();  ///< from the depth imager to the colour imager
 };
 
 /// One view of a robot that turns its camera while its foot does not move.
 struct MapView {
-  std::string name;  ///< for the user: the capture's path
-  PanTilt joints;    ///< as reported by the servos
-  DepthView depth;
+  std::string name;                ///< for the user: the capture's path
+  PanTilt joints;                  ///< as reported by the servos
+  DepthView depth;                 ///< mean over the frames
   std::optional<ViewColor> color;  ///< the last image, when brightness has settled
 };
 

@@ -18,8 +18,8 @@ namespace rva {
 
 /// A pair of views by their indices; `first` is the lower one.
 struct ViewNumbers {
-  std::size_t first = 0;
-  std::size_t second = 0;
+  std::size_t first = 0;   ///< lower index
+  std::size_t second = 0;  ///< higher index
 };
 
 /// How well the surfaces of a view coincide with those of other views.
@@ -39,9 +39,9 @@ struct ViewResiduals {
 /// frame, six rows, with residuals divided by their deviation. The moved pose is
 /// world_from_camera * exp_of(twist).
 struct PoseEquations {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;  ///< of half the weighted sum of squares
-  std::vector<ViewResiduals> views;
+  Eigen::MatrixXd information;       ///< sum over all pairs, six rows and columns per camera
+  Eigen::VectorXd gradient;          ///< of half the weighted sum of squares
+  std::vector<ViewResiduals> views;  ///< one for each view
 };
 
 /// Sampling density and reach of one step of an optimisation.
@@ -54,8 +54,10 @@ struct PosesDescent {
 /// Planar patches of all views, at two spacings.
 class OverlappingViews {
  public:
+  /// @param views need not outlive this object
   explicit OverlappingViews(std::span<const MapView> views);
 
+  /// Number of views.
   [[nodiscard]] std::size_t size() const { return coarse_.size(); }
 
   /// All pairs of views in which more than a tenth of the samples fall onto planes of the other view.

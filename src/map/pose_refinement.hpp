@@ -14,9 +14,9 @@ namespace rva {
 
 /// Prior standard deviations (one sigma) of the servos' angles and of the geometry.
 struct RefinementOptions {
-  double servo_error_deg = 0.1;
-  double place_error_mm = 0.2;
-  double turn_error_deg = 0.02;
+  double servo_error_deg = 0.1;  ///< of the angle that a joint reports, one sigma
+  double place_error_mm = 0.2;   ///< of the camera's position by the geometry, one sigma
+  double turn_error_deg = 0.02;  ///< of the camera's direction by the geometry, one sigma
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.servo_error_deg, OptionField{"servo-error", "deg", 0.001, 10,
@@ -30,10 +30,10 @@ struct RefinementOptions {
 
 /// A view's pose after refinement, and how reliable it is.
 struct RefinedPose {
-  Transform foot_from_camera = Transform::Identity();
+  Transform foot_from_camera = Transform::Identity();  ///< the refined pose, or the one given by the joints
   /// The correction of the pose according to the views; it is not applied when there is a doubt.
   double moved_mm = 0.0;
-  double turned_deg = 0.0;
+  double turned_deg = 0.0;   ///< angle of the correction
   int neighbours = 0;        ///< number of views that share surfaces with this one
   double agreeing = 0.0;     ///< share of the common samples that lie on the same surfaces
   double residual_px = 0.0;  ///< root mean square residual of these in disparity

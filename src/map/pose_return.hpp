@@ -15,8 +15,8 @@ namespace rva {
 
 /// Options of the return to a baseline's pose.
 struct PoseReturnOptions {
-  int approaches = 1;
-  double within_deg = 0.05;
+  int approaches = 1;        ///< to each pose, at most; 1: the images are not checked
+  double within_deg = 0.05;  ///< distance from the baseline's pose that counts as a close return
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.approaches,

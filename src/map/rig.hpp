@@ -13,11 +13,11 @@ namespace rva {
 
 /// A robot, the camera that it carries, and its geometry.
 struct Rig {
-  Camera& camera;
-  Robot& robot;
-  const Clock& clock;
-  const PanTiltChain& chain;
-  const std::string& base;  ///< name of the position of its foot
+  Camera& camera;             ///< carried by the robot
+  Robot& robot;               ///< moves the camera; its foot stays
+  const Clock& clock;         ///< for waiting until the robot rests
+  const PanTiltChain& chain;  ///< geometry of the robot
+  const std::string& base;    ///< name of the position of its foot
 };
 
 /// Approaches a waypoint from smaller angles in both joints (robot/dither.hpp), and drops the frames that

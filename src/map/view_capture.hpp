@@ -16,10 +16,10 @@ namespace rva {
 
 /// Earlier captures of the same waypoints: the camera is to return to their poses.
 struct Baseline {
-  std::filesystem::path folder;   ///< of captures as take_views() names them
-  std::size_t captures_each = 1;  ///< of each view, one after the other; divides the number of waypoints
-  PoseReturnOptions pose_return{};
-  OnApproach on_approach{};  ///< may be empty
+  std::filesystem::path folder;     ///< of captures as take_views() names them
+  std::size_t captures_each = 1;    ///< of each view, one after the other; divides the number of waypoints
+  PoseReturnOptions pose_return{};  ///< how closely to return to the poses
+  OnApproach on_approach{};         ///< may be empty
 };
 
 /// Options of the captures of a map's views.

@@ -14,9 +14,9 @@ inline constexpr int most_waypoints = 1000;
 
 /// Angles of one joint, evenly spread; both ends are among them.
 struct GridAxis {
-  double from_deg = 0.0;
-  double to_deg = 0.0;
-  int count = 1;  ///< 1: `from_deg` alone
+  double from_deg = 0.0;  ///< first angle
+  double to_deg = 0.0;    ///< last angle
+  int count = 1;          ///< 1: `from_deg` alone
 };
 
 /// Every pan angle at every tilt angle, row by row with alternating direction, so that the robot's path
@@ -29,6 +29,7 @@ struct GridAxis {
 ///         a number
 [[nodiscard]] std::vector<PanTilt> load_waypoints(const std::filesystem::path& path);
 
+/// Refuses waypoints that the robot cannot reach.
 /// @throws UsageError naming the first waypoint beyond the limits, by its number from 1
 void check_waypoints(const std::vector<PanTilt>& waypoints, const RobotLimits& limits);
 
