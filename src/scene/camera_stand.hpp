@@ -6,6 +6,7 @@
 
 namespace rva {
 
+/// The pose of the foot's frame.
 [[nodiscard]] Transform world_from_foot(const CameraStand& stand);
 
 /// The pose of the depth imager, through the joint chain of the robot as built.

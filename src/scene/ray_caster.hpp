@@ -13,24 +13,25 @@ namespace rva {
 
 /// A ray from `origin` along `direction`. Distances along it are in units of the direction's length.
 struct Ray {
-  Eigen::Vector3f origin;
-  Eigen::Vector3f direction;
+  Eigen::Vector3f origin;     ///< world frame, metres
+  Eigen::Vector3f direction;  ///< world frame, of any length
 };
 
 /// The nearest surface on a ray.
 struct Hit {
-  static constexpr std::uint32_t none = ~0U;
+  static constexpr std::uint32_t none = ~0U;  ///< value of `object` if there is no hit
 
-  float distance;        ///< in units of the ray's direction; infinite if there is no hit
-  std::uint32_t object;  ///< index into Scene::objects, or `none`
-  std::uint32_t part;    ///< index into SceneObject::parts
-  std::uint32_t triangle;
+  float distance;          ///< in units of the ray's direction; infinite if there is no hit
+  std::uint32_t object;    ///< index into Scene::objects, or `none`
+  std::uint32_t part;      ///< index into SceneObject::parts
+  std::uint32_t triangle;  ///< index of the triangle in the mesh of the part
   Eigen::Vector3f normal;  ///< outward, unit length, world frame
 };
 
 /// Casts rays against the triangles of a scene. Queries are const and may run on several threads.
 class RayCaster {
  public:
+  /// @param scene must outlive the caster
   explicit RayCaster(const Scene& scene);
   /// Uses only some of the objects. Hit::object is still the index into `scene.objects`.
   RayCaster(const Scene& scene, std::span<const std::size_t> objects);

@@ -15,7 +15,7 @@ enum class TraceKind {
 
 /// Makes the surfaces around a point darker or brighter.
 struct Trace {
-  TraceKind kind = TraceKind::dust;
+  TraceKind kind = TraceKind::dust;                  ///< shape and size
   Eigen::Vector3f at_m = Eigen::Vector3f::Zero();    ///< world, on a surface
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();  ///< unit vector: long axis of a smear or fingerprint
   float contrast = 0.0F;                             ///< relative, at its centre; above 0 is brighter
@@ -23,11 +23,12 @@ struct Trace {
 
 /// The number of traces of each kind. Positions, directions and contrasts follow from the seed.
 struct TraceCounts {
-  int dust = 0;
-  int smears = 0;
-  int fingerprints = 0;
-  std::uint64_t seed = 1;
+  int dust = 0;            ///< patches of dust
+  int smears = 0;          ///< smears from a rag
+  int fingerprints = 0;    ///< fingerprints
+  std::uint64_t seed = 1;  ///< determines positions, directions and contrasts
 
+  /// Number of all traces.
   [[nodiscard]] int all() const { return dust + smears + fingerprints; }
 };
 

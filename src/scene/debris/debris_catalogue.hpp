@@ -17,6 +17,7 @@ struct DebrisKind {
   std::string_view source;  ///< source of the dimensions: a standard, a product, a figure of the thesis
 };
 
+/// All kinds of debris.
 [[nodiscard]] const std::vector<DebrisKind>& debris_catalogue();
 
 /// Null for an unknown name.

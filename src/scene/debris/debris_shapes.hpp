@@ -16,8 +16,14 @@ namespace rva {
 /// The parts of an object, each of one material.
 using Parts = std::vector<Part>;
 
+/// A part of one material.
+/// @param material name from material_names()
 [[nodiscard]] Part part_of(std::string_view material, TriangleMesh mesh);
+
+/// The mesh shifted by a vector.
 [[nodiscard]] TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& by);
+
+/// The mesh scaled along each axis by a positive factor.
 [[nodiscard]] TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& factors);
 /// The mesh rotated counterclockwise about an axis of unit length.
 [[nodiscard]] TriangleMesh turned(const TriangleMesh& mesh, double angle_deg, const Eigen::Vector3d& axis);
@@ -42,30 +48,69 @@ using Parts = std::vector<Part>;
 
 /// Tools and the contents of pockets.
 [[nodiscard]] Parts flashlight();
+
+/// A one-cell torch.
 [[nodiscard]] Parts small_flashlight();
+
+/// A screwdriver with a blade of ISO 8764 PH2.
 [[nodiscard]] Parts screwdriver();
+
+/// A socket for 17 mm, DIN 3124.
 [[nodiscard]] Parts socket();
+
+/// A combination wrench for 13 mm, DIN 3113.
 [[nodiscard]] Parts wrench();
+
+/// A twist drill, DIN 338.
+/// @param flute_length part of the length that has flutes
 [[nodiscard]] Parts drill_bit(double diameter, double length, double flute_length);
+
+/// A temporary fastener that clamps sheets through their rivet holes.
 [[nodiscard]] Parts sheet_holder();
+
+/// A ball-point pen with its cap.
 [[nodiscard]] Parts pen();
+
+/// A house key.
 [[nodiscard]] Parts key();
 
 /// Fasteners of a wing.
 [[nodiscard]] Parts swaged_collar(double diameter_in);
+
+/// A bolt M6 x 30, ISO 4014.
 [[nodiscard]] Parts bolt_m6();
+
+/// A shear pin with a flat head, 3/16 in.
 [[nodiscard]] Parts hi_lok();
+
+/// A nut M6, ISO 4032.
 [[nodiscard]] Parts nut_m6();
+
+/// An anchor nut with two rivet holes, MS21047.
 [[nodiscard]] Parts nut_plate();
+
+/// A solid rivet with a universal head, MS20470.
 [[nodiscard]] Parts rivet();
+
+/// A washer M6, ISO 7089.
 [[nodiscard]] Parts washer_m6();
 
 /// Flexible objects, of random shape except for the roll of tape.
 [[nodiscard]] Parts swarf(Random& random);
+
+/// A piece of insulated wire.
 [[nodiscard]] Parts wire(Random& random);
+
+/// A roll of masking tape.
 [[nodiscard]] Parts tape_roll();
+
+/// A curled strip of masking tape.
 [[nodiscard]] Parts tape_strip(Random& random);
+
+/// A crumpled workshop cloth.
 [[nodiscard]] Parts rag(Random& random);
+
+/// A work glove.
 [[nodiscard]] Parts glove(Random& random);
 
 }  // namespace rva

@@ -11,12 +11,12 @@ namespace rva {
 
 /// Debris to be drawn by chance.
 struct RandomDebris {
-  int count = 1;
+  int count = 1;                   ///< number of objects
   std::vector<std::string> kinds;  ///< names in debris_catalogue(), equally likely
-  std::uint64_t seed = 1;
-  std::uint64_t group = 0;     ///< distinguishes sets of one seed
-  Eigen::AlignedBox2d within;  ///< where centres of mass may lie, world x and y
-  double from_m = 0;           ///< world z from which they fall
+  std::uint64_t seed = 1;          ///< determines kinds, shapes and positions
+  std::uint64_t group = 0;         ///< distinguishes sets of one seed
+  Eigen::AlignedBox2d within;      ///< where centres of mass may lie, world x and y
+  double from_m = 0;               ///< world z from which they fall
 };
 
 /// Adds objects without names that rest on the scene, inside the bay and clear of all other debris.

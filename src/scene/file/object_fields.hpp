@@ -9,7 +9,10 @@ namespace rva {
 /// The valid range of coordinates in a scene, metres.
 inline constexpr NumberRange place_range_m{-100.0, 100.0};
 
+/// A list of three numbers, each within the range. @throws Error naming the field
 [[nodiscard]] Eigen::Vector3d read_vector(const YamlNode& value, NumberRange range);
+
+/// A list of two numbers, each within the range. @throws Error naming the field
 [[nodiscard]] Eigen::Vector2d read_pair(const YamlNode& value, NumberRange range);
 
 /// Reads world_from_object from `at_m` and, if present, `turn_deg`: rotations about the world's x, then y,
@@ -22,6 +25,7 @@ inline constexpr NumberRange place_range_m{-100.0, 100.0};
 /// Role::debris for `debris: true`, else Role::structure.
 [[nodiscard]] Role read_role(const YamlNode& object);
 
+/// Refuses a name that is taken.
 /// @throws Error with the line of the name if an object of the scene already has this name
 void require_new_name(const Scene& scene, const std::string& name, const YamlNode& named);
 

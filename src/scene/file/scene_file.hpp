@@ -17,10 +17,11 @@ struct SceneOverrides {
   bool no_debris = false;                      ///< the bay before the work, without debris and without `work`
   std::optional<std::uint64_t> debris_seed{};  ///< for debris placed at random, instead of the file's seeds
   std::optional<Eigen::Vector3d> position_m{};  ///< the robot's foot
-  std::optional<double> pan_deg{};
-  std::optional<double> tilt_deg{};
+  std::optional<double> pan_deg{};              ///< joint angle; positive is to the left
+  std::optional<double> tilt_deg{};             ///< joint angle; positive is up
 };
 
+/// Reads a scene file with the meshes that it names.
 /// @throws Error naming file, line and field: not readable, not YAML, an unknown or missing field, a value
 ///         out of range, an unknown material or kind, a mesh that cannot be read, debris outside the bay or
 ///         not at rest, the camera inside a solid

@@ -6,8 +6,10 @@
 
 namespace rva {
 
-/// @throws Error also for sizes that do not fit together
+/// Reads the section `wing`. @throws Error also for sizes that do not fit together
 [[nodiscard]] WingBay read_wing(const YamlNode& section);
+
+/// Reads the section `work`. @throws Error naming the field
 [[nodiscard]] Work read_work(const YamlNode& section);
 
 }  // namespace rva

@@ -13,7 +13,7 @@ namespace rva {
 /// Triangles in one frame, in metres. Corners are in counterclockwise order seen from outside, so that
 /// normals point outward. A solid consists of one or more closed surfaces, which may overlap.
 struct TriangleMesh {
-  std::vector<Eigen::Vector3f> vertices;
+  std::vector<Eigen::Vector3f> vertices;                ///< corners, metres
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into `vertices`
 
   /// Adds the other mesh's triangles, which are in the same frame.

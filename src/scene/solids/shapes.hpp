@@ -36,9 +36,9 @@ namespace rva {
 
 /// A hole through a plate.
 struct RoundHole {
-  Eigen::Vector2d center_m;
-  double radius_u_m;  ///< half its extent along x
-  double radius_v_m;  ///< half its extent along y
+  Eigen::Vector2d center_m;  ///< centre in x and y, metres
+  double radius_u_m;         ///< half its extent along x
+  double radius_v_m;         ///< half its extent along y
 };
 
 /// A plate in x and y, centred on the origin, with elliptic holes along z.

@@ -13,12 +13,12 @@ struct WingBay;
 
 /// The number of fittings of each kind. Their shapes and positions follow from the seed.
 struct Fittings {
-  int brackets = 0;  ///< angles of sheet metal, riveted to the lower skin between stringers
-  int hoses = 0;     ///< from rib to rib above the stringers, in clamps
-  int cables = 0;    ///< across the stringers, resting on each and sagging in between
-  int sealant = 0;   ///< beads along the foot of a stringer
-  int collars = 0;   ///< rows of six swaged collars, upright on the lower skin
-  std::uint64_t seed = 1;
+  int brackets = 0;        ///< angles of sheet metal, riveted to the lower skin between stringers
+  int hoses = 0;           ///< from rib to rib above the stringers, in clamps
+  int cables = 0;          ///< across the stringers, resting on each and sagging in between
+  int sealant = 0;         ///< beads along the foot of a stringer
+  int collars = 0;         ///< rows of six swaged collars, upright on the lower skin
+  std::uint64_t seed = 1;  ///< determines shapes and positions
 
   bool operator==(const Fittings&) const = default;
 };
@@ -31,9 +31,9 @@ struct Fittings {
 
 /// Planned changes by a mechanic.
 struct Work {
-  Fittings installed;
-  int rehung = 0;  ///< number of the bay's cables that hang differently afterwards
-  TraceCounts traces{};
+  Fittings installed;    ///< fittings that are added
+  int rehung = 0;        ///< number of the bay's cables that hang differently afterwards
+  TraceCounts traces{};  ///< traces that are left
 };
 
 /// Adds the fittings that were installed, and replaces cables of the bay with ones that hang differently; all
