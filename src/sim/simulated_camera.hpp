@@ -41,13 +41,18 @@ class SimulatedCamera : public Camera {
 
   /// The true depth and labels at the pose of the next frame.
   [[nodiscard]] TrueView true_view() const;
+  /// The pose of the depth imager at the current joint angles.
   [[nodiscard]] Transform world_from_camera() const;
   /// The infrared images of the last frame, 10 bits per pixel; empty before the first frame.
   [[nodiscard]] const InfraredImage& left_infrared() const { return left_infrared_; }
+  /// The right infrared image of the last frame, likewise.
   [[nodiscard]] const InfraredImage& right_infrared() const { return right_infrared_; }
 
+  /// The scene that the camera sees.
   [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// The options of the sensor, as given.
   [[nodiscard]] const StereoSensorOptions& options() const { return options_; }
+  /// The seed of all noise, as given.
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
  private:

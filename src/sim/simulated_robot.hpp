@@ -14,10 +14,10 @@ namespace rva {
 
 /// Options of the simulated robot.
 struct SimulatedRobotOptions {
-  double speed_deg_s = 90.0;
-  double backlash_deg = 0.3;
-  double resolution_deg = servo_step_deg;
-  double rest_error_deg = 0.0;
+  double speed_deg_s = 90.0;               ///< how fast either joint turns
+  double backlash_deg = 0.3;               ///< play between a servo and what it turns
+  double resolution_deg = servo_step_deg;  ///< step of targets and feedback; 0 for any angle
+  double rest_error_deg = 0.0;  ///< how far from its step a servo may come to rest, unseen by itself
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.speed_deg_s, OptionField{"speed", "deg_s", 0.1, 1000, "how fast either joint turns"});

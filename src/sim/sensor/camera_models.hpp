@@ -13,8 +13,8 @@ namespace rva {
 
 /// A simulated camera under the name by which the command line selects it.
 struct CameraModel {
-  std::string_view name;
-  StereoSensorOptions sensor;
+  std::string_view name;       ///< name on the command line
+  StereoSensorOptions sensor;  ///< settings of the sensor
 };
 
 /// "d435" is the default; the others have the same optics with another matcher or window (docs/simulator.md).
@@ -29,6 +29,7 @@ struct CameraModel {
 /// unequal sensitivity, dots up to saturation, speckle that persists over small turns, and a bay that yields.
 [[nodiscard]] StereoSensorOptions imperfect_camera(std::uint64_t seed);
 
+/// The settings of a camera that the command line names.
 /// @param text the name of a model, or "random:SEED" or "imperfect:SEED" for the camera of that seed
 /// @throws UsageError for any other text
 [[nodiscard]] StereoSensorOptions camera_model(const std::string& text);

@@ -12,9 +12,9 @@ namespace rva {
 
 /// Light on the colour imager before noise, in linear red, green and blue; 1 is white.
 struct ColorView {
-  Image<float> red;
-  Image<float> green;
-  Image<float> blue;
+  Image<float> red;    ///< linear, 0 to 1
+  Image<float> green;  ///< linear, 0 to 1
+  Image<float> blue;   ///< linear, 0 to 1
 };
 
 /// Renders the view of the colour imager.

@@ -16,7 +16,7 @@ class DotPattern {
  public:
   /// Half the projector's field of view, 86 x 57 deg (D400 datasheet), as tangents.
   static constexpr double half_width = 0.9325;
-  static constexpr double half_height = 0.5430;
+  static constexpr double half_height = 0.5430;  ///< tangent of half the vertical field of view
 
   /// @param dots      number of dots in the whole field; 0 for uniform light
   /// @param dot_share share of the light that is in dots, 0 to 1

@@ -13,6 +13,8 @@ namespace rva {
 /// Electrons that the longest exposure collects from a white surface in the projector's mean light at 1 m.
 /// With this value, paint is well exposed at 3 m and black rubber is dim at half a metre.
 inline constexpr double longest_exposure_e = 2000.0;
+
+/// Duration of the longest exposure, seconds.
 inline constexpr double longest_exposure_s = 0.033;
 
 /// The exposure that the camera's automatic control would choose for a view, in electrons per unit of light.

@@ -20,8 +20,8 @@ struct ImagerLight {
 
 /// Light on both imagers at one time.
 struct InfraredPair {
-  ImagerLight left;
-  ImagerLight right;
+  ImagerLight left;   ///< on the left imager
+  ImagerLight right;  ///< on the right imager
 };
 
 /// The truth at the centre of each pixel of the depth (left) imager.
@@ -43,6 +43,7 @@ class InfraredRenderer {
   [[nodiscard]] InfraredPair render(const Transform& world_from_camera, const Misalignment& misalignment,
                                     int supersampling, Light light = Light::projector) const;
 
+  /// The truth for a pose, with one ray per pixel.
   [[nodiscard]] TrueView true_view(const Transform& world_from_camera) const;
 
  private:

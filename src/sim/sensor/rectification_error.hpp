@@ -22,6 +22,7 @@ class RectificationError {
 
   /// Displacement of pixel (u, v), in pixels.
   [[nodiscard]] Eigen::Vector2d at(double u, double v) const;
+  /// Whether the error is 0 at every pixel.
   [[nodiscard]] bool is_none() const { return amplitude_px_ <= 0.0; }
 
  private:

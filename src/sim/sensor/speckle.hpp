@@ -13,8 +13,8 @@ namespace rva {
 
 /// A speckle pattern, and its weight in the speckle of a view.
 struct SpeckleShare {
-  std::uint64_t seed = 0;
-  double weight = 1.0;  ///< the squares of a view's weights sum to 1
+  std::uint64_t seed = 0;  ///< determines the pattern
+  double weight = 1.0;     ///< the squares of a view's weights sum to 1
 };
 
 /// The patterns that make up the speckle of a view. Speckle depends on the surface and on the position of the

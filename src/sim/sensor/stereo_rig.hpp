@@ -30,6 +30,7 @@ struct StereoRig {
   Transform color_from_depth;                 ///< the colour imager is 15 mm to the left of the depth imager
 };
 
+/// The rig of a camera with these options.
 [[nodiscard]] StereoRig stereo_rig(const StereoSensorOptions& options);
 
 /// The camera's constant misalignment plus that caused by temperature during one capture.

@@ -13,9 +13,9 @@ namespace rva {
 
 /// The images of the infrared imagers, 10 bits per pixel, and the depth that was computed from them.
 struct StereoFrame {
-  InfraredImage left;
-  InfraredImage right;
-  DepthImage depth;
+  InfraredImage left;   ///< of the left imager
+  InfraredImage right;  ///< of the right imager
+  DepthImage depth;     ///< in the depth unit of the options
 };
 
 /// Produces frames of one view: the same light in each, with the noise of imagers, laser and exposure.
@@ -27,6 +27,7 @@ class StereoSensor {
   StereoSensor(InfraredPair view, const StereoSensorOptions& options,
                const std::vector<SpeckleShare>& speckle, std::uint64_t capture_seed);
 
+  /// Exposes and matches the next frame.
   [[nodiscard]] StereoFrame next_frame();
 
   /// Exposes the next frame like next_frame(), but leaves its depth empty: matching takes most of the time.

@@ -18,6 +18,7 @@ enum class Matcher {
   /// Differences of brightness in a window, a parabola for the subpixel part (correlation.hpp).
   correlation,
 };
+/// As in files.
 template <>
 inline constexpr auto enum_names<Matcher> = std::to_array<EnumName<Matcher>>({
     {Matcher::census, "census"},
@@ -28,38 +29,40 @@ inline constexpr auto enum_names<Matcher> = std::to_array<EnumName<Matcher>>({
 /// A stereo depth camera with a dot projector. Defaults are those of a D435 at 848 x 480.
 struct StereoSensorOptions {
   // Optics
-  double focal_px = 425.0;
-  double baseline_mm = 50.0;
-  double lens_blur_px = 0.6;
-  double misalignment_px = 0.1;
-  double rectification_px = 0.0;
-  int supersampling = 2;
+  double focal_px = 425.0;        ///< focal length of both infrared imagers
+  double baseline_mm = 50.0;      ///< distance between the imagers
+  double lens_blur_px = 0.6;      ///< standard deviation of the lenses' blur
+  double misalignment_px = 0.1;   ///< how far rows of the imagers are apart, at the image's edges
+  double rectification_px = 0.0;  ///< standard deviation of what calibration leaves, slowly varying
+  int supersampling = 2;          ///< rays per pixel along each side
   // Projector
-  int dots = 5000;
-  double dot_share = 0.8;
-  double bounce = 0.05;
-  double lamp_light = 1.0;
+  int dots = 5000;          ///< dots of the projector
+  double dot_share = 0.8;   ///< share of the projector's light that is in dots
+  double bounce = 0.05;     ///< projector light that arrives from other surfaces, relative to its mean at 1 m
+  double lamp_light = 1.0;  ///< light of the lamp beside the imagers, at 1 m; 0: there is none
   // Imager
-  double exposure = 0.0;
-  double exposure_target = 0.25;
-  double imager_difference = 0.0;
-  double full_well_e = 1500.0;
-  double read_noise_e = 6.0;
+  double exposure = 0.0;  ///< electrons for a white surface in the projector's mean light at 1 m; 0 sets it
+                          ///< by the view, as the camera does on its own
+  double exposure_target = 0.25;   ///< of the brighter parts under automatic exposure; 1 saturates
+  double imager_difference = 0.0;  ///< how much more light the right imager records; -0.1 is a tenth less
+  double full_well_e = 1500.0;     ///< electrons at which a pixel saturates
+  double read_noise_e = 6.0;       ///< electrons of noise without light
   // Noise that is correlated between pixels, frames or captures
-  double speckle = 0.12;
-  double speckle_turn_deg = 0.0;
-  double wander = 0.05;
-  double wander_frames = 50.0;
-  double levels = 0.04;
-  double level_frames = 150.0;
-  double flicker = 0.01;
-  double drift_px = 0.05;
-  double sway_mm = 0.0;
+  double speckle = 0.12;          ///< contrast of laser speckle that stays while nothing moves
+  double speckle_turn_deg = 0.0;  ///< turn that changes speckle into another; 0: the least motion does
+  double wander = 0.05;           ///< contrast of speckle that wanders slowly
+  double wander_frames = 50.0;    ///< frames over which that speckle wanders
+  double levels = 0.04;           ///< contrast of speckle that jumps between three patterns
+  double level_frames = 150.0;    ///< frames for which one of these patterns persists, on average
+  double flicker = 0.01;          ///< standard deviation of the exposure from frame to frame
+  double drift_px = 0.05;  ///< standard deviation of the disparity's offset between captures (temperature)
+  double sway_mm = 0.0;  ///< standard deviation of the camera's position in a bay that gives way, along each
+                         ///< axis, from rest to rest; not part of the stated poses and the truth
   // Matching and output
   Matcher matcher = Matcher::census;  ///< chosen with a camera's model (camera_models.hpp)
-  int window_px = 9;
-  double depth_unit_mm = 0.1;
-  std::uint64_t device = 1;
+  int window_px = 9;                  ///< edge of the matcher's window; odd
+  double depth_unit_mm = 0.1;         ///< one step of the depth image
+  std::uint64_t device = 1;           ///< which camera it is: its dots, its speckle and its misalignment
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.focal_px, OptionField{"focal", "px", 50, 5000, "focal length of both infrared imagers"});
