@@ -14,6 +14,7 @@ class CaptureRoom {
   CaptureRoom(const CaptureRoom&) = delete;
   CaptureRoom& operator=(const CaptureRoom&) = delete;
 
+  /// The folder's path.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

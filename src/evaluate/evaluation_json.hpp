@@ -11,10 +11,10 @@ namespace rva {
 
 /// A study of static cameras with its conditions, as it is written to a file.
 struct Evaluation {
-  std::string scene;    ///< the scene file; empty for random wings
-  std::string cameras;  ///< the camera models, as camera_of_each() takes them
-  std::string bay;      ///< names of bay features; empty for plain bays
-  std::vector<SimulatedInspection> inspections;
+  std::string scene;                             ///< the scene file; empty for random wings
+  std::string cameras;                           ///< the camera models, as camera_of_each() takes them
+  std::string bay;                               ///< names of bay features; empty for plain bays
+  std::vector<SimulatedInspection> inspections;  ///< in the order in which they were run
 };
 
 /// The content of `evaluation.json`. It includes tallies, but not the pixels of targets.

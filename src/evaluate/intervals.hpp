@@ -8,8 +8,8 @@ namespace rva {
 
 /// A two-sided confidence interval of 95 %.
 struct Interval {
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;   ///< lower limit
+  double high = 0.0;  ///< upper limit
 };
 
 /// The interval of a probability, given the number of successes in a number of trials (Clopper and Pearson

@@ -13,8 +13,8 @@ namespace rva {
 
 /// One piece of debris in the view of a camera.
 struct Target {
-  std::string kind;
-  int visible_px = 0;
+  std::string kind;                   ///< name in the catalogue of debris
+  int visible_px = 0;                 ///< number of pixels in which it is the nearest surface
   double unhidden_px = 0.0;           ///< number of visible pixels if nothing occluded it
   double distance_m = 0.0;            ///< mean depth of its visible pixels
   std::vector<std::uint32_t> pixels;  ///< visible pixels, as row-major indices
@@ -49,8 +49,8 @@ void count_shown(const DepthStatistics& without, const DepthStatistics& with, co
 
 /// Findings compared with the truth.
 struct Judgement {
-  std::vector<bool> found;  ///< for each target
-  std::size_t false_findings = 0;
+  std::vector<bool> found;         ///< for each target
+  std::size_t false_findings = 0;  ///< findings far from debris, planned work and traces
   std::size_t work_findings = 0;   ///< of planned work: true changes, but not debris
   std::size_t trace_findings = 0;  ///< of dust, smears and fingerprints
 };

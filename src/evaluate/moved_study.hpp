@@ -18,17 +18,17 @@ namespace rva {
 
 /// Options of a study of cameras that were moved.
 struct MovedStudyOptions {
-  CameraReturn how = CameraReturn::elsewhere;
-  int inspections = 20;
-  std::uint64_t first_seed = 1;
-  std::vector<int> captures{1, 4, 8};                               ///< a side, dithered; ascending
+  CameraReturn how = CameraReturn::elsewhere;  ///< how the camera returned after the work
+  int inspections = 20;                        ///< number of inspections
+  std::uint64_t first_seed = 1;                ///< seed of the first inspection; the others follow it
+  std::vector<int> captures{1, 4, 8};          ///< a side, dithered; ascending
   std::vector<double> allowed{CalibratedOptions{}.false_findings};  ///< false findings; ascending
   int frames = 10;                                                  ///< of each capture
   bool octree = false;              ///< the thesis' pipeline too, on one frame a side: a minute each time
   bool lamp = false;                ///< images under the camera's lamp, too
   bool color = false;               ///< colour images, too
   PoseReturnOptions pose_return{};  ///< of a robot that stayed, as `rva serve` has it
-  BayFeatures bay;
+  BayFeatures bay;                  ///< features of the random wings
   /// Gives the camera of an inspection by the inspection's seed. All sides of one inspection have the same.
   std::function<StereoSensorOptions(std::uint64_t seed)> sensor{
       [](std::uint64_t) { return StereoSensorOptions{}; }};
@@ -36,8 +36,8 @@ struct MovedStudyOptions {
 
 /// How the views of one inspection were registered.
 struct MovedRegistration {
-  std::string method;  ///< as of MovedResult
-  int captures = 1;
+  std::string method;      ///< as of MovedResult
+  int captures = 1;        ///< captures per side
   double error_mm = 0.0;   ///< 0 where it was refused
   double error_deg = 0.0;  ///< likewise
   std::string doubt;       ///< why it was refused; empty where it was trusted
@@ -48,8 +48,8 @@ struct MovedRegistration {
 
 /// One setting with so many captures a side.
 struct MovedResult {
-  std::string method;  ///< "auto", "octree"
-  int captures = 1;
+  std::string method;                 ///< "auto", "octree"
+  int captures = 1;                   ///< captures per side
   double setting = 0.0;               ///< false findings allowed; edge of a cell, in metres
   std::size_t false_when_clean = 0;   ///< findings where nothing changed
   std::size_t false_with_debris = 0;  ///< findings far from all debris, work and traces
@@ -60,19 +60,19 @@ struct MovedResult {
 
 /// One simulated inspection of a moved camera and its results.
 struct MovedInspection {
-  std::uint64_t seed = 0;
-  double move_m = 0.0;
-  double turn_deg = 0.0;
+  std::uint64_t seed = 0;  ///< determines everything random
+  double move_m = 0.0;     ///< true distance between the camera's poses before and after
+  double turn_deg = 0.0;   ///< true angle between them
   /// Of a robot that stayed, means over the captures after the work: how far each was in truth from the
   /// baseline's pose, and how often that was approached.
   double off_baseline_deg = 0.0;
-  double approaches = 1.0;
-  std::string matcher;   ///< of the camera
-  double ambient = 0.0;  ///< light, relative to the projector's mean at one metre
-  std::vector<MovedTarget> targets;
+  double approaches = 1.0;           ///< see `off_baseline_deg`
+  std::string matcher;               ///< of the camera
+  double ambient = 0.0;              ///< light, relative to the projector's mean at one metre
+  std::vector<MovedTarget> targets;  ///< debris in the first final capture
   /// Without debris and with it, for each number of captures. None where pixels were compared with pixels.
   std::vector<MovedRegistration> registrations;
-  std::vector<MovedResult> results;
+  std::vector<MovedResult> results;  ///< one for each method, setting and number of captures
 };
 
 /// Runs inspections, as many at a time as the processor has cores: dithered captures before, others after it

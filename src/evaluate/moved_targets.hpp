@@ -12,7 +12,7 @@ namespace rva {
 
 /// One piece of debris in the first final capture.
 struct MovedTarget {
-  Target target;
+  Target target;  ///< as seen by the first final capture
   /// The smallest side of its bounding box is at least 10 mm and the middle one at least 15 mm.
   bool big = false;
   /// At least half of it lies in space that the first initial capture observed as free.

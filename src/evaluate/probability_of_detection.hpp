@@ -9,13 +9,13 @@ namespace rva {
 /// One object that was present.
 struct DetectionTrial {
   double size_mm = 0.0;  ///< above 0
-  bool found = false;
+  bool found = false;    ///< whether it was found
 };
 
 /// The sizes at which the probability of detection reaches 50 % and 90 %.
 struct DetectionSizes {
-  double a50_mm = 0.0;
-  double a90_mm = 0.0;
+  double a50_mm = 0.0;  ///< probability of detection 50 %
+  double a90_mm = 0.0;  ///< probability of detection 90 %
   /// With a confidence of 95 %, the probability of detection is at least 90 % from this size on. Empty if
   /// there are too few trials to show it for any size up to three times the largest.
   std::optional<double> a90_95_mm;

@@ -13,14 +13,14 @@ namespace rva {
 
 /// Features of real bays that make detection harder. A plain bay has none of them.
 struct BayFeatures {
-  bool brackets = false;
-  bool hoses = false;
-  bool cables = false;
-  bool sealant = false;
-  bool dirt = false;
-  bool skins = false;   ///< coats of carbon fibre, yellow primer and wax as well
-  bool work = false;    ///< planned changes by a mechanic between the two sides
-  bool traces = false;  ///< dust, smears and fingerprints left by the work
+  bool brackets = false;  ///< angles of sheet metal
+  bool hoses = false;     ///< hoses from rib to rib
+  bool cables = false;    ///< cables across the stringers
+  bool sealant = false;   ///< beads of sealant
+  bool dirt = false;      ///< dust and old oil on all surfaces
+  bool skins = false;     ///< coats of carbon fibre, yellow primer and wax as well
+  bool work = false;      ///< planned changes by a mechanic between the two sides
+  bool traces = false;    ///< dust, smears and fingerprints left by the work
 
   bool operator==(const BayFeatures&) const = default;
 };
@@ -28,6 +28,7 @@ struct BayFeatures {
 /// "brackets" ... "traces", in the order of the members.
 [[nodiscard]] std::vector<std::string_view> bay_feature_names();
 
+/// The features of these names.
 /// @param names names from bay_feature_names(), or "all"
 /// @throws UsageError for any other name
 [[nodiscard]] BayFeatures bay_features(const std::vector<std::string>& names);

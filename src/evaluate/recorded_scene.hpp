@@ -23,15 +23,17 @@ struct RecordedTarget {
 /// `seen.png` (8 bits: 255 where the first initial view saw free space), `truth.json`
 /// (`{"objects": {"1": {"name", "depth_m"}}}`) and, if known, `final_from_initial.txt` (4x4, metres).
 struct RecordedScene {
-  std::string name;
-  std::vector<std::filesystem::path> initial;
-  std::vector<std::filesystem::path> final;
-  std::vector<RecordedTarget> targets;
-  int width = 0;
-  int height = 0;
+  std::string name;                            ///< name of the folder
+  std::vector<std::filesystem::path> initial;  ///< folders of the captures before
+  std::vector<std::filesystem::path> final;    ///< folders of the captures after
+  std::vector<RecordedTarget> targets;         ///< objects that were added
+  int width = 0;                               ///< of the depth images, px
+  int height = 0;                              ///< of the depth images, px
+  /// True transform between the first captures; empty if it is not known.
   std::optional<Transform> final_from_initial;
 };
 
+/// Loads the truth and the paths of the captures of one scene.
 /// @throws Error if a part is missing or inconsistent with the others
 [[nodiscard]] RecordedScene load_recorded_scene(const std::filesystem::path& folder);
 

@@ -13,20 +13,20 @@ namespace rva {
 
 /// One comparison of one scene.
 struct RecordedResult {
-  int captures = 1;      ///< captures per side
-  double allowed = 0.0;  ///< false findings allowed per inspection
-  std::string method;    ///< the method that was used
-  std::size_t false_findings = 0;
-  std::vector<bool> found;           ///< for each target
-  std::string refused;               ///< why the comparison was refused; empty if it was not
-  std::optional<double> error_mm{};  ///< of the registration, if there was one and the truth is known
-  std::optional<double> error_deg{};
+  int captures = 1;                   ///< captures per side
+  double allowed = 0.0;               ///< false findings allowed per inspection
+  std::string method;                 ///< the method that was used
+  std::size_t false_findings = 0;     ///< findings that are not of a target
+  std::vector<bool> found;            ///< for each target
+  std::string refused;                ///< why the comparison was refused; empty if it was not
+  std::optional<double> error_mm{};   ///< of the registration, if there was one and the truth is known
+  std::optional<double> error_deg{};  ///< angle of the same error
 };
 
 /// A recorded scene and the results of its comparisons.
 struct RecordedInspection {
-  RecordedScene scene;
-  std::vector<RecordedResult> results;
+  RecordedScene scene;                  ///< captures and truth
+  std::vector<RecordedResult> results;  ///< in the order of settings and numbers of captures
 };
 
 /// Compares each scene as `rva detect` does (detect() with `auto`), with one, up to four and all captures per

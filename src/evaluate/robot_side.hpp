@@ -17,8 +17,8 @@ namespace rva {
 
 /// The captures of a simulated robot on one side.
 struct RobotSide {
-  std::vector<std::filesystem::path> captures;
-  std::vector<PanTilt> rested;  ///< where the joints really were, which no capture states
+  std::vector<std::filesystem::path> captures;  ///< folders, in the order in which they were taken
+  std::vector<PanTilt> rested;                  ///< where the joints really were, which no capture states
 
   /// The first so many captures. @throws Error when one cannot be read
   [[nodiscard]] Captures open(int count) const;

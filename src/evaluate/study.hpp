@@ -28,8 +28,8 @@ struct Detector {
 
 /// Options of a study of cameras that stood still.
 struct StudyOptions {
-  int inspections = 20;
-  std::uint64_t first_seed = 1;
+  int inspections = 20;                 ///< number of simulated inspections, each without and with debris
+  std::uint64_t first_seed = 1;         ///< seed of the first inspection; the next ones follow
   std::vector<int> frames{10, 20, 40};  ///< frames of each capture, ascending
   BayFeatures bay;                      ///< features of random wings
   /// Returns the camera of an inspection, given the inspection's seed.
@@ -46,8 +46,8 @@ struct StudyOptions {
 
 /// The result of one detector for one inspection and number of frames.
 struct Result {
-  int frames = 0;
-  Detector detector;
+  int frames = 0;                      ///< frames of each capture
+  Detector detector;                   ///< method and setting
   std::size_t false_when_clean = 0;    ///< findings where nothing changed
   std::size_t false_with_debris = 0;   ///< findings far from all debris, work and traces
   std::vector<bool> found;             ///< for each target of the inspection
@@ -56,9 +56,9 @@ struct Result {
 
 /// One simulated inspection of a static camera and its results.
 struct SimulatedInspection {
-  std::uint64_t seed = 0;
-  std::vector<Target> targets;
-  std::vector<Result> results;
+  std::uint64_t seed = 0;       ///< determines everything random
+  std::vector<Target> targets;  ///< debris in the view
+  std::vector<Result> results;  ///< one for each detector and number of frames
 };
 
 /// Called after each inspection with all inspections so far.

@@ -16,9 +16,9 @@ inline constexpr auto evaluation_file = "evaluation.json";
 
 /// The folder of a study, and what to do with an evaluation that is there.
 struct StudyFolder {
-  std::filesystem::path path;
-  bool overwrite = false;  ///< replace an earlier evaluation
-  bool resume = false;     ///< continue the evaluation in the folder, if there is one
+  std::filesystem::path path;  ///< contains evaluation.json
+  bool overwrite = false;      ///< replace an earlier evaluation
+  bool resume = false;         ///< continue the evaluation in the folder, if there is one
 };
 
 /// Cameras and bays of a study, by the names that its file states.

@@ -11,11 +11,11 @@ namespace rva {
 
 /// The fit of the prior slope to unchanged images.
 struct UsualSlopeFit {
-  UsualSlope most_probable;
-  Interval slope;          ///< interval of UsualSlope::slope, per deviation
-  Interval peaks;          ///< interval of UsualSlope::peaks
-  std::size_t images = 0;  ///< images with a peak above the onset
-  std::size_t seen = 0;    ///< peaks above the onset in all of them
+  UsualSlope most_probable;  ///< maximum of the likelihood
+  Interval slope;            ///< interval of UsualSlope::slope, per deviation
+  Interval peaks;            ///< interval of UsualSlope::peaks
+  std::size_t images = 0;    ///< images with a peak above the onset
+  std::size_t seen = 0;      ///< peaks above the onset in all of them
 };
 
 /// The upper limit of the weight: beyond it, the slope is practically the same in all images.
