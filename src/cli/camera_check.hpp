@@ -10,10 +10,10 @@ namespace rva::cli {
 
 /// The arguments of `rva noise --camera` that compare a camera with its history.
 struct CameraCheckArguments {
-  std::size_t frames = 60;
-  std::string history;  ///< folder; empty: the user's own
-  CheckStandardOptions options;
-  bool json = false;
+  std::size_t frames = 60;       ///< frames to measure
+  std::string history;           ///< folder; empty: the user's own
+  CheckStandardOptions options;  ///< of the judgement
+  bool json = false;             ///< print the judgement as JSON
 };
 
 /// Measures, judges, prints, and adds the check to the history.

@@ -11,6 +11,7 @@
 
 namespace rva::cli {
 
+/// Opens the camera that a URI names.
 /// @param seed      seed of a simulated camera's noise
 /// @param recording options for a replayed capture
 /// @param realsense settings of a RealSense camera

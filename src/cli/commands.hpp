@@ -8,12 +8,16 @@ namespace rva::cli {
 
 /// The exit status of a command that did not fail, for main(): 0, or status_detected.
 struct Outcome {
-  int status = 0;
+  int status = 0;  ///< exit status of the program
 };
 
 /// Exit statuses (docs/commands.md).
 inline constexpr int status_failed = 1;
+
+/// Exit status after wrong usage (UsageError).
 inline constexpr int status_usage = 2;
+
+/// Exit status of `rva detect` when it found a change.
 inline constexpr int status_detected = 3;
 
 void add_account_command(CLI::App& program);

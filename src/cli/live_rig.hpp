@@ -20,6 +20,7 @@ struct LiveRig {
   std::function<void(bool)> simulated_work;
 };
 
+/// Opens the camera and the robot of `rva serve`.
 /// @param camera sim:SCENE, which follows a simulated robot; sim:SCENE,joints=FILE, which follows a file that
 ///               another program writes (`<pan_deg> <tilt_deg>`); replay:PATH, which begins again at its end;
 ///               realsense[:SERIAL]

@@ -66,11 +66,12 @@ void add_flags(CLI::App& command, Options& options) {
 
 /// The options of every command that opens captures.
 struct CaptureFlags {
-  std::vector<double> intrinsics;
-  std::vector<std::uint16_t> no_depth;
-  std::optional<double> depth_unit_mm;
-  std::string topic;
+  std::vector<double> intrinsics;       ///< `--intrinsics`: fx, fy, cx, cy, px; empty if not given
+  std::vector<std::uint16_t> no_depth;  ///< `--no-depth`
+  std::optional<double> depth_unit_mm;  ///< `--depth-unit`; empty if not given
+  std::string topic;                    ///< `--topic`; empty if not given
 
+  /// Adds all of these options to a command.
   void add_to(CLI::App& command) {
     add_without_unit_to(command);
     command
@@ -103,6 +104,7 @@ struct CaptureFlags {
         ->expected(4);
   }
 
+  /// The options for open_capture(). @throws UsageError for intrinsics that no camera can have
   [[nodiscard]] CaptureOptions options() const {
     CaptureOptions options;
     options.no_depth = no_depth;

@@ -16,7 +16,7 @@ void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));
 }
 
-/// @throws Error when a result could not be printed
+/// Flushes the standard output. @throws Error when a result could not be printed
 void require_printed();
 
 }  // namespace rva::cli

@@ -15,11 +15,12 @@ namespace rva::cli {
 /// A camera, a robot, and the clock by which they move: with a simulated robot, it advances as fast as the
 /// work is done.
 struct OpenRig {
-  std::unique_ptr<Robot> robot;
+  std::unique_ptr<Robot> robot;    ///< carries the camera; simulated or on a serial port
   std::unique_ptr<Camera> camera;  ///< may read the robot's angles
-  Clock clock;
+  Clock clock;                     ///< for waiting and for the frames of a simulated camera
 };
 
+/// Opens the camera and the robot of `rva map`.
 /// @param camera sim:SCENE, which follows the true angles of a simulated robot, or the angles that another
 ///               robot reports; sim:SCENE,joints=FILE, which follows a file that another program writes
 ///               (`<pan_deg> <tilt_deg>`); realsense[:SERIAL], on a serial robot

@@ -26,6 +26,7 @@ struct OpenRobot {
 /// @throws UsageError for a URI of another form; Error when the device cannot be opened or is not a robot
 [[nodiscard]] OpenRobot open_robot(const std::string& uri, const Clock& clock, std::uint64_t seed);
 
+/// Checks that a URI names a robot that can carry a real camera.
 /// @throws UsageError for a simulated robot: it cannot turn a real camera
 void require_real_robot(const std::string& uri);
 

@@ -10,11 +10,11 @@ namespace rva::cli {
 
 /// The scene and the pan and tilt of a simulated camera.
 struct SimulatedView {
-  std::string scene;
+  std::string scene;   ///< path of the scene file
   std::string joints;  ///< file with the angles; empty if there is none
 };
 
-/// @throws UsageError for a URI of another form
+/// Splits the URI of a simulated camera into its parts. @throws UsageError for a URI of another form
 [[nodiscard]] SimulatedView parse_simulated_view(const std::string& camera);
 
 /// The angles that a simulated camera follows: those of the view's file, which another program writes
