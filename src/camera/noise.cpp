@@ -9,6 +9,7 @@
 #include <map>
 
 #include "capture/frame_reader.hpp"
+#include "capture/frozen.hpp"
 #include "core/error.hpp"
 #include "core/quantile.hpp"
 #include "core/units.hpp"
@@ -118,6 +119,7 @@ Noise measure_noise(const Capture& capture, const NoiseOptions& options, const P
     throw Error("noise", fmt::format("{} frame(s), but at least four are needed", frames),
                 "record or use more frames; 100 give a good estimate");
   }
+  if (is_frozen(capture, frames)) throw frozen_camera("noise");
   const std::size_t welch_frames = std::min(static_cast<std::size_t>(options.welch_frames), frames / 2);
   const Intrinsics& camera = capture.info().depth;
   DepthStatistics all(camera.width, camera.height);

@@ -63,8 +63,9 @@ struct Noise {
 };
 
 /// Measures the noise and the drift of each pixel over the frames of a capture of a still scene.
-/// @throws Error when there are fewer than four frames (Welch's test needs two at either end), or one cannot
-///         be read; UsageError when an option is out of range; Interrupted
+/// @throws Error when there are fewer than four frames (Welch's test needs two at either end), all are one
+///         image (capture/frozen.hpp), or one cannot be read; UsageError when an option is out of range;
+///         Interrupted
 [[nodiscard]] Noise measure_noise(const Capture& capture, const NoiseOptions& options,
                                   const Progress& progress);
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,7 @@
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "detect/detect.hpp"
+#include "detect/genuine_captures.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "detect/result_folder.hpp"
 
@@ -105,18 +107,23 @@ struct Sides {
   Captures final;
 };
 
-Captures open_side(const std::string& one, const std::vector<std::string>& many,
-                   const CaptureOptions& options) {
+std::vector<std::filesystem::path> paths_of(const std::string& one, const std::vector<std::string>& many) {
+  if (many.empty()) return {one};
+  return {many.begin(), many.end()};
+}
+
+Captures open_side(const std::vector<std::filesystem::path>& paths, const CaptureOptions& options) {
   Captures side;
-  if (many.empty()) side.push_back(open_capture(one, options));
-  for (const std::string& path : many) side.push_back(open_capture(path, options));
+  for (const std::filesystem::path& path : paths) side.push_back(open_capture(path, options));
   return side;
 }
 
 Sides open_sides(const DetectArguments& arguments) {
   const CaptureOptions options = arguments.captures.options();
-  return {open_side(arguments.initial, arguments.initial_side, options),
-          open_side(arguments.final, arguments.final_side, options)};
+  const auto initial = paths_of(arguments.initial, arguments.initial_side);
+  const auto final = paths_of(arguments.final, arguments.final_side);
+  require_distinct(initial, final);
+  return {open_side(initial, options), open_side(final, options)};
 }
 
 void check_sides(const DetectArguments& arguments) {

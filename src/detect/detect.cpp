@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "detect/appearance/appearance_detection.hpp"
+#include "detect/genuine_captures.hpp"
 #include "detect/spatial/lit_capture.hpp"
 #include "detect/spatial/surface_support.hpp"
 #include "geometry/rigid_motion.hpp"
@@ -24,6 +25,13 @@ namespace {
 bool is_of_the_thesis(DetectionMethod method) {
   return method == DetectionMethod::constant || method == DetectionMethod::gaussian ||
          method == DetectionMethod::octree;
+}
+
+// How many frames of each capture a method uses; 0 for all.
+std::size_t frames_used(const DetectOptions& options) {
+  const bool first_only =
+      options.method == DetectionMethod::constant || options.method == DetectionMethod::octree;
+  return first_only ? 1 : static_cast<std::size_t>(options.static_camera.use.frames);
 }
 
 // Finds the initial capture with the pose of the first final one, since a pixel by pixel comparison requires
@@ -296,6 +304,8 @@ SidesDetection detect_in_one_unit(const Captures& initial, const Captures& final
 
 SidesDetection detect(const Captures& initial, const Captures& final, const DetectOptions& options,
                       const Progress& progress, const Mask& left_out) {
+  check_options(options);
+  require_genuine(initial, final, frames_used(options));
   const SidesInOneUnit sides(initial, final);
   SidesDetection result = detect_in_one_unit(sides.initial, sides.final, options, progress, left_out);
   if (!sides.note.empty()) result.detection.warnings.push_back(sides.note);

@@ -45,8 +45,10 @@ struct SidesDetection {
 /// warning states that the result may show the motion rather than changes.
 /// @param initial, final at least one capture each, those of a side from nearly one pose
 /// @param left_out       pixels of the first initial depth image to leave out; empty for none
-/// @throws Error when the captures are of different cameras or show different views, when they cannot be
-///         registered, or a frame cannot be read; UsageError for options out of range; Interrupted
+/// @throws Error when a capture is a copy of another one, or is of a camera that was frozen
+///         (genuine_captures.hpp); when the captures are of different cameras or show different views, when
+///         they cannot be registered, or a frame cannot be read; UsageError for options out of range;
+///         Interrupted
 [[nodiscard]] SidesDetection detect(const Captures& initial, const Captures& final,
                                     const DetectOptions& options, const Progress& progress,
                                     const Mask& left_out = {});

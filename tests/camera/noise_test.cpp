@@ -1,5 +1,6 @@
 #include "camera/noise.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,6 +42,12 @@ double mean_of(const std::vector<int>& values) {
   double sum = 0;
   for (const int value : values) sum += value;
   return sum / static_cast<double>(values.size());
+}
+
+TEST(Noise, OfAFrozenCameraIsRefused) {
+  const test::MemoryCapture frozen = test::capture_of(std::vector<DepthImage>(6, DepthImage(8, 6, 1000)));
+  EXPECT_THAT([&] { static_cast<void>(measure_noise(frozen, {}, {})); },
+              testing::ThrowsMessage<Error>(testing::HasSubstr("the camera was frozen")));
 }
 
 TEST(WelchTest, AgreesWithTheTextbook) {

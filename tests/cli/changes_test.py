@@ -164,7 +164,7 @@ class LeftOut(ChangesTest):
 
 class WrongBaseline(ChangesTest):
     def test_another_camera(self):
-        pair = [self.write(serial, bench(), 9, camera={'serial': serial, 'baseline_m': 0.05}) for serial in ('123', '456')]
+        pair = [self.write(serial, bench(), int(serial), camera={'serial': serial, 'baseline_m': 0.05}) for serial in ('123', '456')]
         self.check_fails('detect', *pair, '--out', self.out, names=['different cameras', '123', '456'])
 
     def test_another_bay(self):

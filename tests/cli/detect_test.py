@@ -319,12 +319,14 @@ class DetectTest(program.ProgramTest):
         initial, final = self.pair()
         found = self.detect(initial, final, '--fail-on-detection', status=3)
         self.assertEqual(len(found['detections']), 1)
-        nothing = self.detect(initial, initial, '--fail-on-detection', out=self.folder / 'other')
+        unchanged = self.write('unchanged', noisy(floor(), FRAMES, 1.0, seed=6))
+        nothing = self.detect(initial, unchanged, '--fail-on-detection', out=self.folder / 'other')
         self.assertEqual(nothing['detections'], [])
 
     def test_frames_uses_only_the_first(self):
         self.initial_frames = noisy(floor(), 6, 0, seed=0)
-        self.final_frames = self.initial_frames.copy()
+        self.initial_frames[:, 40, 60] += np.arange(6, dtype=np.uint16)  # the least noise, or the camera is frozen
+        self.final_frames = self.initial_frames[::-1].copy()
         self.final_frames[:3] = with_box(self.final_frames[:3], BOX, HEIGHT)
         initial, final = self.pair()
         few = self.detect(initial, final, *GAUSSIAN, '--frames', 3, out=self.folder / 'few')
@@ -384,6 +386,30 @@ class DetectTest(program.ProgramTest):
         self.assertEqual(result['detections'], [])
         self.check_changes(pixels_in(BOX))
 
+    def test_one_capture_is_no_pair(self):
+        a, b = self.pair()
+        link = self.folder / 'link'
+        link.symlink_to(a)
+        for same in (a, link, f'{a}/'):
+            self.check_fails('detect', a, same, '--out', self.out, names=['both sides are the same capture'])
+        self.check_fails('detect', '--initial', a, link, '--final', b, '--out', self.out, names=['given twice'])
+
+    def test_copy_of_a_capture_is_refused_by_every_method(self):
+        a = self.write('a', self.initial_frames)
+        b = self.write('b', self.initial_frames, camera={'model': 'another name', 'serial': ''})
+        for method in ('auto', 'constant', 'gaussian', 'calibrated'):
+            self.check_fails('detect', a, b, '--out', self.out, '--method', method, names=['one is a copy of the other'])
+
+    def test_frozen_camera_is_refused_where_noise_is_estimated(self):
+        frozen = self.write('frozen', self.initial_frames[[0] * FRAMES])
+        b = self.write('b', self.final_frames)
+        for captures in ((frozen, b), (b, frozen)):
+            for method in ('auto', 'gaussian', 'calibrated'):
+                self.check_fails('detect', *captures, '--out', self.out, '--method', method,
+                                 names=['the camera was frozen', 'capture again'])
+        self.assertEqual(len(self.detect(frozen, b, '--method', 'constant')['detections']), 1)
+        self.check_fails('noise', frozen, '--out', self.folder / 'noise', names=['the camera was frozen'])
+
     def test_two_runs_agree(self):
         initial, final = self.pair()
         one, two = (self.detect(initial, final, out=self.folder / out) for out in ('one', 'two'))
@@ -406,14 +432,16 @@ class DetectTest(program.ProgramTest):
     def test_overwrite_replaces_an_earlier_result(self):
         initial, final = self.pair()
         self.detect(initial, final)
-        result = self.detect(initial, initial, '--overwrite', '--method', 'constant')
+        unchanged = self.write('unchanged', noisy(floor(), FRAMES, 1.0, seed=6))
+        result = self.detect(initial, unchanged, '--overwrite', '--method', 'constant')
         self.assertEqual((result['method'], result['detections']), ('constant', []))
         self.check_changes(np.zeros((CAMERA.height, CAMERA.width), bool))
-        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ['a', 'b', 'out'])
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ['a', 'b', 'out', 'unchanged'])
 
     def test_overwrite_removes_pictures_that_the_new_result_lacks(self):
         self.detect(*self.pair())
-        self.detect(*(self.write(name, self.initial_frames, pictures=[]) for name in 'cd'), '--overwrite')
+        self.detect(self.write('c', self.initial_frames, pictures=[]), self.write('d', self.final_frames, pictures=[]),
+                    '--overwrite')
         self.assertFalse((self.out / 'overlay.png').exists())
 
     def test_overwrite_replaces_nothing_else(self):

@@ -161,7 +161,8 @@ class FormatsTest(program.ProgramTest):
         blue = plain_color(CAMERA.width, CAMERA.height, BLUE)
         pictures = [(9.5, blue), (9.98, self.picture), (10.03, blue), (10.1, blue)]
         capture = write_tum(self.folder / 'a', self.initial * TUM_UNITS_PER_MM, pictures=pictures)
-        self.detect(capture, capture, *TUM_INTRINSICS)
+        before = write_tum(self.folder / 'before', self.initial[::-1] * TUM_UNITS_PER_MM)
+        self.detect(before, capture, *TUM_INTRINSICS)
         self.assertEqual(tuple(read_image(self.out / 'overlay.png')[20, 20]), RED)
 
     def test_tum_lists_may_come_from_windows_and_contain_empty_lines(self):

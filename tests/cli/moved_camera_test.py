@@ -23,6 +23,8 @@ class MovedCameraTest(SimulationTest):
         super().setUpClass()
         cls.initial, cls.final = (cls.make(name, SCENES / scene, '--frames', 6, '--seed', seed)
                                   for seed, (name, scene) in enumerate(zip(('initial', 'final'), MOVED), 1))
+        cls.initial_again, cls.final_again = (cls.make(f'again-{seed}', SCENES / scene, '--frames', 6, '--seed', seed)
+                                              for seed, scene in enumerate(MOVED, 3))
 
     def objects_found(self, found):
         """Names of debris that a finding's changed pixels touch, and how many findings touch none."""
@@ -64,24 +66,25 @@ class MovedCameraTest(SimulationTest):
         self.assertLessEqual(len(self.detect(self.initial, final)['detections']), 1)
 
     def test_several_captures_a_side(self):
-        self.succeed('detect', '--initial', self.initial, self.initial, '--final', self.final, self.final, '--out',
-                     self.out)
+        self.succeed('detect', '--initial', self.initial, self.initial_again, '--final', self.final,
+                     self.final_again, '--out', self.out)
         found = json.loads((self.out / 'detections.json').read_text())
         self.assertEqual(found['method'], 'spatial')
         self.assertEqual(found['frames'], {'initial': 12, 'final': 12})
         self.assertEqual(len(self.objects_found(found)[0]), 3)
 
     def test_static_methods_take_an_exact_return(self):
-        sides = ('--initial', self.initial, self.final, '--final', self.final, '--out', self.out)
+        sides = ('--initial', self.initial, self.final_again, '--final', self.final, '--out', self.out)
         done = self.succeed('detect', *sides, '--method', 'calibrated')
         self.assertIn('0 finding(s)', done.stdout)
         self.assertIn('the others were not used', done.stderr)
-        self.check_fails('detect', '--initial', self.initial, self.initial, '--final', self.final, '--out',
+        self.check_fails('detect', '--initial', self.initial, self.initial_again, '--final', self.final, '--out',
                          self.folder / 'other', '--method', 'constant', names=['spatial'])
 
     def test_octree_is_the_thesis_pipeline(self):
         # One step and half a metre: the whole takes a minute.
-        found = self.detect(self.final, self.final, '--method', 'octree', '--icp-iterations', 1, '--octree-far', 0.5)
+        found = self.detect(self.final_again, self.final, '--method', 'octree', '--icp-iterations', 1, '--octree-far',
+                            0.5)
         self.assertEqual((found['method'], found['frames']), ('octree', {'initial': 1, 'final': 1}))
         self.assertEqual(found['parameters']['octree_cell_m'], 0.05)
         self.assertEqual(found['detections'], [])

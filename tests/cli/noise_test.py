@@ -202,7 +202,8 @@ class NoiseTest(program.ProgramTest):
 
     def test_overwrite_replaces_a_noise_result_only(self):
         capture = write_capture(self.folder / 'capture', self.frames)
-        self.succeed('detect', capture, capture, '--out', self.out)
+        other = write_capture(self.folder / 'before', self.frames[::-1])
+        self.succeed('detect', other, capture, '--out', self.out)
         for options in ([], ['--overwrite']):
             self.check_fails('noise', capture, '--out', self.out, *options, names=[self.out])
         other = self.folder / 'other'
