@@ -1,6 +1,8 @@
 #include "inspect/noise_watch.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <utility>
 
 #include "core/quantile.hpp"
@@ -15,7 +17,16 @@ NoiseWatch::NoiseWatch(const CaptureInfo& info)
       even_(info.depth.width, info.depth.height),
       odd_(info.depth.width, info.depth.height) {}
 
-void NoiseWatch::add(const DepthImage& frame) { (frames() % 2 == 0 ? even_ : odd_).add(frame); }
+void NoiseWatch::add(const DepthImage& frame) {
+  (frames() % 2 == 0 ? even_ : odd_).add(frame);
+  if (first_.empty()) first_ = frame;
+  varies_ = varies_ || frame != first_;
+}
+
+bool NoiseWatch::frozen() const {
+  const auto measured = [](std::uint16_t depth) { return depth != no_depth; };
+  return frames() >= 2 && !varies_ && std::ranges::any_of(first_.pixels(), measured);
+}
 
 NoiseSoFar NoiseWatch::measure() const {
   assert(frames() >= 2);

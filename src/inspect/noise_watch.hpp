@@ -34,6 +34,10 @@ class NoiseWatch {
 
   [[nodiscard]] std::size_t frames() const { return even_.frames() + odd_.frames(); }
 
+  /// Whether there are two frames or more, all with the same depth: the camera was frozen, as noise makes
+  /// every image differ from the others. False for images without any measurement.
+  [[nodiscard]] bool frozen() const;
+
   /// Takes as long as a comparison. Requires at least two frames.
   [[nodiscard]] NoiseSoFar measure() const;
 
@@ -41,6 +45,8 @@ class NoiseWatch {
   StereoScale stereo_;
   DepthStatistics even_;
   DepthStatistics odd_;
+  DepthImage first_;
+  bool varies_ = false;  // whether a frame differed from the first one
 };
 
 }  // namespace rva

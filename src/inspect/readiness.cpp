@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "core/date_time.hpp"
 #include "core/error.hpp"
@@ -26,6 +27,7 @@ struct Watched {
   DepthStatistics second;
   double duration_s = 0.0;
   double measured = 0.0;
+  int repeated = 0;  ///< frames whose depth is that of the frame before
 };
 
 double measured_share(const DepthStatistics& statistics) {
@@ -40,10 +42,13 @@ Watched watch(LiveCamera& live, int frames, const Progress& progress) {
   const CaptureInfo info = camera->info();
   const int width = info.depth.width;
   const int height = info.depth.height;
-  Watched watched{info, {width, height}, {width, height}, 0.0, 0.0};
+  Watched watched{info, {width, height}, {width, height}};
+  DepthImage before;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < frames && frame; ++i) {
     (2 * i < frames ? watched.first : watched.second).add(frame->depth);
+    watched.repeated += frame->depth == before ? 1 : 0;
+    before = std::move(frame->depth);
     if (progress) progress("looking", static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(frames));
     frame = camera->wait_for_frame();
   }
@@ -58,6 +63,14 @@ ReadinessItem camera_item(const Watched& watched, const ReadinessOptions& option
   const std::string seen = fmt::format("{}, {} x {} pixels, {:.1f} frames per second",
                                        watched.info.camera.value_or(CameraInfo{"Camera", "", {}}).model,
                                        depth.width, depth.height, rate_hz);
+  // Noise makes every image differ from the one before.
+  if (watched.measured > 0.0 && 2 * watched.repeated >= options.frames)
+    return {
+        "Camera", false,
+        fmt::format(
+            "{}. It is frozen: {} of {} depth images are the same as the one before. Disconnect the camera "
+            "and connect it again.",
+            seen, watched.repeated, options.frames)};
   if (rate_hz >= options.least_rate_hz) return {"Camera", true, seen + "."};
   return {"Camera", false, seen + ": too few. Use a USB 3 port and cable, and close other programs."};
 }

@@ -7,6 +7,7 @@
 
 #include "camera/recording.hpp"
 #include "capture/folder/capture_writer.hpp"
+#include "capture/frozen.hpp"
 #include "core/clock.hpp"
 #include "core/date_time.hpp"
 #include "core/error.hpp"
@@ -53,11 +54,14 @@ class Witness {
     events_.progress(now_);
   }
 
+  /// @throws Error when all frames of a complete capture are the same image
   void see(const CameraFrame& frame) {
     if (approaching_) return events_.progress(now_);
     watch_.add(frame.depth);
     now_.frame = std::min(watch_.frames(), now_.frames);
     events_.progress(now_);
+    // Thrown before the last frame is written, so that the capture is never complete.
+    if (watch_.frames() == now_.frames && watch_.frozen()) throw frozen_camera("camera");
     if (watch_.frames() % frames_between_noise == 0 || watch_.frames() == now_.frames)
       events_.noise(watch_.measure());
   }

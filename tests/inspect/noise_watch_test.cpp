@@ -58,6 +58,24 @@ TEST(NoiseWatch, WhereNothingIsMeasuredNothingCouldBeFound) {
   EXPECT_TRUE(std::isnan(noise.least_mm(width / 2, height / 2)));
 }
 
+TEST(NoiseWatch, OfAFrozenCameraSaysSo) {
+  const DepthImage wall(width, height, 10000);
+  DepthImage other = wall;
+  other(width - 1, height - 1) = 10001;
+  NoiseWatch watch(camera());
+  watch.add(wall);
+  EXPECT_FALSE(watch.frozen()) << "one frame shows nothing";
+  for (int k = 0; k < 5; ++k) watch.add(wall);
+  EXPECT_TRUE(watch.frozen());
+  watch.add(other);
+  EXPECT_FALSE(watch.frozen());
+  watch.add(wall);
+  EXPECT_FALSE(watch.frozen()) << "once a frame differed, the camera was not frozen";
+  NoiseWatch blind(camera());
+  for (int k = 0; k < 4; ++k) blind.add(DepthImage(width, height));
+  EXPECT_FALSE(blind.frozen()) << "that nothing is measured has another reason";
+}
+
 TEST(NoiseWatch, RefusesAFrameOfAnotherSize) {
   NoiseWatch watch(camera());
   EXPECT_THROW(watch.add(DepthImage(8, 6)), Error);

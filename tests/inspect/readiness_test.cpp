@@ -32,7 +32,8 @@ using Surface = std::function<double(int u, int v, std::uint64_t frame)>;
 /// A camera of which every frame is known.
 class KnownCamera : public Camera {
  public:
-  explicit KnownCamera(Surface surface) : surface_(std::move(surface)) {}
+  explicit KnownCamera(Surface surface, bool frozen = false)
+      : surface_(std::move(surface)), frozen_(frozen) {}
   [[nodiscard]] CaptureInfo info() const override {
     CaptureInfo info;
     info.format = "rva-capture";
@@ -50,11 +51,14 @@ class KnownCamera : public Camera {
           depth(u, v) = static_cast<std::uint16_t>(std::lround(stereo.depth_m(disparity_px) / stereo.unit_m));
       }
     }
+    // The least noise: without any, the camera would be frozen.
+    if (!frozen_ && depth(0, 0) != no_depth) depth(0, 0) += number_ % 2;
     return CameraFrame{std::move(depth), std::nullopt, number_++, 0.0};
   }
 
  private:
   Surface surface_;
+  bool frozen_;
   std::uint64_t number_ = 0;
 };
 
@@ -121,6 +125,28 @@ TEST_F(ReadinessTest, OfASlowCameraIsNot) {
   const ReadinessItem problem = only_problem(check(wall, 100.0));
   EXPECT_EQ(problem.name, "Camera");
   EXPECT_THAT(problem.says, HasSubstr("frames per second: too few. Use a USB 3 port"));
+}
+
+TEST_F(ReadinessTest, OfACameraThatIsFrozenIsNot) {
+  LiveCamera camera(std::make_unique<KnownCamera>(wall, true), 500.0);
+  const ReadinessItem problem = only_problem(check_readiness(camera, drive_, folder_.path(), options_, {}));
+  EXPECT_EQ(problem.name, "Camera");
+  EXPECT_THAT(problem.says, AllOf(HasSubstr("It is frozen: 7 of 8 depth images are the same as the one before"),
+                                  HasSubstr("connect it again")));
+}
+
+TEST_F(ReadinessTest, OfACameraThatGivesMostImagesTwiceIsNot) {
+  const auto given = [](std::uint64_t times) -> Surface {
+    return [=](int, int, std::uint64_t frame) { return frame / times % 2 == 0 ? wall_px : wall_px + 0.02; };
+  };
+  const auto check_frozen = [&](std::uint64_t times) {
+    LiveCamera camera(std::make_unique<KnownCamera>(given(times), true), 500.0);
+    return check_readiness(camera, drive_, folder_.path(),
+                           {.frames = 40, .least_rate_hz = 0.0, .most_drift_px = 1.0, .least_free_gb = 0.0},
+                           {});
+  };
+  EXPECT_TRUE(check_frozen(1).ready());
+  EXPECT_EQ(only_problem(check_frozen(3)).name, "Camera");
 }
 
 TEST_F(ReadinessTest, NeedsEnoughMeasuredPixels) {

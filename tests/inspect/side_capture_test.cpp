@@ -133,6 +133,18 @@ TEST_F(Side3Views, ACameraThatIsUnpluggedIsWaitedForAndTheViewTakenAnew) {
   EXPECT_EQ(waited_.back(), "") << "and its return is reported";
 }
 
+TEST_F(Side3Views, OfAFrozenCameraAreRefusedAndNotRecorded) {
+  const auto freeze = [&](const CaptureProgress& now) {
+    if (now.view == 1 && now.frame == 0) plug_->frozen = true;
+  };
+  EXPECT_THAT([&] { take(freeze); }, testing::ThrowsMessage<Error>(HasSubstr("the camera was frozen")));
+  EXPECT_EQ(captures(), 1U) << "the one of before, and nothing half written";
+  EXPECT_TRUE(waited_.empty()) << "no device is away";
+  plug_->frozen = false;
+  take();
+  EXPECT_EQ(captures(), 3U);
+}
+
 // At every tick of the way from the first view on: what is known of the robot may be of before.
 TEST_F(Side3Views, ARobotThatIsUnpluggedIsWaitedFor) {
   for (int at = 0; at < 4; ++at) {
@@ -211,6 +223,19 @@ TEST_F(UnderALamp, CapturesWithAndWithoutAreNotMixed) {
         take({camera_, &drive}, true);
       },
       testing::ThrowsMessage<Error>(HasSubstr("has no images under the lamp")));
+}
+
+TEST(StandingCamera, ThatIsFrozenIsRefusedAndNothingIsRecorded) {
+  const test::TemporaryFolder folder;
+  const auto plug = std::make_shared<test::Plug>();
+  plug->frozen = true;
+  LiveCamera camera(std::make_unique<test::WavingCamera>(plug), 1000.0);
+  const SideCapture side{{{0, 0}}, 1, folder / "initial", "base", 8};
+  const CaptureEvents events{[](const CaptureProgress&) {}, [](const NoiseSoFar&) {},
+                             [](const std::string&) {}};
+  EXPECT_THAT([&] { take_side({camera}, side, events); },
+              testing::ThrowsMessage<Error>(HasSubstr("restart the camera")));
+  EXPECT_FALSE(std::filesystem::exists(side.folder / "000"));
 }
 
 TEST(StandingCamera, TakesNoEarlierCaptureForItsView) {

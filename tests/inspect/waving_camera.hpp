@@ -15,6 +15,7 @@ struct Plug {
   std::atomic<bool> pulled = false;
   std::atomic<int> frames_before_pull = -1;  ///< it pulls itself after so many; -1: never
   std::atomic<int> bump_mm = 0;              ///< height of what lies in the middle
+  std::atomic<bool> frozen = false;          ///< the last image is given again and again
 };
 
 /// A wall at 0.8 m with a little noise, 160 x 120.
@@ -36,6 +37,7 @@ class WavingCamera : public Camera {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (plug_->frames_before_pull >= 0 && plug_->frames_before_pull-- == 0) plug_->pulled = true;
     if (plug_->pulled) throw Error("camera", "was unplugged", "plug it in");
+    if (plug_->frozen && !last_.empty()) return CameraFrame{last_, std::nullopt, number_++, 0.0};
     DepthImage depth(width, height);
     for (int v = 0; v < height; ++v) {
       for (int u = 0; u < width; ++u) {
@@ -44,6 +46,7 @@ class WavingCamera : public Camera {
         depth(u, v) = static_cast<std::uint16_t>(10.0 * depth_mm);
       }
     }
+    last_ = depth;
     return CameraFrame{std::move(depth), std::nullopt, number_++, 0.0};
   }
 
@@ -51,6 +54,7 @@ class WavingCamera : public Camera {
   std::shared_ptr<Plug> plug_;
   Random random_{11};
   std::uint64_t number_ = 0;
+  DepthImage last_;
 };
 
 }  // namespace rva::test
