@@ -6,6 +6,7 @@
 
 #include "core/quantile.hpp"
 #include "core/units.hpp"
+#include "detect/findings/height_above_surroundings.hpp"
 #include "detect/findings/moved_things.hpp"
 
 namespace rva {
@@ -38,6 +39,16 @@ std::optional<double> height_mm(RegionDepth& depth, std::size_t pixels, ChangeKi
   return agrees ? std::optional(height_mm) : std::nullopt;
 }
 
+// An object that was added is seen after, one that was removed is seen before.
+void measure_surroundings(const Comparison& comparison, Finding& finding) {
+  const BeforeAndAfter depth = finding.kind == ChangeKind::added
+                                   ? BeforeAndAfter{comparison.final_m, comparison.initial_m}
+                                   : BeforeAndAfter{comparison.initial_m, comparison.final_m};
+  finding.above_surroundings_mm = height_above_surroundings_mm(finding.pixels, depth, comparison.changed);
+  finding.background_jump = finding.height_mm && finding.above_surroundings_mm &&
+                            is_background_jump(std::abs(*finding.height_mm), *finding.above_surroundings_mm);
+}
+
 // Equation 27 of docs/math.md.
 Finding measure(Region region, ChangeKind kind, const Comparison& comparison, const Intrinsics& camera) {
   Finding finding;
@@ -58,6 +69,7 @@ Finding measure(Region region, ChangeKind kind, const Comparison& comparison, co
   RegionDepth depth = depth_of(finding.pixels, comparison);
   locate(camera, depth.depths_m, finding);
   finding.height_mm = height_mm(depth, finding.pixels.size(), kind);
+  measure_surroundings(comparison, finding);
   if (comparison.evidence_is_rarity) {
     finding.score = rarest;
     // By Poisson statistics: 1 - exp(-n), where n = 10^-rarest is the expected number of such locations.

@@ -57,6 +57,12 @@ struct Finding {
   /// Median decrease of depth over the region, along z: positive for `added`, negative for `removed`. Empty
   /// if less than half of the region has depth both before and after, or if the sign contradicts the kind.
   std::optional<double> height_mm;
+  /// Height above the surface around it, along z, above 0: of an added finding after, of a removed one before
+  /// (height_above_surroundings.hpp).
+  std::optional<double> above_surroundings_mm{};
+  /// True if depth changed by much more than that, since a farther surface was seen there before, or is seen
+  /// now. False also where either is empty.
+  bool background_jump = false;
   std::optional<double> score;  ///< larger is more suspicious; comparable within a method
   std::optional<double> p_value;
   /// For an added finding, the id of a removed finding of about the same size (moved_things.hpp).

@@ -25,6 +25,10 @@ Json json_of(const Finding& finding, bool of_two) {
   if (const auto& p = finding.position_m) json["position_m"] = {p->x(), p->y(), p->z()};
   if (finding.size_mm) json["size_mm"] = *finding.size_mm;
   if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.above_surroundings_mm) {
+    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
+    if (finding.height_mm) json["background_jump"] = finding.background_jump;
+  }
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   if (finding.moved_from) json["moved_from"] = *finding.moved_from;
