@@ -52,6 +52,13 @@ void print_levels(const DetectionLevelSummary& summary) {
   for (const DetectionLevels& levels : summary.by_distance)
     print("{:>9.1f}-{:.1f} m: {:.1f} mm in half of it, {:.1f} mm in nine tenths\n", levels.from_m,
           levels.to_m, levels.median_mm, levels.p90_mm);
+  std::string shares;
+  for (const FindableShare& findable : summary.findable)
+    shares += shares.empty()
+                  ? fmt::format("{:.0f} % inspected for objects from {:.0f} mm up", 100.0 * findable.share,
+                                findable.size_mm)
+                  : fmt::format(", {:.0f} % from {:.0f} mm", 100.0 * findable.share, findable.size_mm);
+  print("{}\n", shares);
 }
 
 // A value that the method does not provide is printed as a dash.
@@ -59,7 +66,9 @@ std::string or_none(const char* format, std::optional<double> number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "-";
 }
 
-void print_for_a_person(const DetectArguments& arguments, const Detection& detection) {
+// @param final the camera of the first final capture
+void print_for_a_person(const DetectArguments& arguments, const Detection& detection,
+                        const Intrinsics& final) {
   const Findings& findings = detection.findings;
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
         findings.initial_frames, findings.final_frames);
@@ -86,7 +95,7 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
   if (coverage.beyond_clip) print(", too far {:.1f} %", 100.0 * *coverage.beyond_clip);
   if (coverage.left_out) print(", left out as asked {:.1f} %", 100.0 * *coverage.left_out);
   print("\n");
-  if (detection.level_of_detection) print_levels(detection.level_of_detection->summary);
+  if (detection.level_of_detection) print_levels(level_summary(detection, final));
   print("{}\n", arguments.out);
 }
 
@@ -194,7 +203,7 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   if (arguments.json) {
     print("{}", json_file_text(json_of(detection.findings)));
   } else {
-    print_for_a_person(arguments, detection);
+    print_for_a_person(arguments, detection, sides.final.front()->info().depth);
   }
   return arguments.fail_on_detection && !detection.findings.findings.empty() ? status_detected : 0;
 }

@@ -55,6 +55,13 @@ std::vector<std::string> result_files() {
   return names;
 }
 
+DetectionLevelSummary level_summary(const Detection& detection, const Intrinsics& final) {
+  const LevelOfDetection& level = *detection.level_of_detection;
+  DetectionLevelSummary summary = level.summary;
+  summary.findable = findable_shares(level.least_mm, detection.final_m, summary.window_px, final.fx);
+  return summary;
+}
+
 std::vector<std::string> write_result(const SidesDetection& result, const Capture& final,
                                       const std::filesystem::path& folder) {
   const Detection& detection = result.detection;
@@ -74,7 +81,8 @@ std::vector<std::string> write_result(const SidesDetection& result, const Captur
     write_file(folder / result_file::registration, json_file_text(json_of(*result.registration)));
   if (const auto& level = detection.level_of_detection) {
     write_file(folder / result_file::level_picture, encode_png(draw_level_of_detection(level->least_mm)));
-    write_file(folder / result_file::level, json_file_text(json_of(level->summary)));
+    write_file(folder / result_file::level,
+               json_file_text(json_of(level_summary(detection, final.info().depth))));
   }
   return warnings;
 }

@@ -26,6 +26,11 @@ inline constexpr std::string_view level_picture = "level_of_detection.png";
 /// All files that a result may have, in the form that OutputFolder takes.
 [[nodiscard]] std::vector<std::string> result_files();
 
+/// The summary in `level_of_detection.json`, with the shares that are findable.
+/// @param detection has a level of detection
+/// @param final     the camera of the first final capture
+[[nodiscard]] DetectionLevelSummary level_summary(const Detection& detection, const Intrinsics& final);
+
 /// Writes a result. Files that do not apply are left out: pictures on the colour image where there is none,
 /// for example.
 /// @param final  the first final capture, in whose view the findings are

@@ -174,7 +174,7 @@ class DetectTest(program.ProgramTest):
         self.assertEqual([f['kind'] for f in removed['detections']], ['removed'])
 
     def test_calibrated_says_what_it_could_have_found(self):
-        self.detect(*self.pair())
+        printed = self.succeed('detect', *self.pair(), '--out', self.out).stdout
         picture = read_image(self.out / 'level_of_detection.png')
         picture = picture[:CAMERA.height, :CAMERA.width]  # the bar beside it needs more height than so small an image
         self.assertTrue((picture[:6] == 0).all(), 'nothing is judged at the border')
@@ -185,6 +185,13 @@ class DetectTest(program.ProgramTest):
         for entry in level['by_distance']:
             self.assertLess(entry['from_m'], entry['to_m'])
             self.assertTrue(0 < entry['median_mm'] <= entry['p90_mm'])
+        findable = level['findable']
+        self.assertEqual([entry['size_mm'] for entry in findable], [5, 10, 20])
+        shares = [entry['share'] for entry in findable]
+        self.assertEqual(shares, sorted(shares))
+        self.assertLessEqual(shares[-1], level['judged'])
+        percents = [f'{100 * share:.0f} %' for share in shares]
+        self.assertIn('{} inspected for objects from 5 mm up, {} from 10 mm, {} from 20 mm\n'.format(*percents), printed)
         other = self.folder / 'gaussian'
         self.detect(*self.pair(), *GAUSSIAN, out=other)
         self.assertFalse((other / 'level_of_detection.png').exists(), 'this method has none')

@@ -100,6 +100,23 @@ std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm, co
   return levels;
 }
 
+double findable_share(const Image<float>& level_mm, const Image<float>& depth_m, int window_px,
+                      double focal_px, double size_mm) {
+  const double farthest_m = size_mm * focal_px / (mm_per_m * window_px);
+  std::size_t findable = 0;
+  for (std::size_t i = 0; i < level_mm.size(); ++i)
+    findable += level_mm[i] <= size_mm && depth_m[i] > 0.0F && depth_m[i] <= farthest_m ? 1U : 0U;
+  return static_cast<double>(findable) / static_cast<double>(level_mm.size());
+}
+
+std::vector<FindableShare> findable_shares(const Image<float>& level_mm, const Image<float>& depth_m,
+                                           int window_px, double focal_px) {
+  std::vector<FindableShare> shares;
+  for (const double size_mm : {5.0, 10.0, 20.0})
+    shares.push_back({size_mm, findable_share(level_mm, depth_m, window_px, focal_px, size_mm)});
+  return shares;
+}
+
 nlohmann::ordered_json json_of(const DetectionLevelSummary& summary) {
   nlohmann::ordered_json json{{"format", "rva-level-of-detection"}, {"version", 1}};
   json["judged"] = summary.judged;
@@ -115,6 +132,9 @@ nlohmann::ordered_json json_of(const DetectionLevelSummary& summary) {
                                    {"median_mm", levels.median_mm},
                                    {"p90_mm", levels.p90_mm}});
   }
+  if (!summary.findable.empty()) json["findable"] = nlohmann::ordered_json::array();
+  for (const FindableShare& findable : summary.findable)
+    json["findable"].push_back({{"size_mm", findable.size_mm}, {"share", findable.share}});
   return json;
 }
 

@@ -44,6 +44,12 @@ struct DetectionLevels {
   double p90_mm = 0.0;  ///< 90th percentile: nine tenths of the pixels are as good or better
 };
 
+/// Where objects of one size would have been found.
+struct FindableShare {
+  double size_mm = 0.0;  ///< height along z and width
+  double share = 0.0;    ///< of the depth image, 0 to 1
+};
+
 /// Levels of detection of an image, summarised for the user.
 struct DetectionLevelSummary {
   double judged = 0.0;    ///< share of the depth image
@@ -53,6 +59,7 @@ struct DetectionLevelSummary {
   /// Number of independent frames, see NoiseByClass; empty if it could not be estimated.
   std::optional<double> effective_frames;
   std::vector<DetectionLevels> by_distance;  ///< classes of 0.2 m that contain pixels, near to far
+  std::vector<FindableShare> findable{};     ///< small to large; empty where it was not asked for
 };
 
 /// Share of the pixels that have a level of detection.
@@ -61,6 +68,19 @@ struct DetectionLevelSummary {
 /// Summarises levels by distance, in classes of 0.2 m.
 [[nodiscard]] std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm,
                                                               const Image<float>& depth_m);
+
+/// The share of the depth image in which an object as high and as wide as `size_mm` would have been found:
+/// where the level is that height or less, and where the object appears as wide as the window at that depth,
+/// as the level requires. It grows with the size and is at most judged_share().
+/// @param depth_m  depth after, metres; 0 where not measured
+/// @param focal_px focal length of the depth image
+[[nodiscard]] double findable_share(const Image<float>& level_mm, const Image<float>& depth_m, int window_px,
+                                    double focal_px, double size_mm);
+
+/// findable_share() of objects of 5, 10 and 20 mm.
+[[nodiscard]] std::vector<FindableShare> findable_shares(const Image<float>& level_mm,
+                                                         const Image<float>& depth_m, int window_px,
+                                                         double focal_px);
 
 /// The content of `level_of_detection.json` (docs/calibrated.md).
 [[nodiscard]] nlohmann::ordered_json json_of(const DetectionLevelSummary& summary);

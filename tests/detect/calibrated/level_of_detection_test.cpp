@@ -167,6 +167,62 @@ TEST(LevelsByDistance, AreWrittenWithNamesAndUnits) {
   EXPECT_EQ(json_of(summary)["effective_frames"], 12.5);
 }
 
+/// Levels and depths at random, some of them unknown.
+struct RandomLevels {
+  explicit RandomLevels(std::uint64_t seed) {
+    Random random(seed);
+    for (std::size_t i = 0; i < level_mm.size(); ++i) {
+      depth_m[i] = random.uniform() < 0.1 ? 0.0F : static_cast<float>(random.uniform(0.2, 2.0));
+      level_mm[i] = random.uniform() < 0.2 ? unknown : static_cast<float>(random.uniform(0.5, 30.0));
+    }
+  }
+  Image<float> level_mm{60, 40};
+  Image<float> depth_m{60, 40};
+};
+
+TEST(FindableShare, GrowsWithTheSizeUpToWhatIsJudged) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const RandomLevels image(seed);
+    for (const int window_px : {3, 7, 15}) {
+      double less = 0.0;
+      for (double size_mm = 1.0; size_mm < 100.0; size_mm *= 1.3) {
+        const double share = findable_share(image.level_mm, image.depth_m, window_px, 425.0, size_mm);
+        EXPECT_GE(share, less);
+        EXPECT_LE(share, judged_share(image.level_mm));
+        less = share;
+      }
+      EXPECT_GT(less, 0.5) << "all that is judged and has depth, in the end";
+    }
+  }
+}
+
+// The width of an object in the image is counted: pixels whose rays hit it.
+TEST(FindableShare, CountsPixelsInWhichAnObjectIsHighAndWideEnough) {
+  constexpr double focal_px = 425.0;
+  constexpr int window_px = 7;
+  const RandomLevels image(7);
+  for (const FindableShare& findable : findable_shares(image.level_mm, image.depth_m, window_px, focal_px)) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.level_mm.size(); ++i) {
+      if (std::isnan(image.level_mm[i]) || image.depth_m[i] == 0.0F) continue;
+      const double width_px = findable.size_mm / 1000.0 / static_cast<double>(image.depth_m[i]) * focal_px;
+      if (width_px < window_px || static_cast<double>(image.level_mm[i]) > findable.size_mm) continue;
+      ++count;
+    }
+    EXPECT_GT(count, 0U) << findable.size_mm;
+    EXPECT_EQ(findable.share, static_cast<double>(count) / 2400.0) << findable.size_mm;
+  }
+}
+
+TEST(FindableShare, IsWrittenWhereItWasAskedFor) {
+  DetectionLevelSummary summary{0.5, 9, 0.0, 0.0, std::nullopt, {}};
+  EXPECT_FALSE(json_of(summary).contains("findable"));
+  summary.findable = {{5.0, 0.25}, {10.0, 0.5}};
+  EXPECT_EQ(
+      json_of(summary)["findable"],
+      nlohmann::ordered_json::parse(R"([{"size_mm": 5.0, "share": 0.25}, {"size_mm": 10.0, "share": 0.5}])"));
+}
+
 TEST(LevelOfDetection, IsDrawnBlackWhereItIsUnknown) {
   Image<float> level_mm(width, height, 9.0F);
   level_mm(30, 40) = unknown;
