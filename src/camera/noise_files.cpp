@@ -54,7 +54,9 @@ GrayImage drift_picture(const Noise& noise) {
 
 void write_noise(const Noise& noise, const OutputFolder& out) {
   const ColorScale scale = scale_from_zero(noise.std_mm);
-  write_file(out.path("std.png"), encode_png(with_scale_bar(colorize(noise.std_mm, scale), scale, "std mm")));
+  // The colours of the thesis' figure 3.5, which this picture repeats.
+  write_file(out.path("std.png"), encode_png(with_legend(colorize(noise.std_mm, scale, ColorMap::jet), scale,
+                                                         "deviation\nover time\n(mm)", ColorMap::jet)));
   write_file(out.path("drift.png"), encode_png(drift_picture(noise)));
   write_file(out.path("noise.json"), json_file_text(json_of(noise.report)));
 }

@@ -140,7 +140,7 @@ nlohmann::ordered_json json_of(const DetectionLevelSummary& summary) {
 
 ColorImage draw_level_of_detection(const Image<float>& level_mm) {
   const ColorScale scale = scale_from_zero(level_mm);
-  return with_scale_bar(colorize(level_mm, scale), scale, "least mm");
+  return with_legend(colorize(level_mm, scale), scale, "least height\nfound (mm)");
 }
 
 }  // namespace rva

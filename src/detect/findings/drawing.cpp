@@ -123,12 +123,12 @@ ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>
   for (std::size_t i = 0; i < measured.size(); ++i) {
     if (measured[i] <= 0.0F) measured[i] = std::numeric_limits<float>::quiet_NaN();
   }
-  const ColorScale scale = scale_around(measured);
+  const ColorScale scale = scale_of_depth(measured);
   ColorImage colors = colorize(measured, scale);
   hatch(colors, left_out);
   cv::Mat picture = as_mat(colors);
   for (const Finding& finding : findings) draw_box(picture, finding.box, finding.id, white);
-  return colors;
+  return with_legend(colors, scale, "depth (m)");
 }
 
 ColorImage draw_changed_points(ColorImage color, const Mask& changed, const Image<float>& final_m,

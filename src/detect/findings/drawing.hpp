@@ -29,7 +29,8 @@ struct Overlay {
                                     const Image<float>& final_m, const CaptureInfo& capture);
 
 /// Draws white boxes on the colourised depth image, which needs no ambient light (thesis figure 3.13). The
-/// picture has the pixels of the depth image; black where nothing was measured, blue near, red far.
+/// picture has the pixels of the depth image, and a legend at their right; black where nothing was measured,
+/// blue near, red far.
 /// @param left_out pixels to dim and hatch; empty for none
 [[nodiscard]] ColorImage draw_on_depth(const Image<float>& final_m, const std::vector<Finding>& findings,
                                        const Mask& left_out = {});

@@ -74,8 +74,9 @@ TEST(Overlay, SurvivesFindingsAtTheBorder) {
          {std::pair{0, 0}, {100 - side, 0}, {0, 80 - side}, {100 - side, 80 - side}}) {
       const std::vector<Finding> findings{square_at(left, top, side, 100)};
       const ColorImage picture = draw_on_depth(Image<float>(100, 80, 1.0F), findings);
-      EXPECT_EQ(picture.width(), 100);
-      EXPECT_EQ(picture.height(), 80);
+      EXPECT_GT(picture.width(), 100) << "a legend is at the right";
+      EXPECT_GE(picture.height(), 80);
+      EXPECT_EQ(picture(picture.width() - 1, 0), (Rgb{255, 255, 255}));
     }
   }
 }
