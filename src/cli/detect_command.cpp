@@ -17,11 +17,13 @@
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
+#include "core/file_origin.hpp"
 #include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "detect/detect.hpp"
 #include "detect/genuine_captures.hpp"
+#include "detect/provenance.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "detect/result_folder.hpp"
 
@@ -114,6 +116,7 @@ std::vector<std::string> options_without_effect(const CLI::App& command, Detecti
 struct Sides {
   Captures initial;
   Captures final;
+  Provenance provenance;
 };
 
 std::vector<std::filesystem::path> paths_of(const std::string& one, const std::vector<std::string>& many) {
@@ -132,7 +135,10 @@ Sides open_sides(const DetectArguments& arguments) {
   const auto initial = paths_of(arguments.initial, arguments.initial_side);
   const auto final = paths_of(arguments.final, arguments.final_side);
   require_distinct(initial, final);
-  return {open_side(initial, options), open_side(final, options)};
+  Sides sides{open_side(initial, options), open_side(final, options), {time_of_making(), {}, {}}};
+  sides.provenance.initial = sources_of(initial, sides.initial);
+  sides.provenance.final = sources_of(final, sides.final);
+  return sides;
 }
 
 void check_sides(const DetectArguments& arguments) {
@@ -196,12 +202,13 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   std::vector<std::string> warnings =
       options_without_effect(command, value_of<DetectionMethod>(detection.findings.method).value());
   std::ranges::copy(detection.warnings, std::back_inserter(warnings));
-  std::ranges::move(write_result(result, *sides.final.front(), out.path("")), std::back_inserter(warnings));
+  std::ranges::move(write_result(result, *sides.final.front(), out.path(""), sides.provenance),
+                    std::back_inserter(warnings));
   out.commit();
   for (const std::string& warning : warnings) fmt::print(stderr, "rva: warning: {}\n", warning);
 
   if (arguments.json) {
-    print("{}", json_file_text(json_of(detection.findings)));
+    print("{}", json_file_text(detections_json(detection.findings, sides.provenance)));
   } else {
     print_for_a_person(arguments, detection, sides.final.front()->info().depth);
   }

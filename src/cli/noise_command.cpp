@@ -37,12 +37,17 @@ void print_row(const char* name, const NoiseBin& bin) {
         bin.subpixel_rms_px ? fmt::format("{:.3f}", *bin.subpixel_rms_px) : "-");
 }
 
+// Distances with fewer pixels are in noise.json only: they are wrong matches more often than surfaces.
+constexpr std::size_t fewest_pixels = 100;
+
 void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& report) {
   print("{} frames, {:.1f} % of pixels measured\n", report.frames, 100.0 * report.fill_rate);
   print("{:>10}  {:>9}  {:>14}  {:>11}  {:>12}\n", "distance m", "pixels", "median std mm", "95 % std mm",
         "sub-pixel px");
-  for (const NoiseBin& bin : report.bins)
+  for (const NoiseBin& bin : report.bins) {
+    if (bin.pixels < fewest_pixels) continue;
     print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
+  }
   print_row("all", report.overall);
   if (report.overall.pixels == 0) print("no pixel was measured twice, so the noise is unknown\n");
   print(

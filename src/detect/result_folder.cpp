@@ -62,11 +62,20 @@ DetectionLevelSummary level_summary(const Detection& detection, const Intrinsics
   return summary;
 }
 
+nlohmann::ordered_json detections_json(const Findings& findings,
+                                       const std::optional<Provenance>& provenance) {
+  nlohmann::ordered_json json = json_of(findings);
+  if (provenance) json["provenance"] = json_of(*provenance);
+  return json;
+}
+
 std::vector<std::string> write_result(const SidesDetection& result, const Capture& final,
-                                      const std::filesystem::path& folder) {
+                                      const std::filesystem::path& folder,
+                                      const std::optional<Provenance>& provenance) {
   const Detection& detection = result.detection;
   std::vector<std::string> warnings;
-  write_file(folder / result_file::detections, json_file_text(json_of(detection.findings)));
+  write_file(folder / result_file::detections,
+             json_file_text(detections_json(detection.findings, provenance)));
   write_file(folder / result_file::changes, encode_png(detection.changed));
   write_file(folder / result_file::depth_overlay,
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out)));

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "capture/capture.hpp"
 #include "detect/detect.hpp"
+#include "detect/provenance.hpp"
 
 namespace rva {
 
@@ -31,6 +34,10 @@ inline constexpr std::string_view level_picture = "level_of_detection.png";
 /// @param final     the camera of the first final capture
 [[nodiscard]] DetectionLevelSummary level_summary(const Detection& detection, const Intrinsics& final);
 
+/// The content of `detections.json`, with its provenance last where that is given.
+[[nodiscard]] nlohmann::ordered_json detections_json(const Findings& findings,
+                                                     const std::optional<Provenance>& provenance);
+
 /// Writes a result. Files that do not apply are left out: pictures on the colour image where there is none,
 /// for example.
 /// @param final  the first final capture, in whose view the findings are
@@ -38,6 +45,7 @@ inline constexpr std::string_view level_picture = "level_of_detection.png";
 /// @return       warnings for the user on pictures that are missing or only approximate
 /// @throws Error when a file cannot be written
 [[nodiscard]] std::vector<std::string> write_result(const SidesDetection& result, const Capture& final,
-                                                    const std::filesystem::path& folder);
+                                                    const std::filesystem::path& folder,
+                                                    const std::optional<Provenance>& provenance = {});
 
 }  // namespace rva

@@ -3,6 +3,7 @@
 usage: detect_test.py RVA
 """
 import json
+import os
 
 import numpy as np
 
@@ -419,10 +420,31 @@ class DetectTest(program.ProgramTest):
         self.assertEqual(len(self.detect(frozen, b, '--method', 'constant')['detections']), 1)
         self.check_fails('noise', frozen, '--out', self.folder / 'noise', names=['the camera was frozen'])
 
+    def test_provenance_names_captures_program_and_time(self):
+        camera = {'model': 'D435', 'serial': '7'}
+        self.write('a', self.initial_frames, camera=camera, captured_at='2026-01-02T03:04:05Z')
+        self.write('b', self.final_frames[:4])
+        made = self.detect('a', 'b/')['provenance']
+        self.assertEqual(made['initial'], [{'path': 'a', 'format': 'rva-capture', 'frames': FRAMES, 'serial': '7',
+                                            'captured_at': '2026-01-02T03:04:05Z'}])
+        self.assertEqual(made['final'], [{'path': 'b/', 'format': 'rva-capture', 'frames': 4}])
+        self.assertEqual(f"{made['version']}\n", self.succeed('--version').stdout)
+        self.assertRegex(made['created_at'], r'\A20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z\Z')
+
+    def test_time_may_be_set_for_repeatable_bytes(self):
+        a, b = self.pair()
+        self.addCleanup(os.environ.pop, 'SOURCE_DATE_EPOCH', None)
+        os.environ['SOURCE_DATE_EPOCH'] = '1767225600'
+        self.assertEqual(self.detect(a, b)['provenance']['created_at'], '2026-01-01T00:00:00.000Z')
+        for wrong in ('', 'today', '-1', '1.5', '99999999999999999999'):
+            os.environ['SOURCE_DATE_EPOCH'] = wrong
+            self.check_fails('detect', a, b, '--out', self.folder / 'other', names=['SOURCE_DATE_EPOCH'])
+
     def test_two_runs_agree(self):
         initial, final = self.pair()
         one, two = (self.detect(initial, final, out=self.folder / out) for out in ('one', 'two'))
-        del one['runtime_ms'], two['runtime_ms']
+        for result in (one, two):
+            del result['runtime_ms'], result['provenance']['created_at']
         for name in ('changes.png', 'overlay.png', 'depth_overlay.png'):
             self.assertEqual((self.folder / 'one' / name).read_bytes(),
                              (self.folder / 'two' / name).read_bytes(), name)

@@ -200,6 +200,15 @@ class NoiseTest(program.ProgramTest):
         self.assertEqual(sorted(path.name for path in self.out.iterdir()),
                          ['drift.png', 'noise.json', 'std.png'])
 
+    def test_table_leaves_out_distances_of_a_few_pixels_that_the_file_has(self):
+        self.frames[:, 20:22, 8:12] += 60000 - 15000  # eight pixels at 6 m
+        capture = write_capture(self.folder / 'capture', self.frames, unit_m=UNIT_M)
+        table = self.succeed('noise', capture, '--out', self.out).stdout
+        for distance, printed in (('1.50', True), ('2.00', True), ('6.00', False), ('5.75', False)):
+            self.assertEqual(f' {distance}-' in table, printed, table)
+        far = [entry for entry in json.loads((self.out / 'noise.json').read_text())['by_distance'] if entry['from_m'] > 5]
+        self.assertEqual(sum(entry['pixels'] for entry in far), 8)
+
     def test_overwrite_replaces_a_noise_result_only(self):
         capture = write_capture(self.folder / 'capture', self.frames)
         other = write_capture(self.folder / 'before', self.frames[::-1])
