@@ -10,8 +10,6 @@
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
-#include "core/file.hpp"
-#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "evaluate/moved_report.hpp"
 #include "evaluate/recorded_study.hpp"
@@ -59,7 +57,7 @@ void evaluate_recorded(const EvaluateArguments& arguments) {
                    arguments.overwrite ? Existing::replace : Existing::refuse);
   const std::vector<RecordedInspection> inspections =
       run_recorded_study(arguments.recorded, terminal_progress());
-  write_file(out.path(evaluation_file), json_file_text(json_of(inspections)));
+  write_evaluation(json_of(inspections), arguments.recorded, out);
   out.commit();
   print("{}{}\n", to_table(inspections), arguments.out);
 }

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/file_origin.hpp"
 #include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
@@ -38,9 +39,9 @@ class EvaluationFile {
     return folder_.resume && fs::exists(path(), ignored);
   }
 
-  void write(const nlohmann::ordered_json& content) {
+  void write(nlohmann::ordered_json evaluation, const std::string& input) {
     OutputFolder out(folder_.path, {evaluation_file}, existing_);
-    write_file(out.path(evaluation_file), json_file_text(content));
+    write_evaluation(std::move(evaluation), input, out);
     out.commit();
     existing_ = Existing::replace;
   }
@@ -79,6 +80,12 @@ std::string begun_with(const MovedStudyOptions& options, const StudySubject& sub
 
 }  // namespace
 
+void write_evaluation(nlohmann::ordered_json evaluation, const std::string& input, const OutputFolder& out) {
+  evaluation["provenance"] = provenance_json(time_of_making());
+  if (!input.empty()) evaluation["provenance"]["input"] = printable(input);
+  write_file(out.path(evaluation_file), json_file_text(evaluation));
+}
+
 std::vector<SimulatedInspection> run_study_in(const StudyFolder& folder, StudyOptions options,
                                               const StudySubject& subject, const Progress& progress) {
   std::optional<Scene> scene;
@@ -87,7 +94,7 @@ std::vector<SimulatedInspection> run_study_in(const StudyFolder& folder, StudyOp
   options.bay = bay_features(subject.bay);
   EvaluationFile file(folder);
   const auto keep = [&](const std::vector<SimulatedInspection>& inspections) {
-    file.write(json_of(Evaluation{subject.scene, subject.cameras, name_of_bay(subject), inspections}));
+    file.write(json_of(Evaluation{subject.scene, subject.cameras, name_of_bay(subject), inspections}), subject.scene);
   };
   return run_study(options, scene, earlier(file, subject), progress, keep);
 }
@@ -103,7 +110,7 @@ std::vector<MovedInspection> run_moved_study_in(const StudyFolder& folder, Moved
   if (file.is_resumed())
     earlier = moved_inspections_from_json(read_text_file(file.path()), printable(file.path()), arguments);
   const auto keep = [&](const std::vector<MovedInspection>& inspections) {
-    file.write(json_of(inspections, arguments));
+    file.write(json_of(inspections, arguments), "");
   };
   return run_moved_study(options, std::move(earlier), progress, keep);
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "core/output_folder.hpp"
 #include "core/progress.hpp"
 #include "evaluate/moved_study.hpp"
 #include "evaluate/study.hpp"
@@ -13,6 +15,10 @@ namespace rva {
 
 /// The file of a study in its folder.
 inline constexpr auto evaluation_file = "evaluation.json";
+
+/// Writes evaluation.json: an evaluation with its provenance.
+/// @param input the scene or recordings, as given; empty for inspections drawn by chance
+void write_evaluation(nlohmann::ordered_json evaluation, const std::string& input, const OutputFolder& out);
 
 /// The folder of a study, and what to do with an evaluation that is there.
 struct StudyFolder {

@@ -3,12 +3,19 @@
 usage: evaluate_test.py RVA
 """
 import json
+import os
 
 import program
 from simulations import TOOLS
 
 
 class EvaluateTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        # Evaluations are compared as a whole, with the time that they state.
+        os.environ['SOURCE_DATE_EPOCH'] = '1767225600'
+        self.addCleanup(os.environ.pop, 'SOURCE_DATE_EPOCH')
+
     def evaluate(self, *options):
         done = self.succeed('evaluate', '--out', self.out, '--inspections', 1, '--frames', '2,3', *options)
         return done, json.loads((self.out / 'evaluation.json').read_text())
@@ -20,6 +27,9 @@ class EvaluateTest(program.ProgramTest):
         self.assertEqual(inspection['seed'], 5)
         self.assertEqual(sorted(target['kind'] for target in inspection['targets']),
                          ['flashlight', 'key', 'screwdriver'])
+        made = report['provenance']
+        self.assertEqual((made['program'], made['created_at'], made['input']),
+                         ('rva', '2026-01-01T00:00:00.000Z', str(TOOLS)))
         self.assertEqual({tally['frames'] for tally in report['tallies']}, {2, 3})
         self.assertEqual({tally['method'] for tally in report['tallies']}, {'constant', 'gaussian', 'calibrated'})
         for tally in report['tallies']:
