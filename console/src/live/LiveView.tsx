@@ -4,12 +4,18 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { link } from '../link/live_link';
-import { useStore } from '../store';
+import { whole, type Zoom } from '../picture/zoom';
+import { ZoomButtons } from '../picture/ZoomButtons';
+import { ZoomPicture } from '../picture/ZoomPicture';
+import { Store, useStore } from '../store';
 import type { Measurement, PictureHead, Pixel, Stream } from '../types';
 import { DepthScale } from './DepthScale';
 import { MeasureMarks } from './MeasureMarks';
 
 const names: Record<Stream, string> = { color: 'Colour', depth: 'Depth', infrared: 'Infrared' };
+
+/** The part of the picture that is shown, the same of all streams. */
+const liveZoom = new Store<Zoom>(whole);
 
 export function LiveView({ children }: { children?: ComponentChildren }) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -59,14 +65,7 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
     setMeasured(null);
   }, [turning]);
 
-  const pick = (event: MouseEvent) => {
-    const target = canvas.current;
-    if (!target) return;
-    const box = target.getBoundingClientRect();
-    const pixel = {
-      u: ((event.clientX - box.left) / box.width) * target.width - 0.5,
-      v: ((event.clientY - box.top) / box.height) * target.height - 0.5,
-    };
+  const pick = (pixel: Pixel) => {
     const next = points.length === 1 ? [...points, pixel] : [pixel];
     setPoints(next);
     setMeasured(null);
@@ -91,21 +90,29 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
             </button>
           ))}
         </div>
+        <ZoomButtons zoom={liveZoom} />
         <span class="hint">Tap a point to read its distance; tap a second to measure between them.</span>
       </div>
-      <div class="picture">
-        <div class="picture-fit" style={{ aspectRatio: `${head?.width ?? 848} / ${head?.height ?? 480}` }}>
-          <canvas ref={canvas} data-testid="live" aria-label={`Live ${names[stream].toLowerCase()} picture`} role="img" onClick={pick} />
-          {head && <MeasureMarks width={head.width} height={head.height} points={points} measured={measured} />}
-          {stream === 'depth' && head?.scale_m && <DepthScale range_m={head.scale_m} />}
-          {problem && (
-            <p class="picture-problem" role="alert" data-testid="live-problem">
-              {problem}
-            </p>
-          )}
-          {children}
-        </div>
-      </div>
+      <ZoomPicture
+        size={head ?? { width: 848, height: 480 }}
+        zoom={liveZoom}
+        label="Live picture"
+        overlay={(frame) => head && <MeasureMarks frame={frame} points={points} measured={measured} />}
+        fixed={
+          <>
+            {stream === 'depth' && head?.scale_m && <DepthScale range_m={head.scale_m} />}
+            {problem && (
+              <p class="picture-problem" role="alert" data-testid="live-problem">
+                {problem}
+              </p>
+            )}
+            {children}
+          </>
+        }
+        onTap={pick}
+      >
+        <canvas ref={canvas} data-testid="live" aria-label={`Live ${names[stream].toLowerCase()} picture`} role="img" />
+      </ZoomPicture>
     </section>
   );
 }

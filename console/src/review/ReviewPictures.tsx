@@ -1,14 +1,18 @@
 // Before and after, aligned pixel by pixel, with what changed and what could not be inspected.
 import './review.css';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { pictureAddress } from '../link/api';
-import { signOf } from '../inspection/words';
+import { closeTo, whole } from '../picture/zoom';
+import { ZoomButtons } from '../picture/ZoomButtons';
+import { ZoomPicture, type Frame } from '../picture/ZoomPicture';
+import type { Size } from '../regions/shapes';
 import { useStore } from '../store';
-import type { Finding, Inspection } from '../types';
+import type { Finding, Inspection, Pixel } from '../types';
 import { CoverageText } from './CoverageText';
+import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
 import { groupsOf, type Group } from './groups';
-import { review, show, type Layer, type Moment } from './review_state';
+import { review, reviewZoom, show, type Layer, type Moment } from './review_state';
 
 const layers: [Layer, string][] = [
   ['color', 'Colour'],
@@ -41,33 +45,9 @@ function useBlink(moment: Moment): boolean {
   return before;
 }
 
-function FindingBox({ finding, number, selected, onPick }: { finding: Finding; number: number; selected: boolean; onPick: () => void }) {
-  const [x, y, width, height] = finding.bbox;
-  const gap = 6;
-  return (
-    <g class={`finding-box ${finding.kind} ${selected ? 'selected' : ''}`} onClick={onPick}>
-      <rect class="halo" x={x - gap} y={y - gap} width={width + 2 * gap} height={height + 2 * gap} rx="4" />
-      <rect x={x - gap} y={y - gap} width={width + 2 * gap} height={height + 2 * gap} rx="4" />
-      <text x={x - gap} y={y - gap - 5}>
-        {`${number} ${signOf(finding.kind)}`}
-      </text>
-    </g>
-  );
-}
-
 function viewsOf(group: Group): string {
   const views = [...new Set(group.all.map((finding) => finding.view + 1))];
   return `view ${views.join(' and ')}`;
-}
-
-// Three times as large, with the finding in the middle as far as the picture's edges allow.
-function enlarged(finding: Finding, size: { width: number; height: number }): { transform: string } {
-  const times = 3;
-  const shift = (middle: number, length: number) => Math.max(1 - times, Math.min(0, 0.5 - (times * middle) / length));
-  const [x, y, width, height] = finding.bbox;
-  return {
-    transform: `translate(${100 * shift(x + width / 2, size.width)}%, ${100 * shift(y + height / 2, size.height)}%) scale(${times})`,
-  };
 }
 
 function ViewTabs({ inspection, view }: { inspection: Inspection; view: number }) {
@@ -83,19 +63,59 @@ function ViewTabs({ inspection, view }: { inspection: Inspection; view: number }
   );
 }
 
+// Follows the selected finding while it is to be seen closer, also into another view.
+function useCloser(finding: Finding | undefined, closer: boolean, size: Size): void {
+  const known = useRef(closer);
+  useEffect(() => {
+    if (closer && finding) reviewZoom.value = closeTo(finding.bbox, size);
+    else if (!closer && known.current) reviewZoom.value = whole;
+    known.current = closer;
+  }, [closer, finding?.number, size.width, size.height]);
+}
+
+function Layers({ inspection, view, before, onSize }: { inspection: Inspection; view: number; before: boolean; onSize: (size: Size) => void }) {
+  const { layer, findings, glow, uninspected } = useStore(review);
+  const address = (name: string) => pictureAddress(inspection, view, name);
+  const kind = layer === 'depth' ? 'depth' : 'color';
+  return (
+    <>
+      {layer === 'binary' ? (
+        <img src={address('changes')} alt="White: changed" draggable={false} />
+      ) : (
+        <>
+          <img
+            src={address(`final_${kind}`)}
+            alt="After the work"
+            draggable={false}
+            data-testid="picture-after"
+            onLoad={(event) => onSize({ width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight })}
+          />
+          <img src={address(`initial_${kind}`)} alt="Before the work" draggable={false} data-testid="picture-before" class={before ? '' : 'hidden'} />
+          {findings && glow && !before && <img src={address('changed')} alt="" draggable={false} class="glow" data-testid="picture-changed" />}
+        </>
+      )}
+      {uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" draggable={false} class="glow striped" data-testid="picture-uninspected" />}
+    </>
+  );
+}
+
 export function ReviewPictures({ inspection }: { inspection: Inspection }) {
   const state = useStore(review);
   const before = useBlink(state.moment);
   const view = Math.min(state.view, inspection.views.length - 1);
-  const address = (name: string) => pictureAddress(inspection, view, name);
-  const kind = state.layer === 'depth' ? 'depth' : 'color';
   const groups = groupsOf(inspection);
-  const here = groups.flatMap((group) => group.all.filter((finding) => finding.view === view).map((finding) => ({ group, finding })));
+  const marked: Marked[] = groups.flatMap(({ label, lead, all }) =>
+    all.filter((finding) => finding.view === view).map((finding) => ({ finding, label, selected: lead.number === state.group })),
+  );
   const coverage = inspection.compared.find((compared) => compared.view === view);
-  const width = 848;
-  const [size, setSize] = useState({ width, height: 480 });
+  const [size, setSize] = useState<Size>({ width: 848, height: 480 });
   const chosen = groups.find((group) => group.lead.number === state.group);
-  const closer = state.closer ? here.find(({ group }) => group === chosen)?.finding : undefined;
+  const here = marked.find(({ selected }) => selected);
+  useCloser(here?.finding, state.closer, size);
+  const pick = (at: Pixel, { screen_px }: Frame) => {
+    const hit = state.findings && findingAt(marked, at, screen_px);
+    if (hit) show({ group: hit.finding.same_as });
+  };
   return (
     <section class="view" aria-label="Before and after">
       <div class="view-bar">
@@ -103,50 +123,27 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
         <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
         {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
         <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
-        <Toggle label="Closer" testId="closer" on={state.closer} onChange={(next) => show({ closer: next })} />
+        <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
+        <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
         <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
+        <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
       </div>
-      <div class="picture">
-        <div class="picture-fit" style={{ aspectRatio: `${size.width} / ${size.height}` }}>
-          <div class="layers" style={closer && enlarged(closer, size)}>
-            {state.layer === 'binary' ? (
-              <img src={address('changes')} alt="White: changed" />
-            ) : (
-              <>
-                <img
-                  src={address(`final_${kind}`)}
-                  alt="After the work"
-                  data-testid="picture-after"
-                  onLoad={(event) => setSize({ width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight })}
-                />
-                <img src={address(`initial_${kind}`)} alt="Before the work" data-testid="picture-before" class={before ? '' : 'hidden'} />
-                {state.findings && !before && <img src={address('changed')} alt="" class="glow" />}
-              </>
-            )}
-            {state.uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" class="glow" data-testid="picture-uninspected" />}
-            {state.findings && (
-              <svg class="overlay clickable" viewBox={`0 0 ${size.width} ${size.height}`} data-testid="boxes">
-                {here.map(({ group, finding }) => (
-                  <FindingBox
-                    key={finding.number}
-                    finding={finding}
-                    number={group.label}
-                    selected={group.lead.number === state.group}
-                    onPick={() => show({ group: group.lead.number })}
-                  />
-                ))}
-              </svg>
-            )}
-          </div>
-          <span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>
-        </div>
-      </div>
-      {chosen && !here.some(({ group }) => group === chosen) && (
+      <ZoomPicture
+        size={size}
+        zoom={reviewZoom}
+        label="Pictures before and after the work"
+        overlay={(frame) => state.findings && <FindingBoxes marked={marked} frame={frame} />}
+        fixed={<span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>}
+        onTap={pick}
+      >
+        <Layers inspection={inspection} view={view} before={before} onSize={setSize} />
+      </ZoomPicture>
+      {chosen && !here && (
         <p class="coverage" data-testid="not-here">
           Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here is no evidence against it.
         </p>
       )}
-      {coverage && <CoverageText compared={coverage} marked={state.findings} />}
+      {coverage && <CoverageText compared={coverage} marked={state.findings && state.glow} />}
     </section>
   );
 }

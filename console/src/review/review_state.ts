@@ -1,4 +1,5 @@
 // What the review shows; kept while other pages are shown.
+import { whole, type Zoom } from '../picture/zoom';
 import { Store } from '../store';
 
 export type Layer = 'color' | 'depth' | 'binary';
@@ -13,13 +14,18 @@ export interface ReviewState {
   /** Overlays: none during the first look (thesis 4.2.2). */
   findings: boolean;
   uninspected: boolean;
-  /** Whether the selected finding fills the picture. */
+  /** Whether what changed glows in the pictures. */
+  glow: boolean;
+  /** Whether the picture is enlarged to the finding that is selected. */
   closer: boolean;
 }
 
-export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false, closer: false };
+export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false, glow: false, closer: false };
 
 export const review = new Store<ReviewState>(firstLook);
+
+/** The part of the picture that is shown, the same of all layers, moments and views. */
+export const reviewZoom = new Store<Zoom>(whole);
 
 export function show(change: Partial<ReviewState>): void {
   review.value = { ...review.value, ...change };
