@@ -4,11 +4,12 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { link } from '../link/live_link';
+import { MarkBar, MarkButton, useMarking } from '../picture/marking';
 import { whole, type Zoom } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
 import { ZoomPicture } from '../picture/ZoomPicture';
 import { Store, useStore } from '../store';
-import type { Measurement, PictureHead, Pixel, Stream } from '../types';
+import type { Box, Measurement, PictureHead, Pixel, Stream } from '../types';
 import { DepthScale } from './DepthScale';
 import { MeasureMarks } from './MeasureMarks';
 
@@ -17,7 +18,13 @@ const names: Record<Stream, string> = { color: 'Colour', depth: 'Depth', infrare
 /** The part of the picture that is shown, the same of all streams. */
 const liveZoom = new Store<Zoom>(whole);
 
-export function LiveView({ children }: { children?: ComponentChildren }) {
+interface Props {
+  children?: ComponentChildren;
+  /** A box that a person marked, in pixels of this live picture; undefined where nobody may mark. */
+  onMark?: ((box: Box, stream: Stream) => void) | undefined;
+}
+
+export function LiveView({ children, onMark }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const status = useStore(link.status);
   const state = useStore(link.state);
@@ -27,6 +34,9 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
   const [head, setHead] = useState<PictureHead | null>(null);
   const [points, setPoints] = useState<Pixel[]>([]);
   const [measured, setMeasured] = useState<Measurement | null>(null);
+
+  const size = head ?? { width: 848, height: 480 };
+  const marking = useMarking(onMark && ((box) => onMark(box, stream)));
 
   useEffect(() => {
     link.watch(stream);
@@ -75,26 +85,31 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
   const problem = state !== 'open' ? 'The connection to the robot’s computer is lost. Reconnecting…' : status?.camera.problem;
   return (
     <section class="view" aria-label="Live view">
-      <div class="view-bar">
-        <div class="switch" role="radiogroup" aria-label="Picture">
-          {streams.map((name) => (
-            <button
-              key={name}
-              type="button"
-              role="radio"
-              aria-checked={name === stream}
-              data-testid={`stream-${name}`}
-              onClick={() => setWanted(name)}
-            >
-              {names[name]}
-            </button>
-          ))}
+      {marking.active ? (
+        <MarkBar marking={marking} size={size} zoom={liveZoom} />
+      ) : (
+        <div class="view-bar">
+          <div class="switch" role="radiogroup" aria-label="Picture">
+            {streams.map((name) => (
+              <button
+                key={name}
+                type="button"
+                role="radio"
+                aria-checked={name === stream}
+                data-testid={`stream-${name}`}
+                onClick={() => setWanted(name)}
+              >
+                {names[name]}
+              </button>
+            ))}
+          </div>
+          <ZoomButtons zoom={liveZoom} />
+          <MarkButton marking={marking} shown={onMark !== undefined} />
+          <span class="hint">Tap a point to read its distance; tap a second to measure between them.</span>
         </div>
-        <ZoomButtons zoom={liveZoom} />
-        <span class="hint">Tap a point to read its distance; tap a second to measure between them.</span>
-      </div>
+      )}
       <ZoomPicture
-        size={head ?? { width: 848, height: 480 }}
+        size={size}
         zoom={liveZoom}
         label="Live picture"
         overlay={(frame) => head && <MeasureMarks frame={frame} points={points} measured={measured} />}
@@ -110,6 +125,7 @@ export function LiveView({ children }: { children?: ComponentChildren }) {
           </>
         }
         onTap={pick}
+        marking={marking}
       >
         <canvas ref={canvas} data-testid="live" aria-label={`Live ${names[stream].toLowerCase()} picture`} role="img" />
       </ZoomPicture>

@@ -6,7 +6,9 @@ import type { Size } from '../regions/shapes';
 import { useStore, type Store } from '../store';
 import type { Box, Pixel } from '../types';
 import { Gestures, type Handlers } from './gestures';
-import { double_tap, inPicture, panned, step, whole, zoomed, zoomedAbout, type Point, type Zoom } from './zoom';
+import { MarkBox, type Marking } from './marking';
+import { boxAround, boxBetween } from './marks';
+import { double_tap, inPicture, panned, shownPart, step, whole, zoomed, zoomedAbout, type Point, type Zoom } from './zoom';
 
 /** What the frame shows, for drawings that keep their size on the screen while the picture is enlarged. */
 export interface Frame {
@@ -33,6 +35,8 @@ interface Props {
   fixed?: ComponentChildren;
   /** A tap that is not a double tap. */
   onTap?: (at: Pixel, frame: Frame) => void;
+  /** While it is active, a tap or a drag with one finger marks a box. */
+  marking?: Marking;
 }
 
 interface Latest<T> {
@@ -64,13 +68,13 @@ function useWidth(frame: Latest<HTMLDivElement | null>): number {
 }
 
 export function ZoomPicture(props: Props) {
-  const { size, label, children, overlay, fixed } = props;
+  const { size, label, children, overlay, fixed, marking } = props;
   const element = useRef<HTMLDivElement>(null);
   const zoom = useStore(props.zoom);
   const width = useWidth(element);
   const latest = useRef(props);
   latest.current = props;
-  const shown: Box = [zoom.left * size.width, zoom.top * size.height, size.width / zoom.scale, size.height / zoom.scale];
+  const shown = shownPart(zoom, size);
   const frame: Frame = {
     viewBox: shown.join(' '),
     shown,
@@ -110,7 +114,7 @@ export function ZoomPicture(props: Props) {
       <div class="picture-fit" style={{ aspectRatio: `${size.width} / ${size.height}`, '--shape': size.width / size.height }}>
         <div
           ref={element}
-          class={`zoom-frame ${zoom.scale > 1 ? 'enlarged' : ''}`}
+          class={`zoom-frame ${zoom.scale > 1 ? 'enlarged' : ''} ${marking?.active ? 'marking' : ''}`}
           role="group"
           tabIndex={0}
           aria-label={label}
@@ -128,6 +132,7 @@ export function ZoomPicture(props: Props) {
             {children}
           </div>
           {overlay?.(frame)}
+          {marking?.active && <MarkBox marking={marking} frame={frame} size={size} />}
         </div>
         {fixed}
       </div>
@@ -137,6 +142,7 @@ export function ZoomPicture(props: Props) {
 
 function handlersOf(props: Latest<Props>, frame: Latest<Frame>, element: Latest<HTMLDivElement | null>): Handlers {
   const store = () => props.current.zoom;
+  const marking = () => props.current.marking;
   const pixelOf = (at: Point): Pixel => {
     const { x, y } = inPicture(store().value, at);
     return { u: x * props.current.size.width - 0.5, v: y * props.current.size.height - 0.5 };
@@ -145,10 +151,15 @@ function handlersOf(props: Latest<Props>, frame: Latest<Frame>, element: Latest<
     size: () => element.current?.getBoundingClientRect() ?? { width: 1, height: 1 },
     zoom: () => store().value,
     setZoom: (zoom) => (store().value = zoom),
-    draws: () => false,
+    draws: () => marking()?.active ?? false,
     tap: (at) => props.current.onTap?.(pixelOf(at), frame.current),
     doubleTap: (at) => (store().value = store().value.scale > 1 ? whole : zoomedAbout(whole, at, double_tap)),
-    draw: () => undefined,
-    drop: () => undefined,
+    draw: (from, to, done) => {
+      const { size } = props.current;
+      const box = from === to ? boxAround(pixelOf(from), size) : boxBetween(pixelOf(from), pixelOf(to), size);
+      if (done) marking()?.finish(box);
+      else marking()?.setDraft(box);
+    },
+    drop: () => marking()?.setDraft(null),
   };
 }

@@ -11,7 +11,7 @@ export interface Handlers {
   draws: () => boolean;
   tap: (at: Point) => void;
   doubleTap: (at: Point) => void;
-  /** A rectangle is drawn; `done` with its last corner. */
+  /** A rectangle is drawn; `done` with its last corner. A tap draws one without an extent. */
   draw: (from: Point, to: Point, done: boolean) => void;
   /** The rectangle was not meant: a second finger followed. */
   drop: () => void;
@@ -108,7 +108,7 @@ export class Gestures {
       if (this.distance(before.at, at) < again_px) return this.on.doubleTap(at);
       this.on.tap(before.at);
     }
-    if (this.on.draws()) return this.on.tap(at);
+    if (this.on.draws()) return this.on.draw(at, at, true);
     const timer = setTimeout(() => {
       this.tapped = null;
       this.on.tap(at);

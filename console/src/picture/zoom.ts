@@ -60,6 +60,11 @@ export function panned(zoom: Zoom, dx: number, dy: number): Zoom {
   return pulled(zoom, { x: dx, y: dy }, { x: 0, y: 0 });
 }
 
+/** The part of a picture that is shown, in its pixels: [u, v, width, height], not rounded. */
+export function shownPart({ scale, left, top }: Zoom, { width, height }: Size): Box {
+  return [left * width, top * height, width / scale, height / scale];
+}
+
 /** A box in the middle of the frame, in pixels of the picture, as far as the edges allow. */
 export function centredOn([u, v, width, height]: Box, size: Size, scale: number): Zoom {
   const x = (u + width / 2) / size.width;

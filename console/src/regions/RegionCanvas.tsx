@@ -81,7 +81,7 @@ export function RegionCanvas({ inspection, size, mayChange }: { inspection: Insp
       viewBox={viewBoxOf(size)}
       role="group"
       aria-label="Regions that are left out"
-      tabIndex={-1}
+      tabindex={-1}
       data-testid="regions"
       onPointerDown={press}
       onPointerMove={pull}
@@ -94,7 +94,7 @@ export function RegionCanvas({ inspection, size, mayChange }: { inspection: Insp
           key={i}
           class={`region ${i === state.selected ? 'selected' : ''}`}
           role="button"
-          tabIndex={0}
+          tabindex={0}
           aria-label={`Region ${i + 1}`}
           aria-pressed={i === state.selected}
           data-testid={`region-${i}`}

@@ -3,12 +3,13 @@ import './review.css';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { pictureAddress } from '../link/api';
+import { MarkBar, MarkButton, useMarking, type Marking } from '../picture/marking';
 import { closeTo, whole } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
 import { ZoomPicture, type Frame } from '../picture/ZoomPicture';
 import type { Size } from '../regions/shapes';
 import { useStore } from '../store';
-import type { Finding, Inspection, Pixel } from '../types';
+import type { Box, Finding, Inspection, Pixel } from '../types';
 import { CoverageText } from './CoverageText';
 import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
 import { groupsOf, type Group } from './groups';
@@ -99,7 +100,30 @@ function Layers({ inspection, view, before, onSize }: { inspection: Inspection; 
   );
 }
 
-export function ReviewPictures({ inspection }: { inspection: Inspection }) {
+function ReviewBar({ inspection, view, marking, mayMark }: { inspection: Inspection; view: number; marking: Marking; mayMark: boolean }) {
+  const state = useStore(review);
+  return (
+    <div class="view-bar">
+      <ViewTabs inspection={inspection} view={view} />
+      <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
+      {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
+      <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
+      <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
+      <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
+      <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
+      <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
+      <MarkButton marking={marking} shown={mayMark} />
+    </div>
+  );
+}
+
+interface Props {
+  inspection: Inspection;
+  /** A box that a person marked, in pixels of the picture of this view; undefined where nobody may mark. */
+  onMark?: ((box: Box, view: number) => void) | undefined;
+}
+
+export function ReviewPictures({ inspection, onMark }: Props) {
   const state = useStore(review);
   const before = useBlink(state.moment);
   const view = Math.min(state.view, inspection.views.length - 1);
@@ -111,6 +135,7 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
   const [size, setSize] = useState<Size>({ width: 848, height: 480 });
   const chosen = groups.find((group) => group.lead.number === state.group);
   const here = marked.find(({ selected }) => selected);
+  const marking = useMarking(onMark && ((box) => onMark(box, view)));
   useCloser(here?.finding, state.closer, size);
   const pick = (at: Pixel, { screen_px }: Frame) => {
     const hit = state.findings && findingAt(marked, at, screen_px);
@@ -118,16 +143,7 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
   };
   return (
     <section class="view" aria-label="Before and after">
-      <div class="view-bar">
-        <ViewTabs inspection={inspection} view={view} />
-        <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
-        {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
-        <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
-        <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
-        <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
-        <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
-        <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
-      </div>
+      {marking.active ? <MarkBar marking={marking} size={size} zoom={reviewZoom} /> : <ReviewBar inspection={inspection} view={view} marking={marking} mayMark={onMark !== undefined} />}
       <ZoomPicture
         size={size}
         zoom={reviewZoom}
@@ -135,6 +151,7 @@ export function ReviewPictures({ inspection }: { inspection: Inspection }) {
         overlay={(frame) => state.findings && <FindingBoxes marked={marked} frame={frame} />}
         fixed={<span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>}
         onTap={pick}
+        marking={marking}
       >
         <Layers inspection={inspection} view={view} before={before} onSize={setSize} />
       </ZoomPicture>
