@@ -14,6 +14,7 @@ import { RegionEditor } from './regions/RegionEditor';
 import { RegionPanel } from './regions/RegionPanel';
 import { FindingList } from './review/FindingList';
 import { ReviewPictures } from './review/ReviewPictures';
+import { ViewNotes } from './review/ViewNotes';
 import { firstLook, review, show } from './review/review_state';
 import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
@@ -111,7 +112,13 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       <header>
         <button type="button" class="brand quiet" data-testid="home" onClick={() => void attempt(() => open(null))}>
           <img src="/icon.svg" alt="" width="28" height="28" />
-          {inspection ? '‹ All inspections' : 'RVA'}
+          {inspection ? (
+            <>
+              ‹ <span class="brand-text">All inspections</span>
+            </>
+          ) : (
+            'RVA'
+          )}
         </button>
         <h1>{inspection ? titleOf(inspection) : 'Remote Visual Assistant'}</h1>
         <Chips session={session} onSignedOut={onSignedOut} />
@@ -138,6 +145,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         {!inspection && <Begin session={session} />}
         {drawing && <RegionPanel inspection={inspection} session={session} />}
         {!drawing && inspection && !inspection.compared_at && <Steps session={session} />}
+        {page === 'review' && inspection?.compared_at && <ViewNotes inspection={inspection} />}
         {!drawing && inspection?.compared_at && <FindingList inspection={inspection} session={session} />}
       </aside>
       <footer>

@@ -1,22 +1,7 @@
 // The pictures: enlarged by wheel, keys, buttons and fingers, with outlines that hide nothing.
 import type { Page } from '@playwright/test';
-import { standIn } from './region_page';
-import { begin, expect, test } from './served';
-import type { Inspection } from '../src/types';
-
-const taken = { taken_at: '2025-01-01T12:00:00Z', person: 'Ann' } as NonNullable<Inspection['initial']>;
-const ahead = { pan_deg: 0, tilt_deg: -20 };
-const finding = { centroid: [120, 115], same_as: 1, number: 1, view: 0, kind: 'added', bbox: [100, 100, 40, 30] };
-
-async function openReview(page: Page): Promise<void> {
-  await begin(page);
-  await standIn(page, {
-    stage: 'review', initial: taken, final: taken, comparison: 1, compared_at: taken.taken_at, views: [ahead, ahead],
-    compared: [0, 1].map((view) => ({ view, method: 'calibrated', judged: 0.7, warnings: [], coverage: { compared: 0.7, unseen: 0.1, invalid: 0.2 } })),
-    findings: [finding, { ...finding, number: 2, view: 1, bbox: [600, 300, 40, 30] }, { ...finding, number: 3, same_as: 3, kind: 'removed', bbox: [400, 200, 300, 200] }] as unknown as Inspection['findings'],
-  });
-  await expect(page.getByTestId('first-look')).toBeVisible();
-}
+import { openReview } from './review_page';
+import { expect, test } from './served';
 
 /** Where a pixel of the pictures is on the screen. */
 async function onScreen(page: Page, u: number, v: number): Promise<{ x: number; y: number }> {
@@ -85,6 +70,7 @@ test('the same part is shown of all moments, layers and views; buttons for glove
   for (let i = 0; i < 3; ++i) await page.getByTestId('zoom-in').click();
   const part = () => page.getByTestId('picture').locator('.zoom-layers').getAttribute('style');
   const before = await part();
+  await page.getByTestId('show-menu').click();
   for (const next of ['moment-before', 'moment-blink', 'moment-after', 'picture-depth', 'picture-color', 'review-view-1', 'review-view-0']) {
     await page.getByTestId(next).click();
     expect(await part(), next).toBe(before);

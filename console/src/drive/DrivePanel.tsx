@@ -30,7 +30,10 @@ function hint(robot: RobotStatus, yours: boolean, hasController: boolean): strin
   return hasController ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
 }
 
-/** @param small whether to show only the stop button and the name of the driver, to leave room for a page of pictures */
+/**
+ * A line with the stop button; it opens, with stick and gauges, on the live page while somebody drives.
+ * @param small whether another page than the live one is shown, from which nobody drives
+ */
 export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: boolean }) {
   const status = useStore(link.status);
   const lease = useStore(link.lease);
@@ -49,13 +52,14 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
   const hasController = pads.some(({ state }) => state === 'ready');
   const notice = noticeOf(pads);
   const others = lease.holder !== undefined && !lease.yours;
+  const open = !small && (lease.yours || others);
   const takeOver = () => {
     setAsking(false);
     link.takeControls(true);
   };
   return (
-    <section class={`drive ${small ? 'small' : ''}`} aria-label="Robot">
-      {!small && <StickPad enabled={lease.yours && !robot.lent} />}
+    <section class={`drive ${open ? 'driven' : 'slim'}`} aria-label="Robot">
+      {open && <StickPad enabled={lease.yours && !robot.lent} />}
       <div class="drive-middle">
         {!small && (
           <div class="gauges">
@@ -78,7 +82,7 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
             </button>
           )}
           {!lease.yours && !others && !small && (
-            <button type="button" class="primary" data-testid="take" disabled={!mayDrive} onClick={() => link.takeControls(false)}>
+            <button type="button" data-testid="take" disabled={!mayDrive} onClick={() => link.takeControls(false)}>
               Take the controls
             </button>
           )}

@@ -105,7 +105,7 @@ export function LiveView({ children, onMark }: Props) {
           </div>
           <ZoomButtons zoom={liveZoom} />
           <MarkButton marking={marking} shown={onMark !== undefined} />
-          <span class="hint">Tap a point to read its distance; tap a second to measure between them.</span>
+          <span class="hint">Tap a point for its distance, a second one for the length between them.</span>
         </div>
       )}
       <ZoomPicture

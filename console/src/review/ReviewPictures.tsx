@@ -10,30 +10,17 @@ import { ZoomPicture, type Frame } from '../picture/ZoomPicture';
 import type { Size } from '../regions/shapes';
 import { useStore } from '../store';
 import type { Box, Finding, Inspection, Pixel } from '../types';
-import { CoverageText } from './CoverageText';
 import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
-import { groupsOf, type Group } from './groups';
-import { review, reviewZoom, show, type Layer, type Moment } from './review_state';
+import { groupsOf } from './groups';
+import { review, reviewZoom, show, type Moment } from './review_state';
+import { ShowMenu, Toggle } from './ShowMenu';
 
-const layers: [Layer, string][] = [
-  ['color', 'Colour'],
-  ['depth', 'Depth'],
-  ['binary', 'Changes only'],
-];
 const moments: [Moment, string][] = [
   ['before', 'Before'],
   ['after', 'After'],
   ['blink', 'Blink'],
 ];
 const blink_ms = 700;
-
-function Toggle({ label, on, testId, onChange }: { label: string; on: boolean; testId: string; onChange: (on: boolean) => void }) {
-  return (
-    <button type="button" class="toggle" role="switch" aria-checked={on} data-testid={testId} onClick={() => onChange(!on)}>
-      <span aria-hidden="true">{on ? '☑' : '☐'}</span> {label}
-    </button>
-  );
-}
 
 // Whether to show the picture before the work; alternates while blinking.
 function useBlink(moment: Moment): boolean {
@@ -46,18 +33,14 @@ function useBlink(moment: Moment): boolean {
   return before;
 }
 
-function viewsOf(group: Group): string {
-  const views = [...new Set(group.all.map((finding) => finding.view + 1))];
-  return `view ${views.join(' and ')}`;
-}
-
 function ViewTabs({ inspection, view }: { inspection: Inspection; view: number }) {
   if (inspection.views.length < 2) return null;
+  const few = inspection.views.length === 2;
   return (
-    <div class="switch" role="radiogroup" aria-label="View">
+    <div class="switch views" role="radiogroup" aria-label="View">
       {inspection.views.map((_, i) => (
-        <button key={i} type="button" role="radio" aria-checked={i === view} data-testid={`review-view-${i}`} onClick={() => show({ view: i })}>
-          View {i + 1}
+        <button key={i} type="button" role="radio" aria-checked={i === view} aria-label={`View ${i + 1}`} data-testid={`review-view-${i}`} onClick={() => show({ view: i })}>
+          {few ? `View ${i + 1}` : i + 1}
         </button>
       ))}
     </div>
@@ -105,14 +88,11 @@ function ReviewBar({ inspection, view, marking, mayMark }: { inspection: Inspect
   return (
     <div class="view-bar">
       <ViewTabs inspection={inspection} view={view} />
-      <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
       {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
-      <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
-      <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
-      <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
-      <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
       <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
+      <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
       <MarkButton marking={marking} shown={mayMark} />
+      <ShowMenu />
     </div>
   );
 }
@@ -131,9 +111,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
   const marked: Marked[] = groups.flatMap(({ label, lead, all }) =>
     all.filter((finding) => finding.view === view).map((finding) => ({ finding, label, selected: lead.number === state.group })),
   );
-  const coverage = inspection.compared.find((compared) => compared.view === view);
   const [size, setSize] = useState<Size>({ width: 848, height: 480 });
-  const chosen = groups.find((group) => group.lead.number === state.group);
   const here = marked.find(({ selected }) => selected);
   const marking = useMarking(onMark && ((box) => onMark(box, view)));
   useCloser(here?.finding, state.closer, size);
@@ -155,12 +133,6 @@ export function ReviewPictures({ inspection, onMark }: Props) {
       >
         <Layers inspection={inspection} view={view} before={before} onSize={setSize} />
       </ZoomPicture>
-      {chosen && !here && (
-        <p class="coverage" data-testid="not-here">
-          Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here is no evidence against it.
-        </p>
-      )}
-      {coverage && <CoverageText compared={coverage} marked={state.findings && state.glow} />}
     </section>
   );
 }

@@ -1,0 +1,39 @@
+// What the review's picture shows: the layer, and what is drawn over it.
+import { useState } from 'preact/hooks';
+import { Choice } from '../Choice';
+import { useStore } from '../store';
+import { review, show, type Layer } from './review_state';
+
+const layers: [Layer, string][] = [
+  ['color', 'Colour'],
+  ['depth', 'Depth'],
+  ['binary', 'Changes only'],
+];
+
+export function Toggle({ label, on, testId, onChange }: { label: string; on: boolean; testId: string; onChange: (on: boolean) => void }) {
+  return (
+    <button type="button" class="toggle" role="switch" aria-checked={on} data-testid={testId} onClick={() => onChange(!on)}>
+      <span aria-hidden="true">{on ? '☑' : '☐'}</span> {label}
+    </button>
+  );
+}
+
+export function ShowMenu() {
+  const state = useStore(review);
+  const [open, setOpen] = useState(false);
+  return (
+    <div class="show-menu">
+      <button type="button" aria-expanded={open} aria-controls="show-menu" data-testid="show-menu" onClick={() => setOpen(!open)}>
+        Show <span aria-hidden="true">{open ? '▴' : '▾'}</span>
+      </button>
+      {open && (
+        <div class="card" id="show-menu" role="group" aria-label="What the picture shows">
+          <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
+          <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
+          <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
+          <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
+        </div>
+      )}
+    </div>
+  );
+}

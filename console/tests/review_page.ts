@@ -1,0 +1,20 @@
+// A review that needs no captures, for tests.
+import type { Page } from '@playwright/test';
+import type { Inspection } from '../src/types';
+import { standIn } from './region_page';
+import { begin, expect } from './served';
+
+const taken = { taken_at: '2025-01-01T12:00:00Z', person: 'Ann' } as NonNullable<Inspection['initial']>;
+const ahead = { pan_deg: 0, tilt_deg: -20 };
+const finding = { centroid: [120, 115], same_as: 1, number: 1, view: 0, kind: 'added', bbox: [100, 100, 40, 30] };
+
+/** A review of two views, with two findings of which one is in both, and pictures of one colour. */
+export async function openReview(page: Page): Promise<void> {
+  await begin(page);
+  await standIn(page, {
+    stage: 'review', initial: taken, final: taken, comparison: 1, compared_at: taken.taken_at, views: [ahead, ahead],
+    compared: [0, 1].map((view) => ({ view, method: 'calibrated', judged: 0.7, warnings: [], coverage: { compared: 0.7, unseen: 0.1, invalid: 0.2 } })),
+    findings: [finding, { ...finding, number: 2, view: 1, bbox: [600, 300, 40, 30] }, { ...finding, number: 3, same_as: 3, kind: 'removed', bbox: [400, 200, 300, 200] }] as unknown as Inspection['findings'],
+  });
+  await expect(page.getByTestId('first-look')).toBeVisible();
+}
