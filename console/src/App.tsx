@@ -18,6 +18,7 @@ import { ViewNotes } from './review/ViewNotes';
 import { firstLook, review, show } from './review/review_state';
 import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
+import { ThemeSwitch } from './ThemeSwitch';
 import type { Inspection, Session } from './types';
 
 function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
@@ -31,8 +32,8 @@ function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => 
         {state !== 'open' ? '✗ No connection' : camera?.problem ? '✗ Camera' : `✓ Camera ${camera ? camera.rate_hz.toFixed(0) : '–'}/s`}
       </span>
       {status?.robot && (
-        <span class={`chip ${status.robot.problem ? 'bad' : 'good'}`} data-testid="robot-chip">
-          {status.robot.problem ? '✗ Robot' : '✓ Robot'}
+        <span class={`chip ${state !== 'open' || status.robot.problem ? 'bad' : 'good'}`} data-testid="robot-chip">
+          {state !== 'open' ? '? Robot' : status.robot.problem ? '✗ Robot' : '✓ Robot'}
         </span>
       )}
       {session.name && (
@@ -121,6 +122,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           )}
         </button>
         <h1>{inspection ? titleOf(inspection) : 'Remote Visual Assistant'}</h1>
+        <ThemeSwitch />
         <Chips session={session} onSignedOut={onSignedOut} />
       </header>
       {inspection && (

@@ -1,4 +1,5 @@
 // The styles of all pages come first, so that those of a component can refine them.
+import './theme.css';
 import './base.css';
 import './panel.css';
 import './picture.css';
@@ -12,6 +13,7 @@ import { followInspection } from './regions/region_state';
 import { api } from './link/api';
 import { link } from './link/live_link';
 import { SignIn } from './SignIn';
+import { followTheme } from './theme';
 import type { Session } from './types';
 
 function Console() {
@@ -44,5 +46,6 @@ function Console() {
   return <App session={session} onSignedOut={() => location.reload()} />;
 }
 
+followTheme();
 const root = document.getElementById('console');
 if (root) render(<Console />, root);

@@ -18,6 +18,7 @@ async function expectNothingCutOff(page: Page): Promise<void> {
 for (const [name, viewport] of Object.entries({ laptop: { width: 1280, height: 800 }, tablet: { width: 820, height: 1180 } })) {
   test(`every page on a ${name} is for gloves, weak eyes and keyboards`, async ({ console: page }) => {
     await page.setViewportSize(viewport);
+    await page.emulateMedia({ colorScheme: name === 'laptop' ? 'dark' : 'light' });
     const check = async () => {
       await expectTouchable(page);
       await expectNothingCutOff(page);

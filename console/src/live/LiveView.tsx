@@ -82,6 +82,7 @@ export function LiveView({ children, onMark }: Props) {
     api.measure(stream, next).then(setMeasured, () => setMeasured(null));
   };
 
+  const scale_m = stream === 'depth' ? head?.scale_m : undefined;
   const problem = state !== 'open' ? 'The connection to the robot’s computer is lost. Reconnecting…' : status?.camera.problem;
   return (
     <section class="view" aria-label="Live view">
@@ -105,7 +106,8 @@ export function LiveView({ children, onMark }: Props) {
           </div>
           <ZoomButtons zoom={liveZoom} />
           <MarkButton marking={marking} shown={onMark !== undefined} />
-          <span class="hint">Tap a point for its distance, a second one for the length between them.</span>
+          {scale_m && <DepthScale range_m={scale_m} />}
+          <span class="hint">{scale_m ? 'Black: no depth. Tap a point for its distance.' : 'Tap a point for its distance, a second one for the length between them.'}</span>
         </div>
       )}
       <ZoomPicture
@@ -115,7 +117,6 @@ export function LiveView({ children, onMark }: Props) {
         overlay={(frame) => head && <MeasureMarks frame={frame} points={points} measured={measured} />}
         fixed={
           <>
-            {stream === 'depth' && head?.scale_m && <DepthScale range_m={head.scale_m} />}
             {problem && (
               <p class="picture-problem" role="alert" data-testid="live-problem">
                 {problem}

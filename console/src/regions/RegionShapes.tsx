@@ -17,8 +17,8 @@ export function Hatching({ id, size }: { id: string; size: Size }) {
   return (
     <defs>
       <pattern id={id} width={step} height={step} patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
-        <rect width={step} height={step} fill="#46103c" fill-opacity="0.45" />
-        <rect width={step / 2} height={step} fill="#e63cc8" fill-opacity="0.65" />
+        <rect width={step} height={step} fill="var(--stripe-dark)" fill-opacity="0.45" />
+        <rect width={step / 2} height={step} fill="var(--stripe)" fill-opacity="0.65" />
       </pattern>
     </defs>
   );

@@ -2,6 +2,7 @@
 import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
 import { signOf } from '../inspection/words';
 import type { Group as FindingGroup } from '../review/groups';
+import { colorOf } from '../theme';
 import type { FindingKind } from '../types';
 
 const size_px = 128;
@@ -13,13 +14,13 @@ function picture(number: number, kind: FindingKind, selected: boolean): CanvasTe
   if (draw) {
     const middle = size_px / 2;
     draw.lineWidth = selected ? 16 : 10;
-    draw.strokeStyle = { added: '#ff7a1a', removed: '#2aa8ff', appearance: '#9be15d' }[kind];
-    draw.fillStyle = 'rgba(10, 14, 20, 0.75)';
+    draw.strokeStyle = colorOf(`--mark-${kind}`);
+    draw.fillStyle = colorOf('--picture-shade');
     draw.beginPath();
     draw.arc(middle, middle, middle - 12, 0, 2 * Math.PI);
     draw.fill();
     draw.stroke();
-    draw.fillStyle = '#ffffff';
+    draw.fillStyle = colorOf('--mark');
     draw.font = 'bold 52px sans-serif';
     draw.textAlign = 'center';
     draw.textBaseline = 'middle';

@@ -1,6 +1,7 @@
 // The 3D scene that contains the layers: the camera, its control by the user, and drawing only after changes.
 import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { colorOf } from '../theme';
 
 export class Scene3d {
   onMoving: (moving: boolean) => void = () => undefined;
@@ -14,7 +15,7 @@ export class Scene3d {
   constructor(private readonly box: HTMLElement) {
     this.renderer = new WebGLRenderer({ antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.setClearColor(0x0a0e14);
+    this.renderer.setClearColor(colorOf('--picture-ground'));
     box.append(this.renderer.domElement);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
