@@ -136,6 +136,10 @@ export interface Finding {
   size_mm?: Extent;
   /** Change of depth. */
   height_mm?: number;
+  /** Height above the surface around it: of an added finding after the work, of a removed one before. */
+  above_surroundings_mm?: number;
+  /** Whether depth changed by much more than that, since a farther surface was seen there before, or is seen now. Only with `above_surroundings_mm`. */
+  background_jump?: boolean;
   score?: number;
   p_value?: number;
   /** Which images show the change. */
@@ -189,6 +193,12 @@ export interface Coverage {
   left_out?: number;
 }
 
+export interface FindableShare {
+  size_mm: number;
+  /** Of the depth image, in which an object of this size and height would have been found, 0 to 1. */
+  share: number;
+}
+
 export interface ComparedView {
   view: number;
   /** As of `rva detect --method`. */
@@ -197,6 +207,8 @@ export interface ComparedView {
   /** Share of the depth image in which a change could have been found, 0 to 1. */
   judged: number;
   warnings: string[];
+  /** Small to large; empty if it is not known. */
+  findable: FindableShare[];
 }
 
 export interface InspectionSummary {

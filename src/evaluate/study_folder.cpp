@@ -94,7 +94,8 @@ std::vector<SimulatedInspection> run_study_in(const StudyFolder& folder, StudyOp
   options.bay = bay_features(subject.bay);
   EvaluationFile file(folder);
   const auto keep = [&](const std::vector<SimulatedInspection>& inspections) {
-    file.write(json_of(Evaluation{subject.scene, subject.cameras, name_of_bay(subject), inspections}), subject.scene);
+    file.write(json_of(Evaluation{subject.scene, subject.cameras, name_of_bay(subject), inspections}),
+               subject.scene);
   };
   return run_study(options, scene, earlier(file, subject), progress, keep);
 }

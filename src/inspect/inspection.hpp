@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/enum_names.hpp"
+#include "detect/calibrated/level_of_detection.hpp"
 #include "detect/regions/comparison.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "geometry/pan_tilt.hpp"
@@ -65,6 +66,8 @@ struct ComparedView {
   Coverage coverage;
   double judged = 0.0;                ///< share of the depth image where a change could have been found
   std::vector<std::string> warnings;  ///< sentences for the user
+  /// Shares of the depth image where objects of some sizes would have been found; empty if it is not known.
+  std::vector<FindableShare> findable{};
 };
 
 /// One comparison with all that it showed, as it is kept after later ones.

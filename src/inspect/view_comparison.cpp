@@ -10,9 +10,11 @@
 #include <system_error>
 #include <utility>
 
+#include "core/file_origin.hpp"
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "detect/detect.hpp"
+#include "detect/provenance.hpp"
 #include "detect/result_folder.hpp"
 #include "inspect/inspection_map.hpp"
 #include "inspect/review_pictures.hpp"
@@ -26,20 +28,34 @@ struct ViewResult {
   Captures initial;
   Captures final;
   SidesDetection changes;
+  Provenance provenance;
 
   [[nodiscard]] const Detection& detection() const { return changes.detection; }
 };
+
+// Paths of a view's captures relative to the inspection's folder, which may be copied elsewhere.
+std::vector<std::filesystem::path> capture_paths(const InspectionFolder& folder, const Inspection& inspection,
+                                                 Side side, int view) {
+  std::vector<std::filesystem::path> paths;
+  for (int k = 0; k < inspection.dither; ++k)
+    paths.push_back(folder.capture(side, inspection, view, k).lexically_relative(folder.path()));
+  return paths;
+}
 
 ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view,
                    const Progress& progress) {
   ViewResult result{open_captures(folder, inspection, Side::initial, view),
                     open_captures(folder, inspection, Side::final, view),
+                    {},
                     {}};
   const auto ignored = inspection.ignored.find(view);
   const Intrinsics& camera = result.initial.front()->info().depth;
   const Mask left_out = ignored == inspection.ignored.end()
                             ? Mask()
                             : mask_of({ignored->second, {}}, camera.width, camera.height);
+  result.provenance = {time_of_making(),
+                       sources_of(capture_paths(folder, inspection, Side::initial, view), result.initial),
+                       sources_of(capture_paths(folder, inspection, Side::final, view), result.final)};
   result.changes = detect(result.initial, result.final, {}, progress, left_out);
   return result;
 }
@@ -49,13 +65,14 @@ ColorImage write(const ViewResult& result, const std::filesystem::path& folder) 
   std::error_code ignored;  // write_result() reports the error
   std::filesystem::create_directories(folder, ignored);
   // Its warnings are of pictures that the review does not show: it has those of ReviewPictures.
-  static_cast<void>(write_result(result.changes, *result.final.front(), folder));
+  static_cast<void>(write_result(result.changes, *result.final.front(), folder, result.provenance));
   ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), result.detection());
   write_review(pictures, folder);
   return std::move(pictures.changed);
 }
 
-ComparedView summary_of(const Detection& detection, int view) {
+ComparedView summary_of(const ViewResult& result, int view) {
+  const Detection& detection = result.detection();
   ComparedView summary;
   summary.view = view;
   summary.method = detection.findings.method;
@@ -63,6 +80,8 @@ ComparedView summary_of(const Detection& detection, int view) {
   summary.judged = detection.level_of_detection ? detection.level_of_detection->summary.judged
                                                 : detection.findings.coverage.compared;
   summary.warnings = detection.warnings;
+  if (detection.level_of_detection)
+    summary.findable = level_summary(detection, result.final.front()->info().depth).findable;
   return summary;
 }
 
@@ -154,7 +173,7 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     const CaptureInfo& info = result.final.front()->info();
     std::ranges::move(changed_points(result.detection(), changed, info.depth, map_from_camera(info, chain)),
                       std::back_inserter(points));
-    compared.views.push_back(summary_of(result.detection(), view));
+    compared.views.push_back(summary_of(result, view));
     std::ranges::move(findings_of(result, view, chain), std::back_inserter(findings));
   }
   write_inspection_map(out.path("map.ply"), folder, inspection, moved, chain);

@@ -85,13 +85,13 @@ Json json_of(const ComparedView& view) {
                 {"unseen", view.coverage.unseen},
                 {"invalid", view.coverage.invalid}};
   if (view.coverage.left_out) coverage["left_out"] = *view.coverage.left_out;
+  Json findable = Json::array();
+  for (const FindableShare& share : view.findable)
+    findable.push_back({{"size_mm", share.size_mm}, {"share", rounded(share.share, 4)}});
   Json warnings = Json::array();
   for (const std::string& warning : view.warnings) warnings.push_back(without_folders(warning));
-  return {{"view", view.view},
-          {"method", view.method},
-          {"coverage", coverage},
-          {"judged", view.judged},
-          {"warnings", warnings}};
+  return {{"view", view.view},     {"method", view.method}, {"coverage", coverage},
+          {"judged", view.judged}, {"warnings", warnings},  {"findable", findable}};
 }
 
 template <typename Values>
@@ -118,6 +118,10 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (reviewed.in_foot_m) json["in_foot_m"] = list_of(*reviewed.in_foot_m);
   if (finding.size_mm) json["size_mm"] = *finding.size_mm;
   if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.above_surroundings_mm) {
+    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
+    json["background_jump"] = finding.background_jump;
+  }
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   json["evidence"] = Json::array();

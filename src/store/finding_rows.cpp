@@ -36,6 +36,8 @@ Finding finding_of(SQLite::Statement& row) {
   finding.position_m = point_in(row.getColumn("position_m"));
   finding.size_mm = extent_in(row.getColumn("size_mm"));
   finding.height_mm = number_in(row.getColumn("height_mm"));
+  finding.above_surroundings_mm = number_in(row.getColumn("above_surroundings_mm"));
+  finding.background_jump = row.getColumn("background_jump").getInt() != 0;
   finding.score = number_in(row.getColumn("score"));
   finding.p_value = number_in(row.getColumn("p_value"));
   finding.evidence = {row.getColumn("by_depth").getInt() != 0, row.getColumn("by_appearance").getInt() != 0};
@@ -51,8 +53,8 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   SQLite::Statement insert(database,
                            "insert into finding (inspection, comparison, number, view, same_as, kind, box, "
                            "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from, "
-                           "by_depth, by_appearance) "
-                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "by_depth, by_appearance, above_surroundings_mm, background_jump) "
+                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
   insert.bind(2, comparison);
   insert.bind(3, reviewed.number);
@@ -70,6 +72,8 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   if (reviewed.moved_from) insert.bind(15, *reviewed.moved_from);
   insert.bind(16, finding.evidence.depth ? 1 : 0);
   insert.bind(17, finding.evidence.appearance ? 1 : 0);
+  bind_value(insert, 18, finding.above_surroundings_mm);
+  insert.bind(19, finding.background_jump ? 1 : 0);
   insert.exec();
 }
 

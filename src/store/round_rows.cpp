@@ -21,6 +21,20 @@ std::optional<TakenSide> final_side_of(SQLite::Database& database, std::int64_t 
   return TakenSide{query.getColumn(0), query.getColumn(1), query.getColumn(2), round};
 }
 
+nlohmann::json list_of(const std::vector<FindableShare>& shares) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const FindableShare& share : shares) list.push_back({share.size_mm, share.share});
+  return list;
+}
+
+std::vector<FindableShare> findable_in(const SQLite::Column& column) {
+  std::vector<FindableShare> shares;
+  if (column.isNull()) return shares;
+  for (const nlohmann::json& pair : nlohmann::json::parse(column.getString()))
+    shares.push_back({pair.at(0).get<double>(), pair.at(1).get<double>()});
+  return shares;
+}
+
 }  // namespace
 
 std::optional<RecordedComparison> comparison_of(SQLite::Database& database, std::int64_t id, int number) {
@@ -52,7 +66,8 @@ std::vector<std::string> unfinished_comparisons_of(SQLite::Database& database, s
 std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int64_t id, int comparison) {
   SQLite::Statement query(
       database,
-      "select view, method, compared, unseen, invalid, judged, warnings, left_out from compared_view "
+      "select view, method, compared, unseen, invalid, judged, warnings, left_out, findable from "
+      "compared_view "
       "where inspection = ? and comparison = ? order by view");
   query.bind(1, id);
   query.bind(2, comparison);
@@ -66,6 +81,7 @@ std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int
     if (!query.getColumn(7).isNull()) view.coverage.left_out = query.getColumn(7).getDouble();
     view.judged = query.getColumn(5);
     view.warnings = nlohmann::json::parse(query.getColumn(6).getString()).get<std::vector<std::string>>();
+    view.findable = findable_in(query.getColumn(8));
     views.push_back(std::move(view));
   }
   return views;
@@ -113,7 +129,7 @@ void insert_compared_views(SQLite::Database& database, std::int64_t id, int comp
     SQLite::Statement insert(
         database,
         "insert into compared_view (inspection, comparison, view, method, compared, unseen, invalid, judged, "
-        "warnings, left_out) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "warnings, left_out, findable) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, id);
     insert.bind(2, comparison);
     insert.bind(3, view.view);
@@ -124,6 +140,7 @@ void insert_compared_views(SQLite::Database& database, std::int64_t id, int comp
     insert.bind(8, view.judged);
     insert.bind(9, json_text(nlohmann::json(view.warnings)));
     if (view.coverage.left_out) insert.bind(10, *view.coverage.left_out);
+    insert.bind(11, json_text(list_of(view.findable)));
     insert.exec();
   }
 }
