@@ -1,4 +1,5 @@
-"""Measures how long other requests wait while several consoles request the list of many inspections.
+"""Measures searches in the list of many inspections, and how long other requests wait while several consoles request
+all of it.
 
 usage: lists_bench.py RVA [--inspections 5000] [--lists 6]
 """
@@ -13,6 +14,12 @@ import urllib.request
 
 SCENE = pathlib.Path(__file__).resolve().parents[1] / 'data' / 'scenes' / 'three-tools.yaml'
 VIEWS, FINDINGS = 4, 5
+REPEATS = 11
+OPEN_EVERY = 100  # one inspection in so many is not closed
+PAGE = 'most=51'
+SEARCHES = {'first page': PAGE, 'an aircraft': f'text=n77&{PAGE}', 'words of no inspection': f'text=left+N0&{PAGE}',
+            'one of the first': f'text=WO-00007&{PAGE}', 'in review': f'stage=review&{PAGE}',
+            'closed, of a month long ago': f'stage=done&until=2001-02-01&{PAGE}'}
 
 
 class Server:
@@ -44,12 +51,15 @@ def fill(database, inspections):
     with sqlite3.connect(database) as rows:
         for i in range(1, inspections + 1):
             rows.execute('insert into inspection (id, aircraft, zone, work_order, person, created_at, dither, comparison) '
-                         "values (?, 'N1', 'bay', 'WO', 'Ann', 't', 4, 1)", (i,))
-            rows.execute("insert into comparison values (?, 1, 't', 'comparison-1')", (i,))
+                         "values (?, ?, 'left wing, bay 3', ?, 'Ann', datetime('2001-01-01', ? || ' hours'), 4, 1)",
+                         (i, f'N{i % 997}', f'WO-{i:05}', i))
+            rows.execute("insert into comparison values (?, 1, 't', 'comparison-1', 1)", (i,))
+            if i % OPEN_EVERY:
+                rows.execute("insert into closing values (?, 1, 'Ann', '', 't')", (i,))
             rows.executemany("insert into side values (?, ?, 1, 't', 'Ann', 'base')", [(i, 'initial'), (i, 'final')])
             rows.executemany('insert into view values (?, ?, 0, 0)', [(i, view) for view in range(VIEWS)])
-            rows.executemany('insert into compared_view (inspection, view, method, compared, unseen, invalid, judged, warnings) '
-                             "values (?, ?, 'spatial', 1, 0, 0, 1, '[]')", [(i, view) for view in range(VIEWS)])
+            rows.executemany('insert into compared_view (inspection, comparison, view, method, compared, unseen, invalid, judged, warnings) '
+                             "values (?, 1, ?, 'spatial', 1, 0, 0, 1, '[]')", [(i, view) for view in range(VIEWS)])
             for finding in range(1, FINDINGS + 1):
                 rows.execute('insert into finding (inspection, comparison, number, view, same_as, kind, box, centroid) '
                              "values (?, 1, ?, 0, ?, 'added', '[1,2,3,4]', '[1,2]')", (i, finding, finding))
@@ -70,6 +80,9 @@ def main():
         fill(folder / 'data' / 'rva.db', arguments.inspections)
         with Server(arguments.rva, folder) as server:
             time.sleep(2)  # until the camera's first view is rendered
+            for what, query in SEARCHES.items():
+                times = sorted(server.seconds(f'/api/inspections?{query}') for _ in range(REPEATS))
+                print(f'{what}: median {1000 * times[REPEATS // 2]:.0f} ms, longest {1000 * times[-1]:.0f} ms')
             alone = server.seconds('/api/inspections')
             lists = []
             threads = [threading.Thread(target=lambda: lists.append(server.seconds('/api/inspections')))
