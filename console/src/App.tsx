@@ -1,6 +1,7 @@
 // The console: pictures in the middle, the next step beside them, the robot below.
 import './App.css';
 import { useEffect } from 'preact/hooks';
+import { takeRequested } from './follow_address';
 import { DrivePanel } from './drive/DrivePanel';
 import { Begin } from './inspection/Begin';
 import { attempt, open, openInspection, trouble } from './inspection/inspections';
@@ -13,9 +14,13 @@ import { page as shownPage, type Page } from './pages';
 import { RegionEditor } from './regions/RegionEditor';
 import { RegionPanel } from './regions/RegionPanel';
 import { FindingList } from './review/FindingList';
+import { MarkForm } from './review/MarkForm';
+import { newMark } from './review/marks';
 import { ReviewPictures } from './review/ReviewPictures';
+import { asItWas, earlierRound, showRound } from './review/rounds';
 import { ViewNotes } from './review/ViewNotes';
-import { firstLook, review, show } from './review/review_state';
+import { groupsOf } from './review/groups';
+import { beginReview, selectionOf, show } from './review/review_state';
 import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
 import { ThemeSwitch } from './ThemeSwitch';
@@ -88,11 +93,17 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
   const comparison = inspection?.comparison;
   // New findings are shown first.
   useEffect(() => {
-    review.value = firstLook;
-    shownPage.value = comparison ? 'review' : 'live';
-    if (inspection?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
+    beginReview();
+    const requested = takeRequested();
+    shownPage.value = requested?.page ?? (comparison ? 'review' : 'live');
+    const chosen = inspection && groupsOf(inspection).find((group) => group.lead.number === requested?.finding);
+    if (chosen || inspection?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
+    if (chosen) show(selectionOf(chosen));
   }, [inspection?.id, comparison]);
 
+  const round = useStore(earlierRound);
+  const past = inspection && round ? asItWas(inspection, round) : inspection;
+  const mayMark = inspection !== null && !inspection.closing && session.role !== 'viewer';
   const drawing = page === 'regions' && inspection?.initial !== undefined;
 
   if (ended) {
@@ -133,22 +144,31 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       )}
       <Trouble />
       <main>
-        {page === 'review' && inspection?.compared_at ? (
-          <ReviewPictures inspection={inspection} />
+        {page === 'review' && past?.compared_at ? (
+          <ReviewPictures inspection={past} onMark={mayMark && !round ? (bbox, view) => (newMark.value = { bbox, where: { view } }) : undefined} />
         ) : page === 'space' && inspection?.compared_at ? (
           <LazySpace inspection={inspection} />
         ) : drawing ? (
           <RegionEditor inspection={inspection} session={session} />
         ) : (
-          <LiveView />
+          <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} />
         )}
       </main>
       <aside aria-label="What to do" key={`${inspection?.id} ${inspection?.stage}`}>
         {!inspection && <Begin session={session} />}
         {drawing && <RegionPanel inspection={inspection} session={session} />}
         {!drawing && inspection && !inspection.compared_at && <Steps session={session} />}
-        {page === 'review' && inspection?.compared_at && <ViewNotes inspection={inspection} />}
-        {!drawing && inspection?.compared_at && <FindingList inspection={inspection} session={session} />}
+        {round && !drawing && (
+          <div class="note past" role="status" data-testid="earlier-round">
+            <span>An earlier round, as it was.</span>
+            <button type="button" onClick={() => showRound(null)}>
+              Back to the current round
+            </button>
+          </div>
+        )}
+        {page === 'review' && past?.compared_at && <ViewNotes inspection={past} />}
+        {!drawing && past?.compared_at && <FindingList inspection={past} session={session} past={round !== null} />}
+        {inspection && <MarkForm inspection={inspection} session={session} />}
       </aside>
       <footer>
         <DrivePanel mayDrive={session.role !== 'viewer'} small={page !== 'live'} />

@@ -1,6 +1,7 @@
 // The page that fills the middle of the console.
 import { Store } from './store';
 
-export type Page = 'live' | 'regions' | 'review' | 'space';
+export const pages = ['live', 'regions', 'review', 'space'] as const;
+export type Page = (typeof pages)[number];
 
 export const page = new Store<Page>('live');

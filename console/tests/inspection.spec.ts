@@ -79,8 +79,11 @@ test('from the empty list to the last decision, with a reload and a power cut be
     await page.getByTestId('verdict-debris-removed').click();
   }
 
-  // What was removed must be seen to be gone.
+  // What was removed must be seen to be gone, or the inspection is closed with a note that states why.
   await expect(page.getByTestId('all-decided')).toContainText('capture again to see that it is gone');
+  await page.getByTestId('close').click();
+  await expect(page.getByTestId('close-confirm')).toBeDisabled();
+  await page.getByRole('button', { name: 'Not yet' }).click();
   await page.getByTestId('capture-again').click();
   await expect(page.getByTestId('first-look')).toBeVisible({ timeout: 90_000 });
   await page.getByTestId('reveal').click();
@@ -90,8 +93,27 @@ test('from the empty list to the last decision, with a reload and a power cut be
     await expect(page.locator('.finding:not(.decided)')).toHaveCount(left - 1);
   }
 
+  // Both rounds are there, with what was decided.
+  await expect(page.getByTestId('round-2')).toContainText('now');
+  await expect(page.getByTestId('round-1')).toContainText(`${count} findings: ${count} debris removed`);
+  await page.getByTestId('round-1').click();
+  await expect(page.getByTestId('earlier-round')).toBeVisible();
+  await expect(findings).toHaveCount(count);
+  await expect(findings.first()).toContainText('Debris, removed');
+  await expect(page.getByTestId('decision')).toHaveCount(0);
+  await expect.poll(() => page.getByTestId('picture-after').evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(800);
+  await page.getByRole('button', { name: 'Back to the current round' }).click();
+
+  // A person closes it, by name; nothing can be changed afterwards.
+  await expect(page.getByTestId('all-decided')).toContainText('Nothing remains');
+  await page.getByTestId('close').click();
+  await page.getByTestId('close-form').getByLabel('Your name').fill('Ida');
+  await page.getByTestId('close-confirm').click();
+  await expect(page.getByTestId('closed')).toContainText('Closed by Ida');
+  await expect(page.getByTestId('capture-again')).toHaveCount(0);
+
   await page.getByTestId('home').click();
-  await expect(page.getByTestId('open-1')).toContainText('Done');
+  await expect(page.getByTestId('open-1')).toContainText('Closed');
 });
 
 test('a baseline of four captures is compared with itself, and nobody has to wait for it', async ({ page }) => {

@@ -182,12 +182,13 @@ test('the review shows what was probably moved, what was left out and what to mi
     final: baseline,
     comparison: 1,
     compared_at: '2025-01-01T12:00:00Z',
-    compared: [{ view: 0, method: 'calibrated', judged: 0.7, warnings: ['the camera turned by 0.98 degrees between the captures'],
+    compared: [{ view: 0, method: 'calibrated', judged: 0.7, warnings: ['the camera turned by 0.98 degrees between the captures'], findable: [],
       coverage: { compared: 0.75, unseen: 0.05, invalid: 0.08, left_out: 0.12 } }],
     findings: [
       { ...finding, number: 4, same_as: 4, kind: 'added', moved_from: 9 },
       { ...finding, number: 9, same_as: 9, kind: 'removed' },
     ] as unknown as Inspection['findings'],
+      marked: [],
   });
   await page.getByTestId('reveal').click();
   await expect(page.getByTestId('coverage')).toContainText('12 % was left out as asked');

@@ -79,6 +79,10 @@ test('the same part is shown of all moments, layers and views; buttons for glove
   expect(await scaleOf(page), 'the live picture shows something else').toBe(1);
   await page.getByTestId('page-review').click();
   expect(await part()).toBe(before);
+  await page.getByTestId('home').click();
+  await page.getByTestId('open-1').click();
+  await expect.poll(() => scaleOf(page), 'an inspection that is opened begins with the whole picture').toBe(1);
+  for (let i = 0; i < 3; ++i) await page.getByTestId('zoom-in').click();
   await page.getByTestId('zoom-out').click();
   expect(await scaleOf(page)).toBeCloseTo(2.25, 2);
   await page.getByTestId('zoom-fit').click();

@@ -131,8 +131,9 @@ TEST_F(ReadinessTest, OfACameraThatIsFrozenIsNot) {
   LiveCamera camera(std::make_unique<KnownCamera>(wall, true), 500.0);
   const ReadinessItem problem = only_problem(check_readiness(camera, drive_, folder_.path(), options_, {}));
   EXPECT_EQ(problem.name, "Camera");
-  EXPECT_THAT(problem.says, AllOf(HasSubstr("It is frozen: 7 of 8 depth images are the same as the one before"),
-                                  HasSubstr("connect it again")));
+  EXPECT_THAT(problem.says,
+              AllOf(HasSubstr("It is frozen: 7 of 8 depth images are the same as the one before"),
+                    HasSubstr("connect it again")));
 }
 
 TEST_F(ReadinessTest, OfACameraThatGivesMostImagesTwiceIsNot) {

@@ -4,9 +4,11 @@ import { api } from '../link/api';
 import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
-import type { Session } from '../types';
-import { attempt, inspectionList, loadList, open } from './inspections';
+import type { InspectionSummary, Session, Stage } from '../types';
+import { attempt, hasMore, inspectionList, listFilter, loadList, open, wholeList, type ListFilter } from './inspections';
 import { stageNames, timeOf, titleOf } from './words';
+
+const stages: Stage[] = ['baseline', 'work', 'review', 'done'];
 
 const empty = { aircraft: '', zone: '', work_order: '' };
 
@@ -49,32 +51,96 @@ function NewInspection({ session }: { session: Session }) {
   );
 }
 
+function Search() {
+  const filter = useStore(listFilter);
+  const set = (change: Partial<ListFilter>) => {
+    listFilter.value = { ...filter, ...change };
+    void attempt(() => loadList());
+  };
+  return (
+    <form class="search" role="search" aria-label="Inspections" onSubmit={(event) => event.preventDefault()}>
+      <label class="field">
+        <span>Search aircraft, zone, work order, person</span>
+        <input type="search" value={filter.text} maxLength={100} data-testid="search" onInput={(event) => set({ text: event.currentTarget.value })} />
+      </label>
+      <details open={filter.stage !== '' || filter.from !== '' || filter.until !== ''}>
+        <summary>By step and date</summary>
+        <label class="field">
+          <span>Step</span>
+          <select value={filter.stage} data-testid="search-stage" onChange={(event) => set({ stage: event.currentTarget.value as ListFilter['stage'] })}>
+            <option value="">Any</option>
+            {stages.map((stage) => (
+              <option key={stage} value={stage}>
+                {stageNames[stage]}
+              </option>
+            ))}
+          </select>
+        </label>
+        <div class="panel-pair">
+          <label class="field">
+            <span>From</span>
+            <input type="date" value={filter.from} onChange={(event) => set({ from: event.currentTarget.value })} />
+          </label>
+          <label class="field">
+            <span>Until</span>
+            <input type="date" value={filter.until} onChange={(event) => set({ until: event.currentTarget.value })} />
+          </label>
+        </div>
+      </details>
+    </form>
+  );
+}
+
+function Entry({ inspection, mayDelete }: { inspection: InspectionSummary; mayDelete: boolean }) {
+  const remove = () =>
+    void attempt(async () => {
+      await api.remove(inspection.id);
+      await loadList();
+    });
+  return (
+    <li class="entry">
+      <button type="button" class="row" data-testid={`open-${inspection.id}`} onClick={() => void attempt(() => open(inspection.id))}>
+        <strong>{titleOf(inspection)}</strong>
+        <span>
+          {stageNames[inspection.stage]}
+          {inspection.undecided_count > 0 && ` · ${inspection.undecided_count} to decide`}
+        </span>
+        <small>
+          {inspection.person}, {timeOf(inspection.created_at)}
+        </small>
+      </button>
+      {mayDelete && inspection.stage === 'baseline' && inspection.findings_count === 0 && (
+        <button type="button" aria-label={`Delete inspection ${inspection.id}, which is empty`} data-testid={`delete-${inspection.id}`} onClick={remove}>
+          ✕
+        </button>
+      )}
+    </li>
+  );
+}
+
 export function Begin({ session }: { session: Session }) {
   const list = useStore(inspectionList);
+  const more = useStore(hasMore);
+  const filtered = useStore(listFilter) !== wholeList;
   useEffect(() => void loadList().catch(() => undefined), []);
   return (
     <div class="panel-body">
       <NewInspection session={session} />
       <div class="card" aria-label="Inspections" role="region">
         <h2>Earlier inspections</h2>
+        <Search />
         {list === null && <p class="hint">Loading…</p>}
-        {list?.length === 0 && <p class="hint">No inspection yet.</p>}
+        {list?.length === 0 && <p class="hint">{filtered ? 'No inspection matches.' : 'No inspection yet.'}</p>}
         <ul class="list">
           {list?.map((inspection) => (
-            <li key={inspection.id}>
-              <button type="button" class="row" data-testid={`open-${inspection.id}`} onClick={() => void attempt(() => open(inspection.id))}>
-                <strong>{titleOf(inspection)}</strong>
-                <span>
-                  {stageNames[inspection.stage]}
-                  {inspection.undecided_count > 0 && ` · ${inspection.undecided_count} to decide`}
-                </span>
-                <small>
-                  {inspection.person}, {timeOf(inspection.created_at)}
-                </small>
-              </button>
-            </li>
+            <Entry key={inspection.id} inspection={inspection} mayDelete={session.role !== 'viewer'} />
           ))}
         </ul>
+        {more && (
+          <button type="button" data-testid="more" onClick={() => void attempt(() => loadList(true))}>
+            Show more
+          </button>
+        )}
       </div>
     </div>
   );

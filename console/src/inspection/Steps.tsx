@@ -15,7 +15,7 @@ import { ViewsCard } from './ViewsCard';
 import { timeOf } from './words';
 
 const order: Stage[] = ['baseline', 'work', 'review', 'done'];
-const labels: Record<Stage, string> = { baseline: 'Baseline', work: 'After the work', review: 'Review', done: 'Done' };
+const labels: Record<Stage, string> = { baseline: 'Baseline', work: 'After the work', review: 'Review', done: 'Closed' };
 
 export function StepBar({ stage }: { stage: Stage }) {
   const now = order.indexOf(stage);

@@ -12,8 +12,10 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
     void attempt(async () => {
       openInspection.value = await api.setViews(inspection.id, views);
     });
+  // A view from the middle of a motion would be one that nobody chose.
+  const moves = robot.driving || robot.lent;
   const here: Joints | null =
-    robot.pan_deg === undefined || robot.tilt_deg === undefined ? null : { pan_deg: robot.pan_deg, tilt_deg: robot.tilt_deg };
+    moves || robot.pan_deg === undefined || robot.tilt_deg === undefined ? null : { pan_deg: robot.pan_deg, tilt_deg: robot.tilt_deg };
   const { views } = inspection;
   const same_deg = 2;
   const known = here

@@ -2,14 +2,26 @@
 import { api, Refusal } from '../link/api';
 import { link } from '../link/live_link';
 import { Store } from '../store';
-import type { Inspection, InspectionSummary, TaskStatus } from '../types';
+import type { Inspection, InspectionSummary, Stage, TaskStatus } from '../types';
 
 export const openInspection = new Store<Inspection | null>(null);
 export const inspectionList = new Store<InspectionSummary[] | null>(null);
+/** Whether there are more inspections than those of the list. */
+export const hasMore = new Store(false);
+
+/** Which inspections the list shows; empty texts have no effect. */
+export interface ListFilter {
+  /** Words that an entry contains. */
+  text: string;
+  stage: Stage | '';
+  /** First and last day, YYYY-MM-DD, in the time zone of this browser. */
+  from: string;
+  until: string;
+}
+export const wholeList: ListFilter = { text: '', stage: '', from: '', until: '' };
+export const listFilter = new Store<ListFilter>(wholeList);
 /** The message of the last action that failed, for the user; empty if the last one succeeded. */
 export const trouble = new Store<string>('');
-
-const openKey = 'rva-inspection';
 
 /** Runs an action of the user, and shows the reason if it fails. Returns whether it succeeded. */
 export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
@@ -33,25 +45,39 @@ export function isBusy(task: TaskStatus | undefined): boolean {
   return task?.end === 'running' && !isCheck(task);
 }
 
-export async function loadList(): Promise<void> {
-  inspectionList.value = (await api.inspections()).inspections;
+const page_entries = 50;
+
+function startOf(day: string, later_days = 0): string {
+  if (day === '') return '';
+  const date = new Date(`${day}T00:00`);
+  date.setDate(date.getDate() + later_days);
+  return date.toISOString();
+}
+
+/** Loads the list from its beginning, or the entries that follow those that are shown. */
+export async function loadList(further = false): Promise<void> {
+  const filter = listFilter.value;
+  const shown = further ? (inspectionList.value ?? []) : [];
+  const { inspections } = await api.inspections({
+    text: filter.text,
+    stage: filter.stage,
+    from: startOf(filter.from),
+    until: startOf(filter.until, 1),
+    before: String(shown.at(-1)?.id ?? ''),
+    most: String(page_entries + 1),
+  });
+  if (filter !== listFilter.value) return; // a later request has been sent
+  hasMore.value = inspections.length > page_entries;
+  inspectionList.value = [...shown, ...inspections.slice(0, page_entries)];
 }
 
 export async function open(id: number | null): Promise<void> {
   if (id === null) {
-    sessionStorage.removeItem(openKey);
     openInspection.value = null;
     await loadList();
     return;
   }
   openInspection.value = await api.inspection(id);
-  sessionStorage.setItem(openKey, String(id));
-}
-
-export async function reopen(): Promise<void> {
-  const id = Number(sessionStorage.getItem(openKey));
-  if (id > 0) await open(id).catch(() => open(null));
-  else await loadList();
 }
 
 /** Why the last capture or comparison failed or was cancelled; a later check does not clear it. */

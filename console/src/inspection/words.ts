@@ -1,15 +1,17 @@
 // Names and phrases that the console uses.
-import type { Finding, FindingKind, InspectionSummary, Stage, Verdict } from '../types';
+import type { ComparedView, FindableShare, Finding, FindingKind, InspectionSummary, Stage, Verdict } from '../types';
 
 export const stageNames: Record<Stage, string> = {
   baseline: 'Before the work',
   work: 'Work',
   review: 'Review',
-  done: 'Done',
+  done: 'Closed',
 };
 
 export const verdictNames: Record<Verdict, string> = {
+  debris: 'Debris, still there',
   'debris-removed': 'Debris, removed',
+  'debris-unreachable': 'Debris, cannot be reached',
   'installed-work': 'Installed work',
   'false-alarm': 'False alarm',
   'second-look': 'Needs a second look',
@@ -52,13 +54,35 @@ export function signOf(kind: FindingKind): string {
   return { added: '+', removed: '−', appearance: '≈' }[kind];
 }
 
-/** Size, distance and how many millimetres nearer or farther than before. */
-export function whereAndHow(finding: Finding): string {
+/**
+ * Size, distance, and height above the surroundings, or, where that is not known, by how much nearer or farther.
+ * @param marked whether a person marked it, so that nothing is known of a change
+ */
+export function whereAndHow(finding: Finding, marked = false): string {
   const parts: string[] = [];
   if (finding.size_mm) parts.push(`${millimetres(finding.size_mm[0])} × ${millimetres(finding.size_mm[1])}`);
   if (finding.position_m) parts.push(`${finding.position_m[2].toFixed(2)} m away`);
-  if (finding.kind === 'appearance') parts.push('brighter or darker than before; not visible in depth');
-  if (finding.height_mm !== undefined)
-    parts.push(`surface ${millimetres(Math.abs(finding.height_mm))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
+  if (finding.kind === 'appearance' && !marked) parts.push('brighter or darker than before; not visible in depth');
+  const change = finding.height_mm;
+  const height = finding.above_surroundings_mm;
+  if (height !== undefined) parts.push(`${millimetres(height)} above its surroundings${finding.kind === 'removed' ? ' before' : ''}`);
+  if (finding.background_jump) parts.push('at an edge, where the background jumps');
+  else if (change !== undefined && height === undefined)
+    parts.push(`surface ${millimetres(Math.abs(change))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
   return parts.join(', ');
+}
+
+/** "objects of 5 mm in 76 %, 10 mm in 91 %"; empty if it is not known. */
+export function findableText(shares: FindableShare[]): string {
+  const parts = shares.map(({ size_mm, share }, i) => `${i === 0 ? 'objects of ' : ''}${size_mm} mm in ${Math.round(100 * share)} %`);
+  return parts.join(', ');
+}
+
+/** For each size, the share of the view in which least of it would have been found. */
+export function leastFindable(views: ComparedView[]): FindableShare[] {
+  const [first, ...others] = views.map(({ findable }) => findable);
+  return (first ?? []).map(({ size_mm, share }) => ({
+    size_mm,
+    share: Math.min(share, ...others.map((other) => other.find((one) => one.size_mm === size_mm)?.share ?? 0)),
+  }));
 }

@@ -2,18 +2,22 @@
 import type {
   BaselineCheck,
   CaptureRequest,
+  CloseRequest,
   DecisionRequest,
   Empty,
   ErrorAnswer,
   Inspection,
   InspectionList,
   Joints,
+  MarkDecisionRequest,
+  MarkRequest,
   Measurement,
   MeasureRequest,
   Order,
   Pixel,
   Polygon,
   RegionsRequest,
+  RoundList,
   Session,
   SideName,
   SignInRequest,
@@ -65,8 +69,15 @@ export const api = {
   session: () => call<Session>('GET', '/api/session'),
   signIn: (name: string, password: string) => send<SignInRequest, Empty>('POST', '/api/sign-in', { name, password }),
   signOut: () => post<Empty>('/api/sign-out'),
-  inspections: () => call<InspectionList>('GET', '/api/inspections'),
+  /** @param filter parameters of the query (docs/api.md); empty values have no effect */
+  inspections: (filter: Record<string, string>) => {
+    const query = new URLSearchParams(Object.entries(filter).filter(([, value]) => value !== ''));
+    return call<InspectionList>('GET', `/api/inspections?${query}`);
+  },
   inspection: (id: number) => call<Inspection>('GET', `/api/inspections/${id}`),
+  /** Refused once something has been captured or marked. */
+  remove: (id: number) => call<Empty>('DELETE', `/api/inspections/${id}`),
+  rounds: (id: number) => call<RoundList>('GET', `/api/inspections/${id}/rounds`),
   /** Refused with 404 until there is one. */
   baselineCheck: (id: number) => call<BaselineCheck>('GET', `/api/inspections/${id}/baseline-check`),
   begin: (order: Order) => send<Order, Inspection>('POST', '/api/inspections', order),
@@ -80,15 +91,26 @@ export const api = {
   /** Decides on a finding of this comparison; refused if the inspection has been compared again since. */
   decide: ({ id, comparison = 0 }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
     send<DecisionRequest, Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { comparison, verdict, note, person }),
+  mark: (id: number, mark: MarkRequest) => send<MarkRequest, Inspection>('POST', `/api/inspections/${id}/marked`, mark),
+  decideMark: (id: number, mark: number, verdict: Verdict, note: string, person: string) =>
+    send<MarkDecisionRequest, Inspection>('POST', `/api/inspections/${id}/marked/${mark}/decision`, { verdict, note, person }),
+  /** Refused if the inspection has been compared again since; it does not change afterwards. */
+  close: ({ id, comparison = 0 }: Inspection, note: string, person: string) =>
+    send<CloseRequest, Inspection>('POST', `/api/inspections/${id}/close`, { comparison, note, person }),
   checkReadiness: () => post<Empty>('/api/readiness'),
   cancel: () => post<Empty>('/api/cancel'),
   measure: (stream: Stream, points: Pixel[]) => send<MeasureRequest, Measurement>('POST', '/api/measure', { stream, points }),
   simulateWork: (done: boolean) => send<SimulationRequest, Empty>('POST', '/api/simulation', { done }),
 };
 
-/** The URL of a picture of a view's comparison. Its parameter `v` changes with the comparison, so that a new picture is loaded. */
+/** The URL of a picture of a view in an inspection's comparison, which may be an earlier one (rounds.ts). */
 export function pictureAddress(inspection: Inspection, view: number, name: string): string {
-  return `/api/inspections/${inspection.id}/views/${view}/${name}.png?v=${inspection.comparison ?? 0}`;
+  return `/api/inspections/${inspection.id}/rounds/${inspection.comparison ?? 0}/views/${view}/${name}.png`;
+}
+
+/** The URL of the picture in which a person marked a finding. */
+export function markedAddress(inspection: Inspection, mark: number): string {
+  return `/api/inspections/${inspection.id}/marked/${mark}/picture.png`;
 }
 
 /** The URL of a picture of a view's baseline. Colour and the pictures of the baseline check may be missing. */

@@ -6,8 +6,8 @@ import type { Box } from '../types';
 import { cropAround, most_times } from './crop';
 
 interface Props {
-  /** URLs of the whole pictures, which show the same scene pixel upon pixel. */
-  before: string;
+  /** URLs of the whole pictures, which show the same scene pixel upon pixel; there may be none of before the work. */
+  before?: string;
   after: string;
   /** Of both pictures, in pixels. */
   size: Size;
@@ -39,7 +39,7 @@ export function CloseUp({ before, after, size, bbox }: Props) {
   const part = { size, crop, large, onTap: () => setLarge(!large) };
   return (
     <div class={`close-up ${large ? 'large' : ''}`} data-testid="close-up">
-      <Part address={before} caption="Before" {...part} />
+      {before && <Part address={before} caption="Before" {...part} />}
       <Part address={after} caption="After" {...part} />
     </div>
   );

@@ -1,6 +1,6 @@
 // A picture that is enlarged and moved by fingers, mouse or keyboard, with drawings over it.
 import './zoom.css';
-import type { ComponentChildren } from 'preact';
+import type { ComponentChildren, TargetedMouseEvent, TargetedPointerEvent, TargetedWheelEvent } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Size } from '../regions/shapes';
 import { useStore, type Store } from '../store';
@@ -43,7 +43,10 @@ interface Latest<T> {
   current: T;
 }
 
+/** How much the wheel enlarges, as a logarithm; a browser may report lines instead of pixels. */
 const wheel_per_px = 0.002;
+const line_px = 30;
+/** How far an arrow key moves the picture, in fractions of the frame. */
 const pan = 0.15;
 
 function changeByKey(key: string, zoom: Zoom): Zoom | null {
@@ -67,6 +70,27 @@ function useWidth(frame: Latest<HTMLDivElement | null>): number {
   return width;
 }
 
+function placeOf(event: TargetedMouseEvent<HTMLDivElement>): Point {
+  const box = event.currentTarget.getBoundingClientRect();
+  return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height };
+}
+
+function turnWheel(event: TargetedWheelEvent<HTMLDivElement>, zoom: Store<Zoom>): void {
+  event.preventDefault();
+  const px = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY : line_px * event.deltaY;
+  zoom.value = zoomedAbout(zoom.value, placeOf(event), Math.exp(-px * wheel_per_px));
+}
+
+// A key that changes the picture does not turn the camera as well, which arrow keys do elsewhere.
+function pressKey(event: KeyboardEvent, zoom: Store<Zoom>): void {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const next = changeByKey(event.key, zoom.value);
+  if (!next) return;
+  event.preventDefault();
+  event.stopPropagation();
+  zoom.value = next;
+}
+
 export function ZoomPicture(props: Props) {
   const { size, label, children, overlay, fixed, marking } = props;
   const element = useRef<HTMLDivElement>(null);
@@ -86,28 +110,10 @@ export function ZoomPicture(props: Props) {
   const gestures = useRef<Gestures | null>(null);
   gestures.current ??= new Gestures(handlersOf(latest, latestFrame, element));
   const act = gestures.current;
-  const placeOf = (event: MouseEvent): Point => {
-    const box = element.current!.getBoundingClientRect();
-    return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height };
-  };
-  const press = (event: PointerEvent) => {
+  const press = (event: TargetedPointerEvent<HTMLDivElement>) => {
     if (event.button !== 0) return;
-    element.current?.setPointerCapture(event.pointerId);
+    event.currentTarget.setPointerCapture(event.pointerId);
     act.press(event.pointerId, placeOf(event));
-  };
-  const turnWheel = (event: WheelEvent) => {
-    event.preventDefault();
-    const px = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY : 30 * event.deltaY;
-    props.zoom.value = zoomedAbout(props.zoom.value, placeOf(event), Math.exp(-px * wheel_per_px));
-  };
-  // A key that changes the picture does not turn the camera as well, which arrow keys do elsewhere.
-  const pressKey = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const next = changeByKey(event.key, props.zoom.value);
-    if (!next) return;
-    event.preventDefault();
-    event.stopPropagation();
-    props.zoom.value = next;
   };
   return (
     <div class="picture">
@@ -125,8 +131,8 @@ export function ZoomPicture(props: Props) {
           onPointerMove={(event) => act.move(event.pointerId, placeOf(event))}
           onPointerUp={(event) => act.release(event.pointerId)}
           onPointerCancel={(event) => act.cancel(event.pointerId)}
-          onWheel={turnWheel}
-          onKeyDown={pressKey}
+          onWheel={(event) => turnWheel(event, props.zoom)}
+          onKeyDown={(event) => pressKey(event, props.zoom)}
         >
           <div class="zoom-layers" style={{ transform: `scale(${zoom.scale}) translate(${-100 * zoom.left}%, ${-100 * zoom.top}%)` }}>
             {children}
@@ -160,6 +166,8 @@ function handlersOf(props: Latest<Props>, frame: Latest<Frame>, element: Latest<
       if (done) marking()?.finish(box);
       else marking()?.setDraft(box);
     },
-    drop: () => marking()?.setDraft(null),
+    drop: () => {
+      if (marking()?.draft && !marking()?.byKeys) marking()?.setDraft(null);
+    },
   };
 }

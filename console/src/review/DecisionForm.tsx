@@ -6,28 +6,31 @@ import { attempt, openInspection } from '../inspection/inspections';
 import { timeOf, verdictNames } from '../inspection/words';
 import type { Inspection, Session, Verdict } from '../types';
 import { decisionOf, groupsOf, type Group } from './groups';
-import { show } from './review_state';
+import { selectionOf, show } from './review_state';
 
-const verdicts: Verdict[] = ['debris-removed', 'installed-work', 'false-alarm', 'second-look'];
+const verdicts: Verdict[] = ['debris', 'debris-removed', 'debris-unreachable', 'installed-work', 'false-alarm', 'second-look'];
 
-// Selects the next undecided finding.
-function goOn(inspection: Inspection): void {
+// Selects the next undecided finding. Debris that is still there stays selected, since its removal comes next.
+function goOn(inspection: Inspection, verdict: Verdict): void {
+  if (verdict === 'debris') return;
   const next = groupsOf(inspection).find((group) => !decisionOf(group));
-  if (next) show({ group: next.lead.number, view: next.lead.view });
+  if (next) show(selectionOf(next));
 }
 
 export function DecisionForm({ inspection, group, session }: { inspection: Inspection; group: Group; session: Session }) {
   const before = decisionOf(group);
   const [note, setNote] = useState(before?.note ?? '');
   useEffect(() => setNote(before?.note ?? ''), [group.lead.number]);
-  const mayDecide = session.role === 'inspector';
+  const closed = inspection.closing !== undefined;
+  const mayDecide = session.role === 'inspector' && !closed;
   const decide = (verdict: Verdict) =>
     void attempt(async () => {
       const who = session.name || person.name || inspection.person;
       let after = inspection;
-      for (const finding of group.all) after = await api.decide(inspection, finding.number, verdict, note, who);
+      if (group.marked) after = await api.decideMark(inspection.id, group.marked.number, verdict, note, who);
+      else for (const finding of group.all) after = await api.decide(inspection, finding.number, verdict, note, who);
       openInspection.value = after;
-      goOn(after);
+      goOn(after, verdict);
     });
   return (
     <div class="decision" data-testid="decision">
@@ -50,7 +53,7 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
           </button>
         ))}
       </div>
-      {!mayDecide && <p class="hint">Only an inspector can decide.</p>}
+      {!mayDecide && !closed && <p class="hint">Only an inspector can decide.</p>}
       {before && (
         <p class="hint">
           {verdictNames[before.verdict]}: {before.person}, {timeOf(before.decided_at)}

@@ -32,7 +32,7 @@ function FindingBox({ marked: { finding, label, selected }, frame }: { marked: M
       <rect class="halo" {...outline} />
       <rect class="outline" {...outline} />
       <text x={u - gap} y={above ? v - gap - 7 * frame.screen_px : v + height + gap + text_px * frame.screen_px} font-size={text_px * frame.screen_px} stroke-width={4 * frame.screen_px}>
-        {`${label} ${signOf(finding.kind)}`}
+        {`${label} ${finding.number < 0 ? '✎' : signOf(finding.kind)}`}
       </text>
     </g>
   );

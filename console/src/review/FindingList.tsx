@@ -1,17 +1,17 @@
 // Findings, most suspicious first, each to be decided.
 import './review.css';
-import { link } from '../link/live_link';
-import { api } from '../link/api';
-import { person } from '../link/client';
-import { attempt } from '../inspection/inspections';
+import { markedAddress, pictureAddress } from '../link/api';
+import { CloseUp } from '../picture/CloseUp';
 import { percent } from '../regions/region_words';
-import { signOf, suspicion, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
+import { findableText, leastFindable, signOf, suspicion, timeOf, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
-import type { Decision, Inspection, Session } from '../types';
+import type { Inspection, Session } from '../types';
+import { ClosingCard } from './ClosingCard';
 import { DecisionForm } from './DecisionForm';
-import { decisionOf, groupsOf, type Group } from './groups';
+import { decisionOf, groupsOf, isSettled, type Group } from './groups';
 import { Moved } from './Moved';
-import { review, show } from './review_state';
+import { review, reviewSize, selectionOf, show } from './review_state';
+import { RoundsCard } from './RoundsCard';
 
 function SuspicionBar({ level, name }: { level: number; name: string }) {
   return (
@@ -21,9 +21,10 @@ function SuspicionBar({ level, name }: { level: number; name: string }) {
   );
 }
 
-function DecisionText({ decision }: { decision: Decision | undefined }) {
+function DecisionText({ group }: { group: Group }) {
+  const decision = decisionOf(group);
   if (!decision) return <small class="open">To be decided</small>;
-  const settled = decision.verdict !== 'second-look';
+  const settled = isSettled(group);
   return (
     <small class={settled ? 'said' : 'open'}>
       {settled ? '✓' : '…'} {verdictNames[decision.verdict]}
@@ -32,29 +33,39 @@ function DecisionText({ decision }: { decision: Decision | undefined }) {
   );
 }
 
-function FindingCard({ inspection, groups, group, session, selected }: { inspection: Inspection; groups: Group[]; group: Group; session: Session; selected: boolean }) {
-  const { lead, all } = group;
+interface CardProps {
+  inspection: Inspection;
+  groups: Group[];
+  group: Group;
+  session: Session;
+  past: boolean;
+  selected: boolean;
+}
+
+function FindingCard({ inspection, groups, group, session, past, selected }: CardProps) {
+  const { lead, all, marked } = group;
   const decision = decisionOf(group);
   const { level, name } = suspicion(lead);
   return (
     <li class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
-      <button type="button" class="row" aria-expanded={selected} onClick={() => show({ group: lead.number, view: lead.view, findings: true })}>
+      <button type="button" class="row" aria-expanded={selected} onClick={() => show({ ...selectionOf(group), findings: true })}>
         <span class={`finding-number ${lead.kind}`}>
           {group.label}
-          <span aria-hidden="true">{signOf(lead.kind)}</span>
+          <span aria-hidden="true">{marked ? '✎' : signOf(lead.kind)}</span>
         </span>
         <span>
-          <strong>{whatChanged(lead)}</strong>
-          <SuspicionBar level={level} name={name} />
+          <strong>{marked ? marked.note || 'Marked by a person' : whatChanged(lead)}</strong>
+          {marked ? <small>{`Marked by ${marked.person}, ${timeOf(marked.marked_at)}`}</small> : <SuspicionBar level={level} name={name} />}
           <small>
-            {whereAndHow(lead)}
+            {whereAndHow(lead, marked !== undefined)}
             {all.length > 1 && `, seen in ${all.length} views`}
           </small>
-          <DecisionText decision={decision} />
+          <DecisionText group={group} />
         </span>
       </button>
       <Moved groups={groups} group={group} />
-      {selected && <DecisionForm inspection={inspection} group={group} session={session} />}
+      {selected && <Pictures inspection={inspection} group={group} />}
+      {selected && !past && <DecisionForm inspection={inspection} group={group} session={session} />}
     </li>
   );
 }
@@ -66,86 +77,66 @@ function Extent({ inspection, nothing }: { inspection: Inspection; nothing: bool
   if (!least) return null;
   const { judged, coverage } = least;
   const left_out = coverage.left_out ?? 0;
+  const sizes = findableText(leastFindable(inspection.compared));
   const few = judged < half;
   const blind = judged < half * (1 - left_out);
-  if (!nothing && !few) return null;
   return (
     <p class={few ? 'bad' : ''} data-testid="extent">
       {few ? '✗ ' : ''}
       {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected: '}
       <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'view with the least coverage' : 'view'}
-      {left_out > 0 && `; ${percent(left_out)} was left out as asked`}.{' '}
+      {left_out > 0 && `; ${percent(left_out)} was left out as asked`}
+      {sizes && `. Found would have been: ${sizes}`}.{' '}
       {blind ? 'Most of it could not be inspected, so this result means little. Check the camera and its view, and capture again.' : 'Inspect the rest (striped) by eye.'}
     </p>
   );
 }
 
-// The next step after the decisions. Debris that was removed counts as gone only when a new capture shows it.
-function Verdicts({ groups, inspection, session }: { groups: Group[]; inspection: Inspection; session: Session }) {
-  const simulation = useStore(link.status)?.simulation ?? false;
-  const count = (verdict: string) => groups.filter((group) => decisionOf(group)?.verdict === verdict).length;
-  const [unsettled, removed] = [count('second-look'), count('debris-removed')];
-  const again = () =>
-    void attempt(async () => {
-      if (simulation) await api.simulateWork(false);
-      await api.capture(inspection.id, 'final', session.name || person.name || inspection.person, false);
-    });
-  if (unsettled > 0) {
-    return (
-      <p class="open" data-testid="all-decided">
-        … {unsettled === 1 ? 'One needs' : `${unsettled} need`} a second look. Look again, also in the bay, then decide again: this inspection is not done.
-      </p>
-    );
-  }
-  if (removed === 0) {
-    return (
-      <p class="good" data-testid="all-decided">
-        ✓ All findings are decided. This inspection is done.
-      </p>
-    );
-  }
+// Clean close-ups, before and after, of a finding of a view; the picture in which a person marked one otherwise.
+function Pictures({ inspection, group }: { inspection: Inspection; group: Group }) {
+  const { lead, marked } = group;
+  const size = useStore(reviewSize);
+  if (marked && marked.comparison !== inspection.comparison)
+    return <CloseUp after={markedAddress(inspection, marked.number)} size={size} bbox={lead.bbox} />;
+  const address = (moment: string) => pictureAddress(inspection, lead.view, `${moment}_color`);
+  return <CloseUp before={address('initial')} after={address('final')} size={size} bbox={lead.bbox} />;
+}
+
+function FirstLook({ groups }: { groups: Group[] }) {
+  const reveal = () => show({ findings: true, uninspected: true, ...(groups[0] ? selectionOf(groups[0]) : {}) });
   return (
-    <>
-      <p data-testid="all-decided">
-        <span class="good">✓ All findings are decided.</span> Debris was removed since these pictures were taken: capture again to see that it is gone, and that nothing else was left.
-      </p>
-      <button type="button" class="primary" data-testid="capture-again" disabled={session.role === 'viewer'} onClick={again}>
-        Capture again{simulation ? ' (the simulated bay is tidied up)' : ''}
-      </button>
-    </>
+    <div class="panel-body">
+      <div class="card" data-testid="first-look">
+        <h2>First look</h2>
+        <p>First compare before and after by eye: blink between them. Mark what you find. Then let the program show its findings.</p>
+        <button type="button" class="primary big" data-testid="reveal" onClick={reveal}>
+          Show the findings
+        </button>
+      </div>
+    </div>
   );
 }
 
-export function FindingList({ inspection, session }: { inspection: Inspection; session: Session }) {
+/** @param past whether an earlier round is shown, of which nothing can be changed */
+export function FindingList({ inspection, session, past }: { inspection: Inspection; session: Session; past: boolean }) {
   const state = useStore(review);
   const groups = groupsOf(inspection);
-  const open = groups.filter((group) => !decisionOf(group)).length;
-  if (!state.findings && state.group === 0) {
-    return (
-      <div class="panel-body">
-        <div class="card" data-testid="first-look">
-          <h2>First look</h2>
-          <p>First compare before and after by eye: blink between them. Then let the program show its findings.</p>
-          <button type="button" class="primary big" data-testid="reveal" onClick={() => show({ findings: true, uninspected: true, group: groups[0]?.lead.number ?? 0, view: groups[0]?.lead.view ?? 0 })}>
-            Show the findings
-          </button>
-        </div>
-      </div>
-    );
-  }
+  if (!state.findings && state.group === 0) return <FirstLook groups={groups} />;
   return (
-    <div class="panel-body">
-      <div class="card" data-testid="finding-summary">
-        <h2>{groups.length === 0 ? 'Nothing found' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
-        <Extent inspection={inspection} nothing={groups.length === 0} />
-        {open > 0 && <p>{open} to be decided.</p>}
-        {open === 0 && groups.length > 0 && <Verdicts groups={groups} inspection={inspection} session={session} />}
+    <>
+      <div class="panel-body">
+        <div class="card" data-testid="finding-summary">
+          <h2>{groups.length === 0 ? 'Nothing found' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
+          <Extent inspection={inspection} nothing={groups.length === 0} />
+        </div>
+        <ul class="list">
+          {groups.map((group) => (
+            <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} past={past} selected={group.lead.number === state.group} />
+          ))}
+        </ul>
+        {!past && <RoundsCard inspection={inspection} />}
       </div>
-      <ul class="list">
-        {groups.map((group) => (
-          <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} selected={group.lead.number === state.group} />
-        ))}
-      </ul>
-    </div>
+      {!past && <ClosingCard inspection={inspection} session={session} />}
+    </>
   );
 }

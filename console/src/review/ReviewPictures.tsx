@@ -12,7 +12,7 @@ import { useStore } from '../store';
 import type { Box, Finding, Inspection, Pixel } from '../types';
 import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
 import { groupsOf } from './groups';
-import { review, reviewZoom, show, type Moment } from './review_state';
+import { review, reviewSize, reviewZoom, show, type Moment } from './review_state';
 import { ShowMenu, Toggle } from './ShowMenu';
 
 const moments: [Moment, string][] = [
@@ -57,7 +57,11 @@ function useCloser(finding: Finding | undefined, closer: boolean, size: Size): v
   }, [closer, finding?.number, size.width, size.height]);
 }
 
-function Layers({ inspection, view, before, onSize }: { inspection: Inspection; view: number; before: boolean; onSize: (size: Size) => void }) {
+function keepSize({ naturalWidth: width, naturalHeight: height }: HTMLImageElement): void {
+  if (width !== reviewSize.value.width || height !== reviewSize.value.height) reviewSize.value = { width, height };
+}
+
+function Layers({ inspection, view, before }: { inspection: Inspection; view: number; before: boolean }) {
   const { layer, findings, glow, uninspected } = useStore(review);
   const address = (name: string) => pictureAddress(inspection, view, name);
   const kind = layer === 'depth' ? 'depth' : 'color';
@@ -72,7 +76,7 @@ function Layers({ inspection, view, before, onSize }: { inspection: Inspection; 
             alt="After the work"
             draggable={false}
             data-testid="picture-after"
-            onLoad={(event) => onSize({ width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight })}
+            onLoad={(event) => keepSize(event.currentTarget)}
           />
           <img src={address(`initial_${kind}`)} alt="Before the work" draggable={false} data-testid="picture-before" class={before ? '' : 'hidden'} />
           {findings && glow && !before && <img src={address('changed')} alt="" draggable={false} class="glow" data-testid="picture-changed" />}
@@ -111,7 +115,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
   const marked: Marked[] = groups.flatMap(({ label, lead, all }) =>
     all.filter((finding) => finding.view === view).map((finding) => ({ finding, label, selected: lead.number === state.group })),
   );
-  const [size, setSize] = useState<Size>({ width: 848, height: 480 });
+  const size = useStore(reviewSize);
   const here = marked.find(({ selected }) => selected);
   const marking = useMarking(onMark && ((box) => onMark(box, view)));
   useCloser(here?.finding, state.closer, size);
@@ -131,7 +135,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
         onTap={pick}
         marking={marking}
       >
-        <Layers inspection={inspection} view={view} before={before} onSize={setSize} />
+        <Layers inspection={inspection} view={view} before={before} />
       </ZoomPicture>
     </section>
   );

@@ -1,6 +1,8 @@
 // What the review shows; kept while other pages are shown.
 import { whole, type Zoom } from '../picture/zoom';
+import type { Size } from '../regions/shapes';
 import { Store } from '../store';
+import type { Group } from './groups';
 
 export type Layer = 'color' | 'depth' | 'binary';
 export type Moment = 'after' | 'before' | 'blink';
@@ -26,6 +28,20 @@ export const review = new Store<ReviewState>(firstLook);
 
 /** The part of the picture that is shown, the same of all layers, moments and views. */
 export const reviewZoom = new Store<Zoom>(whole);
+
+/** The change that selects a group and shows a view in which it was found. */
+export function selectionOf({ lead }: Group): Partial<ReviewState> {
+  return { group: lead.number, ...(lead.view >= 0 && { view: lead.view }) };
+}
+
+/** The size of the pictures, in their pixels; a usual one until the first is loaded. */
+export const reviewSize = new Store<Size>({ width: 848, height: 480 });
+
+/** Begins the review of another inspection or comparison, with the whole picture. */
+export function beginReview(): void {
+  review.value = firstLook;
+  reviewZoom.value = whole;
+}
 
 export function show(change: Partial<ReviewState>): void {
   review.value = { ...review.value, ...change };

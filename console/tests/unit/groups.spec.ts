@@ -1,12 +1,12 @@
 // Findings of one object in several views, joined, and objects that were moved.
 import { expect, test } from '@playwright/test';
-import { decisionOf, groupsOf } from '../../src/review/groups';
+import { decisionOf, groupsOf, isSettled } from '../../src/review/groups';
 import { movedFrom, movedTo } from '../../src/review/moves';
-import type { Decision, Inspection } from '../../src/types';
+import type { Decision, Inspection, MarkedFinding, Verdict } from '../../src/types';
 import { finding } from './findings';
 
 function groups(...findings: Inspection['findings']) {
-  return groupsOf({ findings } as Inspection);
+  return groupsOf({ findings, marked: [] as MarkedFinding[] } as Inspection);
 }
 
 test('there are no groups without findings', () => {
@@ -22,7 +22,7 @@ test('findings of one object are one group, whose first finding leads', () => {
 });
 
 test('the decision on a group is that on the finding that leads it', () => {
-  const decision: Decision = { verdict: 'false-alarm', note: '', person: 'Ann', decided_at: '2025-01-01T12:00:00Z' };
+  const decision: Decision = { verdict: 'false-alarm', note: '', person: 'Ann', decided_at: '2025-01-01T12:00:00Z', round: 1 };
   const [decided, open] = groups(finding(1, { decision }), finding(2), finding(3, { same_as: 2, decision }));
   expect(decisionOf(decided!)).toBe(decision);
   expect(decisionOf(open!)).toBeUndefined();
@@ -41,4 +41,30 @@ test('an object that was moved is followed by the numbers of the list, through w
   expect(movedTo(all, removed).map(({ label }) => label)).toEqual([1]);
   for (const group of [removed, other]) expect(movedFrom(all, group)).toBeUndefined();
   for (const group of [added, other]) expect(movedTo(all, group)).toEqual([]);
+});
+
+const marked: MarkedFinding = { number: 2, round: 1, view: 1, comparison: 3, bbox: [4, 6, 3, 5], note: 'a rag', person: 'Ann', marked_at: '2025-01-01T12:00:00Z' };
+
+test('what a person marked follows the findings, under a number that no finding has', () => {
+  const [first, second] = groupsOf({ findings: [finding(2)], marked: [marked] } as unknown as Inspection);
+  expect(first!.marked).toBeUndefined();
+  expect(second!.marked).toBe(marked);
+  expect(second!.label).toBe(2);
+  expect(second!.lead.number).toBe(-2);
+  expect(second!.lead.centroid).toEqual([5, 8]);
+  expect(second!.lead.view).toBe(1);
+});
+
+test('a mark in the live picture is in none of the views', () => {
+  const { view: _, ...live } = marked;
+  expect(groupsOf({ findings: [], marked: [live] } as unknown as Inspection)[0]!.lead.view).toBe(-1);
+});
+
+test('a finding is settled once nothing remains to be done about it', () => {
+  const settled = (verdict?: Verdict) => {
+    const decision = verdict && { verdict, note: '', person: 'Ann', decided_at: '2025-01-01T12:00:00Z', round: 1 };
+    return isSettled(groups(finding(1, decision ? { decision } : {}))[0]!);
+  };
+  for (const verdict of [undefined, 'debris', 'second-look'] as const) expect(settled(verdict), verdict ?? 'none').toBe(false);
+  for (const verdict of ['debris-removed', 'debris-unreachable', 'installed-work', 'false-alarm'] as const) expect(settled(verdict), verdict).toBe(true);
 });

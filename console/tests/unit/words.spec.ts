@@ -1,6 +1,7 @@
 // Phrases about inspections and findings.
 import { expect, test } from '@playwright/test';
-import { millimetres, signOf, suspicion, titleOf, whatChanged, whereAndHow } from '../../src/inspection/words';
+import { findableText, leastFindable, millimetres, signOf, suspicion, titleOf, whatChanged, whereAndHow } from '../../src/inspection/words';
+import type { ComparedView } from '../../src/types';
 import type { InspectionSummary } from '../../src/types';
 import { finding } from './findings';
 
@@ -39,4 +40,23 @@ test('a finding is described by what is known about it', () => {
   );
   expect(whereAndHow(finding(1, { kind: 'removed', height_mm: 14 }))).toBe('surface 14 mm farther than before');
   expect(whereAndHow(finding(1, { kind: 'appearance' }))).toBe('brighter or darker than before; not visible in depth');
+  expect(whereAndHow(finding(1, { kind: 'appearance', evidence: [] }), true), 'nothing is known of a change').toBe('');
+});
+
+test('height is that above the surroundings where it is known, and a jump of the background is stated', () => {
+  expect(whereAndHow(finding(1, { height_mm: 31, above_surroundings_mm: 30, background_jump: false }))).toBe('30 mm above its surroundings');
+  expect(whereAndHow(finding(1, { height_mm: 157, above_surroundings_mm: 30, background_jump: true }))).toBe(
+    '30 mm above its surroundings, at an edge, where the background jumps',
+  );
+  expect(whereAndHow(finding(1, { kind: 'removed', above_surroundings_mm: 7, background_jump: false }))).toBe('7.0 mm above its surroundings before');
+});
+
+test('a share is named with the size that it is of, and is that of the least favourable view', () => {
+  const views = [
+    { findable: [{ size_mm: 5, share: 0.4 }, { size_mm: 10, share: 0.8 }] },
+    { findable: [{ size_mm: 5, share: 0.5 }, { size_mm: 10, share: 0.7 }] },
+  ] as ComparedView[];
+  expect(findableText(leastFindable(views))).toBe('objects of 5 mm in 40 %, 10 mm in 70 %');
+  expect(findableText(leastFindable([...views, { findable: [] } as unknown as ComparedView])), 'not known of one view').toBe('objects of 5 mm in 0 %, 10 mm in 0 %');
+  expect(findableText(leastFindable([]))).toBe('');
 });

@@ -1,0 +1,66 @@
+// All rounds of an inspection: what each of them found, and what was decided.
+import { useEffect, useState } from 'preact/hooks';
+import { timeOf } from '../inspection/words';
+import { api } from '../link/api';
+import { useStore } from '../store';
+import type { Inspection, Round } from '../types';
+import { groupsOf } from './groups';
+import { asItWas, earlierRound, showRound } from './rounds';
+
+/** "3 findings: 2 debris removed, 1 false alarm". */
+export function outcomeOf(inspection: Inspection, round: Round): string {
+  const groups = groupsOf(asItWas(inspection, round));
+  if (groups.length === 0) return 'nothing found';
+  const count = (...verdicts: string[]) => groups.filter((group) => verdicts.includes(group.lead.decision?.verdict ?? '')).length;
+  const parts = [
+    [count('debris-removed'), 'debris removed'],
+    [count('debris', 'debris-unreachable'), 'debris left'],
+    [count('installed-work'), 'installed work'],
+    [count('false-alarm'), groups.length === 1 ? 'false alarm' : 'false alarms'],
+    [count('second-look', ''), 'undecided'],
+  ] as const;
+  const named = parts.filter(([number]) => number > 0).map(([number, name]) => `${number} ${name}`);
+  return `${groups.length === 1 ? '1 finding' : `${groups.length} findings`}: ${named.join(', ')}`;
+}
+
+export function RoundsCard({ inspection }: { inspection: Inspection }) {
+  const [rounds, setRounds] = useState<Round[]>([]);
+  const shown = useStore(earlierRound);
+  useEffect(() => {
+    let current = true;
+    api.rounds(inspection.id).then(
+      (answer) => current && setRounds(answer.rounds),
+      () => undefined,
+    );
+    return () => {
+      current = false;
+    };
+  }, [inspection]);
+  if (rounds.length < 2) return null;
+  return (
+    <div class="card" data-testid="rounds">
+      <h2>Rounds</h2>
+      <ul class="list">
+        {rounds.map((round, i) => {
+          const isCurrent = round.comparison === inspection.comparison;
+          const isShown = shown ? shown.comparison === round.comparison : isCurrent;
+          return (
+            <li key={round.comparison}>
+              <button type="button" class="row" aria-pressed={isShown} data-testid={`round-${rounds.length - i}`} onClick={() => showRound(isCurrent ? null : round)}>
+                <strong>
+                  Round {rounds.length - i}
+                  {isCurrent && ' (now)'}
+                </strong>
+                <span>{outcomeOf(inspection, round)}</span>
+                <small>
+                  {round.final ? `${round.final.person}, ` : ''}
+                  {timeOf(round.compared_at)}
+                </small>
+              </button>
+            </li>
+          );
+        })}
+      </ul>
+    </div>
+  );
+}
