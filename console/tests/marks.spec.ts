@@ -40,10 +40,14 @@ test('findings are marked by hand, stay through the rounds, and are decided like
   await page.getByTestId('finding--2').getByTestId('verdict-debris').click();
   await expect(page.getByTestId('all-decided')).toContainText('1 to be removed');
   await page.getByTestId('finding--2').getByTestId('verdict-debris-removed').click();
-  await page.getByTestId('finding--1').getByTestId('verdict-false-alarm').click();
+  // By keyboard, on the finding that is selected next.
+  await expect(page.getByTestId('finding--1')).toHaveClass(/selected/);
+  await page.keyboard.press('5');
+  await expect(page.getByTestId('finding--1')).toContainText('False alarm');
   await page.getByTestId('capture-again').click();
   await expect(page.getByTestId('progress')).toBeVisible();
-  await expect(page.getByTestId('finding-summary')).toBeVisible({ timeout: 90_000 });
+  await expect(page.getByTestId('first-look')).toBeVisible({ timeout: 90_000 });
+  await page.getByTestId('reveal').click();
   await expect(page.getByTestId('finding--2')).toContainText('Debris, removed');
 
   // Its address leads there again, and *Back* to what was shown before.

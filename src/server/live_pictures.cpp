@@ -56,6 +56,8 @@ ColorImage in_color(const GrayImage& grey) {
 
 }  // namespace
 
+bool has_picture(const LiveFrame& live, Stream stream) { return brings(live.frame, stream); }
+
 ColorImage picture_of(const LiveFrame& live, Stream stream) {
   if (!brings(live.frame, stream))
     throw Error("camera", fmt::format("has no {} image at the moment", name_of(stream)), "try again");

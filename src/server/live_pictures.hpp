@@ -40,6 +40,9 @@ struct LivePicture {
   std::vector<std::byte> jpeg;
 };
 
+/// Whether a frame has an image of this stream; colour may be missing in some frames of a camera that has it.
+[[nodiscard]] bool has_picture(const LiveFrame& live, Stream stream);
+
 /// A frame of a stream as a picture; depth in colours.
 /// @throws Error when the frame has no image of this stream
 [[nodiscard]] ColorImage picture_of(const LiveFrame& live, Stream stream);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -71,6 +72,17 @@ MarkedFinding located(const LiveFrame& live, Stream stream, const Box& box) {
   return marked;
 }
 
+// The newest frame with an image of this stream, which not every frame of a camera needs to have.
+std::shared_ptr<const LiveFrame> newest_with(const LiveCamera& camera, Stream stream) {
+  constexpr int most_frames = 10;
+  constexpr std::chrono::milliseconds patience{500};
+  std::shared_ptr<const LiveFrame> live = camera.newest();
+  for (int i = 0; i < most_frames && live && !has_picture(*live, stream); ++i)
+    live = camera.wait_for_other(live.get(), patience);
+  if (!live) throw Error("camera", "delivers no frames", "wait a moment, then try again");
+  return live;
+}
+
 }  // namespace
 
 ApiResponse Api::get_rounds(const Call& call) const {
@@ -116,8 +128,7 @@ ApiResponse Api::mark(const Call& call) const {
   const std::optional<Stream> stream = value_of<Stream>(text_field(call.body, "stream"));
   if (!stream)
     throw ApiError(400, "bad-request", "stream", "is none of color, depth, infrared", "see docs/api.md");
-  const std::shared_ptr<const LiveFrame> live = parts_.camera.newest();
-  if (!live) throw Error("camera", "has delivered no frame yet", "wait a moment");
+  const std::shared_ptr<const LiveFrame> live = newest_with(parts_.camera, *stream);
   parts_.inspector.mark_in_picture(id, located(*live, *stream, box), picture_of(*live, *stream), remark);
   return whole_inspection(id, 201);
 }

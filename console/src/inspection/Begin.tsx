@@ -60,8 +60,8 @@ function Search() {
   return (
     <form class="search" role="search" aria-label="Inspections" onSubmit={(event) => event.preventDefault()}>
       <label class="field">
-        <span>Search aircraft, zone, work order, person</span>
-        <input type="search" value={filter.text} maxLength={100} data-testid="search" onInput={(event) => set({ text: event.currentTarget.value })} />
+        <span>Search</span>
+        <input type="search" placeholder="Words, a number or a name" value={filter.text} maxLength={100} data-testid="search" onInput={(event) => set({ text: event.currentTarget.value })} />
       </label>
       <details open={filter.stage !== '' || filter.from !== '' || filter.until !== ''}>
         <summary>By step and date</summary>

@@ -32,6 +32,16 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
       openInspection.value = after;
       goOn(after, verdict);
     });
+  // A digit decides, as long as nothing is being written.
+  useEffect(() => {
+    const press = (event: KeyboardEvent) => {
+      const verdict = verdicts[Number(event.key) - 1];
+      const writes = event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement || event.target instanceof HTMLSelectElement;
+      if (verdict && mayDecide && !writes && !event.ctrlKey && !event.altKey && !event.metaKey) decide(verdict);
+    };
+    addEventListener('keydown', press);
+    return () => removeEventListener('keydown', press);
+  });
   return (
     <div class="decision" data-testid="decision">
       <label class="field">
@@ -39,13 +49,14 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
         <textarea rows={2} maxLength={1000} value={note} disabled={!mayDecide} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
       <div class="verdicts">
-        {verdicts.map((verdict) => (
+        {verdicts.map((verdict, i) => (
           <button
             key={verdict}
             type="button"
             class={before?.verdict === verdict ? 'chosen' : ''}
             aria-pressed={before?.verdict === verdict}
             disabled={!mayDecide}
+            aria-keyshortcuts={String(i + 1)}
             data-testid={`verdict-${verdict}`}
             onClick={() => decide(verdict)}
           >
