@@ -159,7 +159,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         {drawing && <RegionPanel inspection={inspection} session={session} />}
         {!drawing && inspection && !inspection.compared_at && <Steps session={session} />}
         {round && !drawing && (
-          <div class="note past" role="status" data-testid="earlier-round">
+          <div class="note earlier-round" role="status" data-testid="earlier-round">
             <span>An earlier round, as it was.</span>
             <button type="button" onClick={() => showRound(null)}>
               Back to the current round

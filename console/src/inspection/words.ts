@@ -72,10 +72,10 @@ export function whereAndHow(finding: Finding, marked = false): string {
   return parts.join(', ');
 }
 
-/** "objects of 5 mm in 76 %, 10 mm in 91 %"; empty if it is not known. */
+/** "5 mm in 76 %, of 10 mm in 91 % of it"; empty if it is not known. */
 export function findableText(shares: FindableShare[]): string {
-  const parts = shares.map(({ size_mm, share }, i) => `${i === 0 ? 'objects of ' : ''}${size_mm} mm in ${Math.round(100 * share)} %`);
-  return parts.join(', ');
+  const parts = shares.map(({ size_mm, share }) => `${size_mm} mm in ${Math.round(100 * share)} %`);
+  return parts.length === 0 ? '' : `${parts.join(', of ')} of it`;
 }
 
 /** For each size, the share of the view in which least of it would have been found. */

@@ -101,13 +101,13 @@ export function ClosingCard({ inspection, session }: { inspection: Inspection; s
   }
   return (
     <div class="panel-action">
-      <p data-testid="all-decided" class={left === '' ? 'good' : 'open'}>
+      <p data-testid="all-decided" class={left === '' && !needsNote ? 'good' : 'open'}>
         {left !== '' ? `Before closing: ${left}.` : needsNote ? 'Debris was removed after these pictures, or cannot be reached: capture again to see that it is gone.' : '✓ Nothing remains to be decided.'}
       </p>
-      <div class="panel-pair">
+      <div class="panel-pair narrow">
         <CaptureAgain inspection={inspection} session={session} first={left === '' && needsNote} />
         <button type="button" class={left === '' && !needsNote ? 'primary' : ''} data-testid="close" disabled={left !== '' || session.role !== 'inspector'} onClick={() => setClosing(true)}>
-          Close the inspection
+          Close inspection
         </button>
       </div>
     </div>

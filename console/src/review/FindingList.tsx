@@ -80,13 +80,14 @@ function Extent({ inspection, nothing }: { inspection: Inspection; nothing: bool
   const sizes = findableText(leastFindable(inspection.compared));
   const few = judged < half;
   const blind = judged < half * (1 - left_out);
+  if (!nothing && !few) return null;
   return (
     <p class={few ? 'bad' : ''} data-testid="extent">
       {few ? '✗ ' : ''}
       {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected: '}
       <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'view with the least coverage' : 'view'}
       {left_out > 0 && `; ${percent(left_out)} was left out as asked`}
-      {sizes && `. Found would have been: ${sizes}`}.{' '}
+      {sizes && `. An object would have been found of ${sizes}`}.{' '}
       {blind ? 'Most of it could not be inspected, so this result means little. Check the camera and its view, and capture again.' : 'Inspect the rest (striped) by eye.'}
     </p>
   );
