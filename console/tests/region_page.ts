@@ -43,5 +43,7 @@ export async function standIn(page: Page, part: Partial<Inspection>, withColor =
   await page.route(/api\/inspections\/1\/.*\.png/, (route) =>
     withColor || !route.request().url().includes('color.png') ? route.fulfill({ contentType: 'image/svg+xml', body }) : route.fulfill({ status: 404, json: {} }),
   );
+  // With no page in the address, the one of the inspection's step is shown.
+  await page.evaluate(() => history.replaceState(null, '', '#/inspections/1'));
   await page.reload();
 }

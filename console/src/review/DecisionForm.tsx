@@ -1,4 +1,5 @@
 // The decision on a finding.
+import type { ComponentChildren } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { person } from '../link/client';
@@ -17,7 +18,8 @@ function goOn(inspection: Inspection, verdict: Verdict): void {
   if (next) show(selectionOf(next));
 }
 
-export function DecisionForm({ inspection, group, session }: { inspection: Inspection; group: Group; session: Session }) {
+/** @param children pictures, between the verdicts, which are in reach at once, and the note */
+export function DecisionForm({ inspection, group, session, children }: { inspection: Inspection; group: Group; session: Session; children: ComponentChildren }) {
   const before = decisionOf(group);
   const [note, setNote] = useState(before?.note ?? '');
   useEffect(() => setNote(before?.note ?? ''), [group.lead.number]);
@@ -44,10 +46,6 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
   });
   return (
     <div class="decision" data-testid="decision">
-      <label class="field">
-        <span>Note</span>
-        <textarea rows={2} maxLength={1000} value={note} disabled={!mayDecide} onInput={(event) => setNote(event.currentTarget.value)} />
-      </label>
       <div class="verdicts">
         {verdicts.map((verdict, i) => (
           <button
@@ -64,6 +62,11 @@ export function DecisionForm({ inspection, group, session }: { inspection: Inspe
           </button>
         ))}
       </div>
+      {children}
+      <label class="field">
+        <span>Note</span>
+        <textarea rows={2} maxLength={1000} value={note} disabled={!mayDecide} onInput={(event) => setNote(event.currentTarget.value)} />
+      </label>
       {!mayDecide && !closed && <p class="hint">Only an inspector can decide.</p>}
       {before && (
         <p class="hint">

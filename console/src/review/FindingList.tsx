@@ -1,5 +1,6 @@
 // Findings, most suspicious first, each to be decided.
 import './review.css';
+import { useEffect, useRef } from 'preact/hooks';
 import { markedAddress, pictureAddress } from '../link/api';
 import { CloseUp } from '../picture/CloseUp';
 import { percent } from '../regions/region_words';
@@ -46,8 +47,14 @@ function FindingCard({ inspection, groups, group, session, past, selected }: Car
   const { lead, all, marked } = group;
   const decision = decisionOf(group);
   const { level, name } = suspicion(lead);
+  const pictures = <Pictures inspection={inspection} group={group} />;
+  // The decision on the finding that is selected is in reach without scrolling.
+  const card = useRef<HTMLLIElement>(null);
+  useEffect(() => {
+    if (selected) card.current?.scrollIntoView({ block: 'start' });
+  }, [selected]);
   return (
-    <li class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
+    <li ref={card} class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
       <button type="button" class="row" aria-expanded={selected} onClick={() => show({ ...selectionOf(group), findings: true })}>
         <span class={`finding-number ${lead.kind}`}>
           {group.label}
@@ -64,8 +71,12 @@ function FindingCard({ inspection, groups, group, session, past, selected }: Car
         </span>
       </button>
       <Moved groups={groups} group={group} />
-      {selected && <Pictures inspection={inspection} group={group} />}
-      {selected && !past && <DecisionForm inspection={inspection} group={group} session={session} />}
+      {selected && !past && (
+        <DecisionForm inspection={inspection} group={group} session={session}>
+          {pictures}
+        </DecisionForm>
+      )}
+      {selected && past && pictures}
     </li>
   );
 }
