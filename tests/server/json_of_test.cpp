@@ -26,6 +26,8 @@ TEST(JsonOf, FindingStatesWhatIsKnown) {
   finding.position_m = Eigen::Vector3d(0.5, -0.25, 1.0);
   finding.size_mm = {12.0, 8.0};
   finding.height_mm = -4.0;
+  finding.above_surroundings_mm = 3.5;
+  finding.background_jump = true;
   finding.score = 2.5;
   finding.p_value = 0.001;
   finding.evidence = {.depth = false, .appearance = true};
@@ -34,7 +36,8 @@ TEST(JsonOf, FindingStatesWhatIsKnown) {
   reviewed.decision = Decision{Verdict::installed_work, "a clip", "Ann", "2026-01-01T00:00:00.000Z", 2};
   EXPECT_EQ(json_of(reviewed), Json::parse(R"({"number": 3, "view": 1, "same_as": 2, "kind": "removed",
       "bbox": [4, 5, 6, 7], "centroid": [6.5, 8.25], "position_m": [0.5, -0.25, 1.0],
-      "in_foot_m": [1.0, 2.0, 3.0], "size_mm": [12.0, 8.0], "height_mm": -4.0, "score": 2.5, "p_value": 0.001,
+      "in_foot_m": [1.0, 2.0, 3.0], "size_mm": [12.0, 8.0], "height_mm": -4.0, "above_surroundings_mm": 3.5,
+      "background_jump": true, "score": 2.5, "p_value": 0.001,
       "evidence": ["appearance"], "moved_from": 1, "decision": {"verdict": "installed-work",
       "note": "a clip", "person": "Ann", "decided_at": "2026-01-01T00:00:00.000Z",
       "round": 2}})"));
@@ -66,12 +69,16 @@ TEST(JsonOf, InspectionStatesItsSidesAndViews) {
 
 TEST(JsonOf, ComparedViewStatesItsCoverage) {
   Inspection inspection;
-  ComparedView view{
-      1, "calibrated", {0.5, 0.25, 0.25, {}, {}}, 0.75, {"/data/inspections/000001/x: is dark"}};
+  ComparedView view{1,
+                    "calibrated",
+                    {0.5, 0.25, 0.25, {}, {}},
+                    0.75,
+                    {"/data/inspections/000001/x: is dark"},
+                    {{5.0, 0.25}}};
   inspection.compared = {view};
   EXPECT_EQ(json_of(inspection)["compared"][0], Json::parse(R"({"view": 1, "method": "calibrated",
       "coverage": {"compared": 0.5, "unseen": 0.25, "invalid": 0.25}, "judged": 0.75,
-      "warnings": ["inspections/000001/x: is dark"]})"));
+      "warnings": ["inspections/000001/x: is dark"], "findable": [{"size_mm": 5.0, "share": 0.25}]})"));
   inspection.compared[0].coverage.left_out = 0.125;
   EXPECT_EQ(json_of(inspection)["compared"][0]["coverage"]["left_out"], 0.125);
 }

@@ -51,6 +51,8 @@ ReviewedFinding finding(int number) {
   reviewed.in_foot_m = Eigen::Vector3d(1, 2, 3);
   reviewed.finding.size_mm = {7.1, 8.2};
   reviewed.finding.height_mm = 6.9;
+  reviewed.finding.above_surroundings_mm = 5.9;
+  reviewed.finding.background_jump = true;
   reviewed.finding.score = 9.5;
   reviewed.finding.p_value = 1e-9;
   return reviewed;
@@ -61,9 +63,10 @@ TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
   records_->set_views(id, {{-10.5, 3}, {12, -20.15}});
   records_->set_side(id, Side::initial, {"2026-01-01T01:00:00Z", "Ann", "base"});
   records_->set_side(id, Side::final, {"2026-01-01T02:00:00Z", "Bob", "other"});
-  records_->set_comparison(id, {1, "2026-01-01T03:00:00Z", "comparison-1"},
-                           {{0, "spatial", {0.9, 0.06, 0.04, {}}, 0.8, {"a \"word\""}}},
-                           {finding(1), finding(2)});
+  records_->set_comparison(
+      id, {1, "2026-01-01T03:00:00Z", "comparison-1"},
+      {{0, "spatial", {0.9, 0.06, 0.04, {}}, 0.8, {"a \"word\""}, {{5.0, 0.25}, {10.0, 0.5}}}},
+      {finding(1), finding(2)});
   open();
   const std::optional<Inspection> back = records_->find(id);
   ASSERT_TRUE(back);
@@ -75,11 +78,16 @@ TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
   ASSERT_THAT(back->compared, SizeIs(1));
   EXPECT_EQ(back->compared[0].coverage.unseen, 0.06);
   EXPECT_THAT(back->compared[0].warnings, ElementsAre("a \"word\""));
+  ASSERT_THAT(back->compared[0].findable, SizeIs(2));
+  EXPECT_EQ(back->compared[0].findable[1].size_mm, 10.0);
+  EXPECT_EQ(back->compared[0].findable[1].share, 0.5);
   ASSERT_THAT(back->findings, SizeIs(2));
   const Finding& first = back->findings[0].finding;
   EXPECT_EQ(first.position_m, finding(1).finding.position_m) << "to the last bit";
   EXPECT_EQ(first.size_mm, finding(1).finding.size_mm);
   EXPECT_EQ(first.p_value, 1e-9);
+  EXPECT_EQ(first.above_surroundings_mm, 5.9);
+  EXPECT_TRUE(first.background_jump);
   EXPECT_EQ(first.box, (Box{1, 2, 3, 4}));
   EXPECT_EQ(back->findings[1].finding.kind, ChangeKind::removed);
 }
