@@ -134,8 +134,8 @@ Sides open_sides(const DetectArguments& arguments) {
   const CaptureOptions options = arguments.captures.options();
   const auto initial = paths_of(arguments.initial, arguments.initial_side);
   const auto final = paths_of(arguments.final, arguments.final_side);
-  require_distinct(initial, final);
   Sides sides{open_side(initial, options), open_side(final, options), {time_of_making(), {}, {}}};
+  require_distinct(initial, final);
   sides.provenance.initial = sources_of(initial, sides.initial);
   sides.provenance.final = sources_of(final, sides.final);
   return sides;

@@ -73,6 +73,14 @@ class BadInputTest(program.ProgramTest):
         self.bad = self.folder / 'bad'
         self.outs = (self.folder / f'out{i}' for i in itertools.count())
 
+    @property
+    def twin(self):
+        """The good capture again: one folder is refused as both sides."""
+        copy = self.folder / 'twin'
+        if not copy.exists():
+            shutil.copytree(self.good, copy)
+        return copy
+
     def picture(self):
         return plain_color(CAMERA.width, CAMERA.height, (200, 100, 50))
 
@@ -359,7 +367,7 @@ class BadPair(BadInputTest):
         for pair in ([self.good, self.bad], [self.bad, self.good]):
             self.check_fails('detect', *pair, '--method', 'gaussian', '--out', self.out,
                              names=['gaussian', 'frame'])
-        self.check_fails('detect', self.good, self.good, '--method', 'gaussian', '--frames', 1, '--out', self.out,
+        self.check_fails('detect', self.good, self.twin, '--method', 'gaussian', '--frames', 1, '--out', self.out,
                          names=['gaussian'])
 
     def test_noise_needs_four_frames(self):
@@ -370,7 +378,7 @@ class BadPair(BadInputTest):
 class BadOutput(BadInputTest):
     def check_output(self, *names, out=None, **run):
         out = self.out if out is None else out
-        self.check_fails('detect', self.good, self.good, '--out', out, names=names, **run)
+        self.check_fails('detect', self.good, self.twin, '--out', out, names=names, **run)
         self.check_fails('noise', self.good, '--out', out, names=names, **run)
 
     def test_folder_that_is_not_empty(self):
@@ -425,7 +433,7 @@ class BadOutput(BadInputTest):
 class BadPaths(BadInputTest):
     def test_paths_that_are_not_utf8(self):
         latin = os.fsencode(self.folder) + b'/caf\xe9'
-        self.check_fails('detect', self.good, self.good, '--out', latin, names=['caf\\xE9', 'UTF-8'])
+        self.check_fails('detect', self.good, self.twin, '--out', latin, names=['caf\\xE9', 'UTF-8'])
         self.check_fails('noise', self.good, '--out', latin + b'/out', names=['caf\\xE9', 'UTF-8'])
         shutil.copytree(os.fsencode(self.good), latin)
         self.check_fails('info', latin, names=['caf\\xE9', 'UTF-8'])
@@ -435,7 +443,7 @@ class BadPaths(BadInputTest):
         self.check_fails('info', 'two\nlines', names=['two\\x0Alines'])
 
     def test_empty_paths(self):
-        for arguments in (['info', ''], ['detect', self.good, self.good, '--out', '']):
+        for arguments in (['info', ''], ['detect', self.good, self.twin, '--out', '']):
             with self.subTest(arguments[0]):
                 done = self.rva(*arguments)
                 self.assertIn(done.returncode, (1, 2))
@@ -473,7 +481,7 @@ class BadStdout(BadInputTest):
         write_capture(self.bad, [dots] * FRAMES, pictures=[self.picture()], color=CAMERA.fields(), color_from_depth=IDENTITY)
         pictures = ['changes.png', 'depth_overlay.png', 'overlay.png']
         many = ['detect', self.good, self.bad, '--method', 'constant', '--join', 0]
-        for arguments in (many, [*many, '--json'], ['detect', self.good, self.good, '--method', 'gaussian']):
+        for arguments in (many, [*many, '--json'], ['detect', self.good, self.twin, '--method', 'gaussian']):
             with self.subTest(arguments=arguments[3:]):
                 self.check_whole_or_nothing(*arguments, files=pictures + ['detections.json'])
         with self.subTest('noise'):
@@ -532,7 +540,7 @@ class Interruption(BadInputTest):
 
     def test_earlier_result_stays(self):
         self.repeat(self.long / 'depth' / '000000.png')
-        self.succeed('detect', self.good, self.good, '--out', self.out)
+        self.succeed('detect', self.good, self.twin, '--out', self.out)
         before = (self.out / 'detections.json').read_bytes()
         detect = ['detect', self.long, self.long, '--out', self.out]
         self.check_interrupted(signal.SIGINT, *detect, '--overwrite')
@@ -563,7 +571,7 @@ class WrongUsage(BadInputTest):
             'noise': {'--alpha': [0, 0.6, 'nan', -1], '--welch-frames': [1, 0, -1], '--bin': [0, 'nan', 11],
                       '--frames': [-1]},
         }
-        captures = {'detect': [self.good, self.good], 'noise': [self.good]}
+        captures = {'detect': [self.good, self.twin], 'noise': [self.good]}
         for command, options in table.items():
             for option, values in options.items():
                 for value in values:
@@ -572,7 +580,7 @@ class WrongUsage(BadInputTest):
                                                          f'{option}={value}', name=option))
 
     def test_what_the_command_line_does_not_support(self):
-        pair = [self.good, self.good]
+        pair = [self.good, self.twin]
         out = ['--out', self.out]
         table = {
             'no command': ([], 'subcommand'),
