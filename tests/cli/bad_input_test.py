@@ -500,6 +500,9 @@ class Interruption(BadInputTest):
         self.camera = Camera(320, 240)
         write_capture(self.long, noise, depth=depth_fields(self.camera))
 
+    def longer_twin(self):
+        return shutil.copytree(self.long, self.folder / 'longer-twin', copy_function=os.link)
+
     def repeat(self, image):
         for i in range(2, self.LINKS):
             os.link(image, image.with_name(f'{i:06d}.png'))
@@ -532,7 +535,7 @@ class Interruption(BadInputTest):
 
     def test_while_depth_is_read(self):
         self.repeat(self.long / 'depth' / '000000.png')
-        detect = ['detect', self.long, self.long, '--out', self.out]
+        detect = ['detect', self.long, self.longer_twin(), '--out', self.out]
         self.check_interrupted(signal.SIGINT, *detect)
         self.check_interrupted(signal.SIGTERM, *detect)
         self.check_interrupted(signal.SIGINT, 'noise', self.long, '--out', self.out)
@@ -542,7 +545,7 @@ class Interruption(BadInputTest):
         self.repeat(self.long / 'depth' / '000000.png')
         self.succeed('detect', self.good, self.twin, '--out', self.out)
         before = (self.out / 'detections.json').read_bytes()
-        detect = ['detect', self.long, self.long, '--out', self.out]
+        detect = ['detect', self.long, self.longer_twin(), '--out', self.out]
         self.check_interrupted(signal.SIGINT, *detect, '--overwrite')
         self.assertEqual((self.out / 'detections.json').read_bytes(), before)
 
