@@ -48,6 +48,15 @@ std::vector<Given> given(const Captures& initial, const Captures& final, std::si
   return all;
 }
 
+void refuse_copies(const Given& a, const Given& b) {
+  if (a.first != b.first || !are_copies(a.capture, a.frames, b.capture, b.frames)) return;
+  if (a.initial != b.initial)
+    throw Error("initial and final",
+                "the frames of both captures are identical, so one is a copy of the other", take_both);
+  throw Error(a.initial ? "initial captures" : "final captures",
+              "the frames of two captures are identical, so one is a copy of the other", give_once);
+}
+
 }  // namespace
 
 void require_distinct(std::span<const std::filesystem::path> initial,
@@ -69,6 +78,7 @@ void require_genuine(const Captures& initial, const Captures& final, std::size_t
     if (is_frozen(each.capture, each.frames))
       throw frozen_camera(each.initial ? "initial capture" : "final capture");
   }
+  for_each_pair(all, refuse_copies);
 }
 
 }  // namespace rva

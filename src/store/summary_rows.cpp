@@ -1,14 +1,12 @@
 #include "store/summary_rows.hpp"
 
 #include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
-
-#include "core/json_object.hpp"
 
 namespace rva {
 namespace {
@@ -47,18 +45,15 @@ left join side b on b.inspection = i.id and b.side = 'final' and b.round =
   (select max(round) from side where inspection = i.id and side = 'final' and taken_at is not null)
 left join comparison c on c.inspection = i.id and c.number = i.comparison
 where (?1 = 0 or i.id < ?1) and i.created_at >= ?2 and (?3 = '' or i.created_at < ?3)
-  and not exists (select 1 from json_each(?4) word where
-    i.aircraft || char(10) || i.zone || char(10) || i.work_order || char(10) || i.person || char(10) || i.id
-    not like word.value escape '\')
-  and (?5 = '' or (?5 = 'done') = (k.inspection is not null))
-  and (?5 = '' or stage = ?5)
-order by i.id desc
-limit ?6
+  and (?4 = '' or (?4 = 'done') = (k.inspection is not null))
+  and (?4 = '' or stage = ?4)
 )sql";
 
-// The words of a text as patterns of LIKE that match wherever the word occurs, in JSON.
-std::string patterns_of(const std::string& text) {
-  nlohmann::json patterns = nlohmann::json::array();
+constexpr const char* newest_first = " order by i.id desc limit ?5";
+
+// The words of a text as patterns of LIKE that match wherever the word occurs.
+std::vector<std::string> patterns_of(const std::string& text) {
+  std::vector<std::string> patterns;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     std::string pattern = "%";
@@ -68,7 +63,7 @@ std::string patterns_of(const std::string& text) {
     }
     patterns.push_back(pattern + "%");
   }
-  return json_text(patterns);
+  return patterns;
 }
 
 std::optional<TakenSide> side_from(SQLite::Statement& row, int first) {
@@ -79,21 +74,37 @@ std::optional<TakenSide> side_from(SQLite::Statement& row, int first) {
                    .round = row.getColumn(first + 3)};
 }
 
-void bind_filter(SQLite::Statement& query, const InspectionFilter& filter) {
+// The parameters of words follow the numbered ones.
+constexpr int first_word = 6;
+
+std::string query_for(std::size_t words) {
+  std::string query = summaries;
+  for (std::size_t k = 0; k < words; ++k)
+    query += fmt::format(
+        " and i.aircraft || char(10) || i.zone || char(10) || i.work_order || char(10) || i.person || "
+        "char(10) "
+        "|| i.id like ?{} escape '\\'",
+        first_word + static_cast<int>(k));
+  return query + newest_first;
+}
+
+void bind_filter(SQLite::Statement& query, const InspectionFilter& filter,
+                 const std::vector<std::string>& patterns) {
   constexpr std::int64_t all = -1;
   query.bind(1, filter.before);
   query.bind(2, filter.from);
   query.bind(3, filter.until);
-  query.bind(4, patterns_of(filter.text));
-  query.bind(5, filter.stage ? std::string(name_of(*filter.stage)) : "");
-  query.bind(6, filter.most == 0 ? all : static_cast<std::int64_t>(filter.most));
+  query.bind(4, filter.stage ? std::string(name_of(*filter.stage)) : "");
+  query.bind(5, filter.most == 0 ? all : static_cast<std::int64_t>(filter.most));
+  for (std::size_t k = 0; k < patterns.size(); ++k) query.bind(first_word + static_cast<int>(k), patterns[k]);
 }
 
 }  // namespace
 
 std::vector<InspectionSummary> summaries_of(SQLite::Database& database, const InspectionFilter& filter) {
-  SQLite::Statement row(database, summaries);
-  bind_filter(row, filter);
+  const std::vector<std::string> patterns = patterns_of(filter.text);
+  SQLite::Statement row(database, query_for(patterns.size()));
+  bind_filter(row, filter, patterns);
   std::vector<InspectionSummary> all;
   while (row.executeStep()) {
     InspectionSummary summary;

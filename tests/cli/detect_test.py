@@ -404,6 +404,12 @@ class DetectTest(program.ProgramTest):
             self.check_fails('detect', a, same, '--out', self.out, names=['both sides are the same capture'])
         self.check_fails('detect', '--initial', a, link, '--final', b, '--out', self.out, names=['given twice'])
 
+    def test_copy_of_a_capture_is_refused_by_every_method(self):
+        a = self.write('a', self.initial_frames)
+        b = self.write('b', self.initial_frames, camera={'model': 'another name', 'serial': ''})
+        for method in ('auto', 'constant', 'gaussian', 'calibrated'):
+            self.check_fails('detect', a, b, '--out', self.out, '--method', method, names=['one is a copy of the other'])
+
     def test_frozen_camera_is_refused_where_noise_is_estimated(self):
         frozen = self.write('frozen', self.initial_frames[[0] * FRAMES])
         b = self.write('b', self.final_frames)

@@ -77,6 +77,17 @@ TEST(GenuineCaptures, OnlyFramesThatAreUsedCount) {
   EXPECT_EQ(refusal({frozen_first}, {noisy(8, 3)}, 1), "");
 }
 
+TEST(GenuineCaptures, ACopyIsRefusedAlsoWithinASide) {
+  EXPECT_THAT(refusal({noisy(4, 1)}, {noisy(4, 1)}),
+              HasSubstr("the frames of both captures are identical, so one is a copy of the other"));
+  EXPECT_THAT(refusal({noisy(1, 1)}, {noisy(1, 1)}), HasSubstr("copy"));
+  EXPECT_THAT(refusal({noisy(4, 1)}, {noisy(3, 1)}), HasSubstr("copy")) << "though of fewer frames";
+  EXPECT_THAT(refusal({noisy(4, 1), noisy(4, 2), noisy(4, 1)}, {noisy(4, 3)}),
+              AllOf(HasSubstr("initial captures"), HasSubstr("identical")));
+  EXPECT_THAT(refusal({noisy(4, 1), noisy(4, 2)}, {noisy(4, 3), noisy(4, 2)}),
+              HasSubstr("initial and final"));
+}
+
 TEST(GenuineCaptures, ImagesWithoutAMeasurementAreNeither) {
   const Frames nothing(3, DepthImage(40, 30));
   EXPECT_EQ(refusal({nothing}, {nothing}), "");
