@@ -18,8 +18,8 @@ import cv2
 import numpy as np
 
 import program
-from captures import (CAMERA, IDENTITY, TUM_INTRINSICS, Camera, depth_fields, depth_png, empty_depth_png,
-                      noisy, plain_color, write_capture, write_image, write_open3d, write_tum)
+from captures import (CAMERA, IDENTITY, TUM_INTRINSICS, Camera, depth_fields, depth_png, empty_depth_png, noisy, plain_color,
+                      record_again, write_capture, write_image, write_open3d, write_tum)
 
 FRAMES = 4
 COMMANDS = ('info', 'noise', 'detect')
@@ -27,8 +27,8 @@ MISSING = object()
 AT_ONCE_S = 60
 
 
-def frames(count=FRAMES, camera=CAMERA):
-    return noisy(camera.plane(1000), count, 1.0, seed=1)
+def frames(count=FRAMES, camera=CAMERA, seed=1):
+    return noisy(camera.plane(1000), count, 1.0, seed=seed)
 
 
 def with_field(description, path, value):
@@ -75,19 +75,17 @@ class BadInputTest(program.ProgramTest):
 
     @property
     def twin(self):
-        """The good capture again: one folder is refused as both sides."""
-        copy = self.folder / 'twin'
-        if not copy.exists():
-            shutil.copytree(self.good, copy)
-        return copy
+        """The good capture, recorded again."""
+        twin = self.folder / 'twin'
+        return twin if twin.exists() else record_again(self.good, twin)
 
     def picture(self):
         return plain_color(CAMERA.width, CAMERA.height, (200, 100, 50))
 
     def spoil(self, name, content):
-        """A fresh copy of the good capture in which one file is replaced."""
+        """The good capture, recorded again, with one file replaced."""
         shutil.rmtree(self.bad, ignore_errors=True)
-        shutil.copytree(self.good, self.bad)
+        record_again(self.good, self.bad)
         replace(self.bad / name, content)
 
     def check_compared_without_colour(self, *names, **run):
@@ -295,7 +293,7 @@ class BadImages(BadInputTest):
                 self.check_compared_without_colour('color/000000.png')
 
     def test_colour_of_another_size_than_stated(self):
-        write_capture(self.bad, frames(), pictures=[self.picture()], color=Camera(width=80).fields())
+        write_capture(self.bad, frames(seed=2), pictures=[self.picture()], color=Camera(width=80).fields())
         self.check_refused('color/000000.png', '64x48', '80x48', commands=['info'])
         self.check_compared_without_colour('color/000000.png', '64x48', '80x48')
 
@@ -356,14 +354,14 @@ class BadPair(BadInputTest):
         for name, (camera, unit_m, names) in table.items():
             with self.subTest(name):
                 shutil.rmtree(self.bad, ignore_errors=True)
-                write_capture(self.bad, frames(camera=camera), depth=depth_fields(camera, unit_m))
+                write_capture(self.bad, frames(camera=camera, seed=2), depth=depth_fields(camera, unit_m))
                 for method in ('constant', 'gaussian', 'calibrated'):
                     for pair in ([self.good, self.bad], [self.bad, self.good]):
                         self.check_fails('detect', *pair, '--method', method, '--out', self.out,
                                          names=['initial and final', *names])
 
     def test_gaussian_needs_two_frames(self):
-        write_capture(self.bad, frames(1))
+        write_capture(self.bad, frames(1, seed=2))
         for pair in ([self.good, self.bad], [self.bad, self.good]):
             self.check_fails('detect', *pair, '--method', 'gaussian', '--out', self.out,
                              names=['gaussian', 'frame'])
@@ -500,8 +498,8 @@ class Interruption(BadInputTest):
         self.camera = Camera(320, 240)
         write_capture(self.long, noise, depth=depth_fields(self.camera))
 
-    def longer_twin(self):
-        return shutil.copytree(self.long, self.folder / 'longer-twin', copy_function=os.link)
+    def long_again(self):
+        return record_again(self.long, self.folder / 'long-again', copy_function=os.link)
 
     def repeat(self, image):
         for i in range(2, self.LINKS):
@@ -535,7 +533,7 @@ class Interruption(BadInputTest):
 
     def test_while_depth_is_read(self):
         self.repeat(self.long / 'depth' / '000000.png')
-        detect = ['detect', self.long, self.longer_twin(), '--out', self.out]
+        detect = ['detect', self.long, self.long_again(), '--out', self.out]
         self.check_interrupted(signal.SIGINT, *detect)
         self.check_interrupted(signal.SIGTERM, *detect)
         self.check_interrupted(signal.SIGINT, 'noise', self.long, '--out', self.out)
@@ -545,7 +543,7 @@ class Interruption(BadInputTest):
         self.repeat(self.long / 'depth' / '000000.png')
         self.succeed('detect', self.good, self.twin, '--out', self.out)
         before = (self.out / 'detections.json').read_bytes()
-        detect = ['detect', self.long, self.longer_twin(), '--out', self.out]
+        detect = ['detect', self.long, self.long_again(), '--out', self.out]
         self.check_interrupted(signal.SIGINT, *detect, '--overwrite')
         self.assertEqual((self.out / 'detections.json').read_bytes(), before)
 
