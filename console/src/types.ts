@@ -138,7 +138,7 @@ export interface Finding {
   height_mm?: number;
   /** Height above the surface around it: of an added finding after the work, of a removed one before. */
   above_surroundings_mm?: number;
-  /** Whether depth changed by much more than that, since a farther surface was seen there before, or is seen now. Only with `above_surroundings_mm`. */
+  /** Whether depth changed by much more than that, since a farther surface was seen there before, or is seen now. Only with `above_surroundings_mm` and `height_mm`. */
   background_jump?: boolean;
   score?: number;
   p_value?: number;

@@ -18,8 +18,8 @@ namespace rva {
 struct CaptureRecording {
   std::size_t frames = 40;  ///< depth frames, 1 or more
   bool lamp = false;  ///< infrared images of as many frames under the lamp, too; the camera must have one
-  bool keep =
-      false;  ///< keep the depth frames recorded until a failure: those of a device are not repeatable
+  /// Keep the depth frames recorded until a failure: those of a device cannot be recorded a second time.
+  bool keep = false;
 };
 
 /// The user stopped a recording whose frames until then are kept.

@@ -16,7 +16,7 @@ enum class CameraReturn {
   exact,      ///< the robot stayed and returned to the same servo steps
   rest,       ///< as `exact`, but each pose of either side is off by up to half a step from the reported one
 };
-/// As on the command line and in files.
+/// The names that the command line and evaluation.json use.
 template <>
 inline constexpr auto enum_names<CameraReturn> = std::to_array<EnumName<CameraReturn>>({
     {CameraReturn::elsewhere, "elsewhere"},

@@ -15,7 +15,7 @@ enum class Distortion {
   inverse_brown_conrady,  ///< coefficients map distorted to undistorted points (D400 colour imager)
 };
 
-/// As files state them.
+/// The names that capture files use.
 template <>
 inline constexpr auto enum_names<Distortion> = std::to_array<EnumName<Distortion>>({
     {Distortion::none, "none"},

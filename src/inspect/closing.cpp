@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-
 namespace rva {
 namespace {
 
@@ -27,10 +25,12 @@ bool closing_needs_note(const Inspection& inspection) {
   return std::ranges::any_of(inspection.findings, remains) || std::ranges::any_of(inspection.marked, remains);
 }
 
+Error closed_inspection(std::int64_t id, const std::string& person) {
+  return {fmt::format("inspection {}", id), "has been closed by " + person, "begin a new inspection"};
+}
+
 void require_open(const Inspection& inspection) {
-  if (inspection.closing)
-    throw Error(title(inspection), "has been closed by " + inspection.closing->person,
-                "begin a new inspection");
+  if (inspection.closing) throw closed_inspection(inspection.id, inspection.closing->person);
 }
 
 void require_closable(const Inspection& inspection, const Closing& closing) {

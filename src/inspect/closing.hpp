@@ -1,6 +1,10 @@
 // When an inspection may be closed.
 #pragma once
 
+#include <cstdint>
+#include <string>
+
+#include "core/error.hpp"
 #include "inspect/inspection.hpp"
 
 namespace rva {
@@ -16,5 +20,8 @@ void require_closable(const Inspection& inspection, const Closing& closing);
 
 /// @throws Error when the inspection has been closed
 void require_open(const Inspection& inspection);
+
+/// The refusal to change a closed inspection. @param person who closed it
+[[nodiscard]] Error closed_inspection(std::int64_t id, const std::string& person);
 
 }  // namespace rva

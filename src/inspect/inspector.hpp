@@ -65,6 +65,10 @@ class Inspector {
   [[nodiscard]] std::vector<InspectionSummary> summaries(const InspectionFilter& filter = {}) const {
     return records_.summaries(filter);
   }
+  /// Records::comparison()
+  [[nodiscard]] std::optional<RecordedComparison> comparison(std::int64_t id, int number) const {
+    return records_.comparison(id, number);
+  }
   /// What each comparison of an inspection showed, newest first.
   [[nodiscard]] std::vector<ComparedRound> rounds(std::int64_t id) const { return records_.rounds(id); }
   [[nodiscard]] bool has(std::int64_t id) const { return records_.find(id).has_value(); }

@@ -32,6 +32,8 @@ class Records {
   [[nodiscard]] virtual std::vector<InspectionSummary> summaries(const InspectionFilter& filter) const = 0;
   /// Empty if there is no inspection with this id.
   [[nodiscard]] virtual std::optional<Inspection> find(std::int64_t id) const = 0;
+  /// A complete comparison, which may be outdated; empty if there is none of this number.
+  [[nodiscard]] virtual std::optional<RecordedComparison> comparison(std::int64_t id, int number) const = 0;
   /// All complete comparisons of an inspection, outdated ones included, newest first.
   [[nodiscard]] virtual std::vector<ComparedRound> rounds(std::int64_t id) const = 0;
 

@@ -85,9 +85,9 @@ Clock clock_that_asks(const Witness& witness) {
           }};
 }
 
-// The camera's view stays as it was before the capture, so that a person who goes on from there does not
-// begin with the pose of its last step. A robot that fails now has taken all captures; its state reports the
-// failure.
+// Turns the camera back to where it was before the capture; otherwise the next inspection would begin with
+// the pose of this one's last dither step. If the robot fails here, all captures are complete already, and
+// its state reports the failure.
 void return_to(const PanTilt& start, Robot& robot, const Clock& clock) {
   try {
     approach(robot, start, clock);

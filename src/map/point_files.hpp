@@ -15,7 +15,7 @@ enum class PointFrame {
   robot_foot,    ///< x right, y forward, z up, origin in the robot's foot
   depth_camera,  ///< x right, y down, z forward, origin in the depth imager
 };
-/// As the comment of a file states it.
+/// The texts that describe the frame in the comment of a point file.
 template <>
 inline constexpr auto enum_names<PointFrame> = std::to_array<EnumName<PointFrame>>({
     {PointFrame::robot_foot, "the robot's foot (x right, y forward, z up)"},

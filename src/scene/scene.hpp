@@ -29,7 +29,7 @@ enum class Role {
   work,  ///< installed or moved by a mechanic as planned: a change, but not debris
   room,
 };
-/// As in files.
+/// The names that scene and truth files use.
 template <>
 inline constexpr auto enum_names<Role> = std::to_array<EnumName<Role>>({
     {Role::structure, "structure"},

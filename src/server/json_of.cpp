@@ -120,7 +120,7 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (finding.height_mm) json["height_mm"] = *finding.height_mm;
   if (finding.above_surroundings_mm) {
     json["above_surroundings_mm"] = *finding.above_surroundings_mm;
-    json["background_jump"] = finding.background_jump;
+    if (finding.height_mm) json["background_jump"] = finding.background_jump;
   }
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;

@@ -74,14 +74,11 @@ ApiResponse Api::get_round_picture(const Call& call) const {
   const int view = view_number(call.path_parts.at(2));
   const std::string& name = call.path_parts.at(3);
   if (!is_picture(name)) throw not_there();
+  const std::optional<RecordedComparison> comparison = parts_.inspector.comparison(id, number);
+  if (!comparison) throw not_there();
   const InspectionFolder folder = parts_.inspector.folder(id);
-  for (const ComparedRound& round : parts_.inspector.rounds(id)) {
-    if (round.comparison.number != number) continue;
-    return file_answer(folder,
-                       InspectionFolder::result_in(folder.path() / round.comparison.folder, view) / name,
-                       "image/png");
-  }
-  throw not_there();
+  return file_answer(folder, InspectionFolder::result_in(folder.path() / comparison->folder, view) / name,
+                     "image/png");
 }
 
 ApiResponse Api::get_marked_picture(const Call& call) const {

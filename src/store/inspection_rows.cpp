@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/json_object.hpp"
+#include "inspect/closing.hpp"
 #include "store/finding_rows.hpp"
 #include "store/mark_rows.hpp"
 #include "store/round_rows.hpp"
@@ -104,10 +105,9 @@ void require_open_inspection(SQLite::Database& database, std::int64_t id) {
                           "select c.person from inspection i left join closing c on c.inspection = i.id "
                           "where i.id = ?");
   query.bind(1, id);
-  const std::string title = fmt::format("inspection {}", id);
-  if (!query.executeStep()) throw Error(title, "does not exist", "see the list of inspections");
-  if (!query.getColumn(0).isNull())
-    throw Error(title, "has been closed by " + query.getColumn(0).getString(), "begin a new inspection");
+  if (!query.executeStep())
+    throw Error(fmt::format("inspection {}", id), "does not exist", "see the list of inspections");
+  if (!query.getColumn(0).isNull()) throw closed_inspection(id, query.getColumn(0));
 }
 
 void replace_views(SQLite::Database& database, std::int64_t id, const std::vector<PanTilt>& views) {

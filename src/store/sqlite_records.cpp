@@ -84,6 +84,14 @@ std::vector<InspectionSummary> SqliteRecords::summaries(const InspectionFilter& 
   return read([&](SQLite::Database& database) { return summaries_of(database, filter); });
 }
 
+std::optional<RecordedComparison> SqliteRecords::comparison(std::int64_t id, int number) const {
+  return read([&](SQLite::Database& database) {
+    std::optional<RecordedComparison> found = comparison_of(database, id, number);
+    if (found && found->compared_at.empty()) found.reset();  // it was begun, and shows nothing yet
+    return found;
+  });
+}
+
 std::vector<ComparedRound> SqliteRecords::rounds(std::int64_t id) const {
   return read([&](SQLite::Database& database) { return rounds_of(database, id); });
 }

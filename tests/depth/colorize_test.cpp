@@ -32,8 +32,8 @@ TEST(Colorize, RunsFromBlueToRed) {
   }
 }
 
-// Of equal steps of the value, none may look like a much larger one: the largest step of turbo between
-// neighbours is less than that of jet, in the sum of the differences of the components.
+// Equal steps of the value must look about equally large. The largest difference between neighbouring colours
+// of turbo, summed over the components, is less than that of jet.
 TEST(Colorize, HasNoColorThatLooksLikeAnEdge) {
   Image<float> values(33, 1);
   for (int u = 0; u < 33; ++u) values(u, 0) = static_cast<float>(u) / 32.0F;

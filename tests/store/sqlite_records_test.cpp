@@ -394,6 +394,9 @@ TEST_F(Kept, EarlierComparisonsStayWithTheirCoverageFindingsAndDecisions) {
   records_->set_comparison(id, {3, "noon", "comparison-3", 2}, {{0, "spatial", {0.8, 0, 0, {}}, 0.5, {}}},
                            {});
   open();
+  EXPECT_EQ(records_->comparison(id, 1)->folder, "comparison-1");
+  EXPECT_FALSE(records_->comparison(id, 2)) << "it was not completed";
+  EXPECT_FALSE(records_->comparison(id, 4) || records_->comparison(id + 1, 1));
   const std::vector<ComparedRound> rounds = records_->rounds(id);
   ASSERT_THAT(rounds, SizeIs(2)) << "the one that was not completed shows nothing";
   EXPECT_EQ(rounds[0].comparison.number, 3);

@@ -24,9 +24,8 @@ struct BeforeAndAfter {
 /// that changed. If it shows several planes, the object is taken to lie on the one behind it that is nearest.
 /// @param pixels  the region, as indices in row-major order
 /// @param changed every changed pixel, including the region
-/// @return        above 0; empty where less than half of the region or a third of the ring is measured, where
-/// the
-///                ring has no plane, or where the region does not stand out
+/// @return above 0; empty where less than half of the region or a third of the ring is measured, where the
+///         ring has no plane, or where the region does not stand out
 [[nodiscard]] std::optional<double> height_above_surroundings_mm(std::span<const std::uint32_t> pixels,
                                                                  const BeforeAndAfter& depth,
                                                                  const Mask& changed);

@@ -13,7 +13,7 @@ namespace rva {
 
 /// The cross-section of a stringer.
 enum class StringerProfile { l, z, hat };
-/// As in scene files.
+/// The names that scene files use.
 template <>
 inline constexpr auto enum_names<StringerProfile> = std::to_array<EnumName<StringerProfile>>({
     {StringerProfile::l, "l"},

@@ -18,7 +18,7 @@ enum class Matcher {
   /// Differences of brightness in a window, a parabola for the subpixel part (correlation.hpp).
   correlation,
 };
-/// As in files.
+/// The names that the files of simulated captures use.
 template <>
 inline constexpr auto enum_names<Matcher> = std::to_array<EnumName<Matcher>>({
     {Matcher::census, "census"},
