@@ -72,10 +72,13 @@ export function whereAndHow(finding: Finding, marked = false): string {
   return parts.join(', ');
 }
 
-/** "5 mm in 76 %, of 10 mm in 91 % of it"; empty if it is not known. */
+/** "objects of 5 mm would have been found in 76 % of it, of 10 mm in 91 %"; empty if it is not known. */
 export function findableText(shares: FindableShare[]): string {
-  const parts = shares.map(({ size_mm, share }) => `${size_mm} mm in ${Math.round(100 * share)} %`);
-  return parts.length === 0 ? '' : `${parts.join(', of ')} of it`;
+  const [first, ...others] = shares;
+  if (!first) return '';
+  const share = ({ share: part }: FindableShare) => `${Math.round(100 * part)} %`;
+  const rest = others.map((other) => `, of ${other.size_mm} mm in ${share(other)}`);
+  return `objects of ${first.size_mm} mm would have been found in ${share(first)} of it${rest.join('')}`;
 }
 
 /** For each size, the share of the view in which least of it would have been found. */

@@ -98,7 +98,7 @@ function Extent({ inspection, nothing }: { inspection: Inspection; nothing: bool
       {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected: '}
       <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'view with the least coverage' : 'view'}
       {left_out > 0 && `; ${percent(left_out)} was left out as asked`}
-      {sizes && `. An object would have been found of ${sizes}`}.{' '}
+      {sizes && `; ${sizes}`}.{' '}
       {blind ? 'Most of it could not be inspected, so this result means little. Check the camera and its view, and capture again.' : 'Inspect the rest (striped) by eye.'}
     </p>
   );

@@ -32,7 +32,7 @@ export function ViewNotes({ inspection }: { inspection: Inspection }) {
         <details data-testid="view-notes">
           <summary>
             <span>
-              <strong>{Math.round(100 * compared.judged)} %</strong> of {inspection.views.length > 1 ? `view ${view + 1}` : 'this view'} inspected{compared.findable.length > 0 && `, for objects of ${findableText(compared.findable)}`}
+              <strong>{Math.round(100 * compared.judged)} %</strong> of {inspection.views.length > 1 ? `view ${view + 1}` : 'this view'} inspected{compared.findable.length > 0 && `; ${findableText(compared.findable)}`}
             </span>
             {compared.warnings.length > 0 && <span class="warn">{warningsOf(compared.warnings.length)}</span>}
           </summary>
