@@ -22,6 +22,8 @@
 namespace rva {
 namespace {
 
+constexpr int most_side_px = 1 << 15;  // of an image or a tile
+
 /// The bytes of a file as OpenEXR reads them.
 class Bytes : public Imf::IStream {
  public:
@@ -74,8 +76,13 @@ class HeaderCheck {
     while (!text().empty()) {  // the attribute's name; an empty one ends the header
       const std::string_view type = text();
       const std::uint32_t bytes = number();
-      check(type, take(bytes));
+      const std::span<const std::byte> value = take(bytes);
+      check(type, value);
+      measure(type, value);
     }
+    if (block_pixels_ * pixel_bytes_ > most_block_bytes)
+      throw Error(source_, "has blocks of pixels that are too large",
+                  "write the image with fewer channels, or in smaller tiles");
   }
 
  private:
@@ -103,7 +110,8 @@ class HeaderCheck {
     const auto* const fixed = std::ranges::find(fixed_types, type, &FixedType::name);
     const bool sound = fixed != fixed_types.end() ? value.size() == fixed->bytes
                        : type == "chlist"         ? is_channel_list(value)
-                                                  : type == "string" || type == "floatvector";
+                       : type == "floatvector"    ? value.size() % sizeof(float) == 0
+                                                  : type == "string";
     if (!sound)
       throw Error(source_, "has an attribute '" + printable(type) + "' that is not supported, or damaged",
                   "write the image with fewer attributes");
@@ -111,7 +119,6 @@ class HeaderCheck {
 
   // Names that end in a zero, each followed by 16 bytes; an empty name at the end.
   static bool is_channel_list(std::span<const std::byte> value) {
-    constexpr std::size_t channel_bytes = 16;
     for (std::size_t at = 0; at < value.size();) {
       const auto rest = value.subspan(at);
       const auto length = static_cast<std::size_t>(std::ranges::find(rest, std::byte{0}) - rest.begin());
@@ -121,9 +128,31 @@ class HeaderCheck {
     return false;
   }
 
+  // OpenEXR allocates a whole tile, or up to 256 whole rows, before it reads any pixel.
+  void measure(std::string_view type, std::span<const std::byte> value) {
+    const auto number_at = [&](std::size_t at) {
+      std::uint32_t number = 0;
+      std::memcpy(&number, value.subspan(at, sizeof number).data(), sizeof number);
+      return std::uint64_t{number};
+    };
+    constexpr std::uint64_t rows = 256;
+    const auto side = [&](std::uint64_t px) { return std::min(px, std::uint64_t{most_side_px}); };
+    if (type == "chlist") pixel_bytes_ = std::max(pixel_bytes_, value.size() / channel_bytes * sizeof(float));
+    if (type == "tiledesc") block_pixels_ = std::max(block_pixels_, side(number_at(0)) * side(number_at(4)));
+    if (type == "box2i") {
+      const auto width = static_cast<std::uint32_t>(number_at(8) - number_at(0) + 1);
+      block_pixels_ = std::max(block_pixels_, side(width) * rows);
+    }
+  }
+
+  static constexpr std::size_t channel_bytes = 16;  // after the channel's name
+  static constexpr std::uint64_t most_block_bytes = 128U << 20;
+
   std::span<const std::byte> file_;
   const std::string& source_;
   std::size_t at_ = 0;
+  std::uint64_t block_pixels_ = 0;
+  std::uint64_t pixel_bytes_ = 0;
 };
 
 // Renderers name the channel of depth Z, or with the names of layers before it; others write one grey
@@ -162,7 +191,6 @@ Image<float> read(Imf::InputFile& file, const std::string& source) {
 }  // namespace
 
 Image<float> decode_exr(std::span<const std::byte> file, const std::string& source) {
-  constexpr int most_side_px = 1 << 15;
   Imf::Header::setMaxImageSize(most_side_px, most_side_px);
   Imf::Header::setMaxTileSize(most_side_px, most_side_px);
   HeaderCheck(file, source).run();

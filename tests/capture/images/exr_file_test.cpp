@@ -2,9 +2,14 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfTileDescription.h>
+#include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "capture/images/depth_file.hpp"
@@ -68,6 +73,46 @@ TEST_F(ExrFile, IsRefusedWhereItIsCut) {
   const std::vector<std::byte> whole = file_with({"Z"});
   for (std::size_t length = 0; length < whole.size(); length += 7)
     EXPECT_THROW(static_cast<void>(decoded(std::span(whole).first(length))), Error) << length;
+}
+
+std::vector<std::byte> with_replaced(std::vector<std::byte> file, std::string_view from,
+                                     std::string_view to) {
+  const std::span<const std::byte> wanted = std::as_bytes(std::span(from));
+  const auto found = std::ranges::search(file, wanted);
+  EXPECT_FALSE(found.empty());
+  std::ranges::copy(std::as_bytes(std::span(to)), found.begin());
+  return file;
+}
+
+// OpenEXR reads whole floats and then goes on with the bytes left over as the next attribute's name.
+TEST_F(ExrFile, IsRefusedWithAPartOfAFloatInAList) {
+  using namespace std::string_literals;
+  const std::vector<std::byte> file =
+      with_replaced(file_with({"Z"}), "screenWindowCenter\0v2f\0\x08\0\0\0\0\0\0\0\0\0\0\0"s,
+                    "screenWind\0floatvector\0\x07\0\0\0\0\0\0\0\0\0\0"s);
+  try {
+    static_cast<void>(decoded(file));
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("'floatvector' that is not supported, or damaged"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(ExrFile, IsRefusedWithTilesThatNeedTooMuchMemory) {
+  Imf::Header header(4, 4);
+  header.setTileDescription(Imf::TileDescription(16384, 16384));
+  header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
+  const std::string path = (folder_.path() / "tiles.exr").string();
+  { const Imf::TiledOutputFile file(path.c_str(), header); }
+  try {
+    static_cast<void>(decoded(read_file(path)));
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("blocks of pixels that are too large"), std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace
