@@ -29,8 +29,8 @@
 #include "detect/spatial/still_evidence.hpp"
 #include "evaluate/capture_room.hpp"
 #include "evaluate/moved_wing.hpp"
+#include "evaluate/prior_slope_fit.hpp"
 #include "evaluate/robot_side.hpp"
-#include "evaluate/usual_slope_fit.hpp"
 #include "geometry/stereo_scale.hpp"
 #include "sim/sensor/camera_models.hpp"
 #include "views/fused_view.hpp"
@@ -65,7 +65,7 @@ enum Kind : std::size_t {
 
 struct Tail {
   std::string_view name;
-  UsualSlope held;  ///< the program's constants
+  PriorSlope held;  ///< the program's constants
 };
 
 const std::vector<Tail>& tails() {
@@ -227,7 +227,7 @@ PeaksOfTails peaks_of_inspection(std::uint64_t seed, const StereoSensorOptions& 
 
 double rounded(double value) { return std::round(100.0 * value) / 100.0; }
 
-nlohmann::ordered_json json_of(const UsualSlopeFit& fit) {
+nlohmann::ordered_json json_of(const PriorSlopeFit& fit) {
   return {{"slope", rounded(fit.most_probable.slope)},
           {"slope_95", {rounded(fit.slope.low), rounded(fit.slope.high)}},
           {"peaks", rounded(fit.most_probable.peaks)},
@@ -252,7 +252,7 @@ void fit(const fs::path& file, int inspections, std::uint64_t first_seed, const 
   for (std::size_t tail = 0; tail < tails().size(); ++tail) {
     std::vector<std::vector<float>> images;
     for (PeaksOfTails& of_inspection : of_inspections) images.push_back(std::move(of_inspection[tail]));
-    json["tails"][std::string(tails()[tail].name)] = json_of(fit_usual_slope(images));
+    json["tails"][std::string(tails()[tail].name)] = json_of(fit_prior_slope(images));
   }
   write_file(file, json_file_text(json));
 }

@@ -53,7 +53,7 @@ StaticComparison by_calibrated(const StaticSides& sides, const StaticDetectionOp
   leave_out(change, sides.left_out);
   if (!sides.losses_count) forget_losses(change);
   CalibratedComparison calibrated =
-      compare_calibrated(change, stereo, usual_slopes(change.frames), options.calibrated);
+      compare_calibrated(change, stereo, prior_slopes(change.frames), options.calibrated);
   StaticComparison result{.comparison = std::move(calibrated.comparison),
                           .level_of_detection = LevelOfDetection{std::move(calibrated.level_of_detection_mm),
                                                                  std::move(calibrated.levels)},

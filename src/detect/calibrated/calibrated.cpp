@@ -122,7 +122,7 @@ void clear_left_out(const Mask& left_out, CalibratedComparison& result) {
 
 }  // namespace
 
-UsualSlopes usual_slopes(std::size_t frames) {
+PriorSlopes prior_slopes(std::size_t frames) {
   return frames < 2 ? slopes_of_single_frames : slopes_of_means;
 }
 
@@ -143,11 +143,11 @@ CalibratedPeaks peaks_of(const DisparityChange& change, const StereoScale& stere
 CalibratedComparison compare_calibrated(const DepthStatistics& initial, const DepthStatistics& final,
                                         const StereoScale& stereo, const CalibratedOptions& options) {
   const DisparityChange change = disparity_change(initial, final, stereo);
-  return compare_calibrated(change, stereo, usual_slopes(change.frames), options);
+  return compare_calibrated(change, stereo, prior_slopes(change.frames), options);
 }
 
 CalibratedComparison compare_calibrated(const DisparityChange& change, const StereoScale& stereo,
-                                        const UsualSlopes& slopes, const CalibratedOptions& options) {
+                                        const PriorSlopes& slopes, const CalibratedOptions& options) {
   const WeighedChange weighed(change, stereo);
   CalibratedComparison result{Comparison(change.judged.width(), change.judged.height()), {}, {}};
   Comparison& comparison = result.comparison;

@@ -35,21 +35,21 @@ struct CalibratedComparison {
 
 /// Prior slopes of the tails of evidence in unchanged images, for pixels where depth changed and where it was
 /// lost. An image with too few peaks to learn a slope from is assumed to have the prior one.
-struct UsualSlopes {
-  ByReliability<UsualSlope> change;
-  ByReliability<UsualSlope> loss;
+struct PriorSlopes {
+  ByReliability<PriorSlope> change;
+  ByReliability<PriorSlope> loss;
 };
 
 /// Prior slopes of means over several frames, as measured by `script/fit`, and of single frames, within the
 /// confidence intervals of those measurements (docs/statistics.md). With a single frame, wrong matches cannot
 /// be distinguished from noise, so all pixels have the same slope.
-inline constexpr UsualSlopes slopes_of_means{{{1.30, 9.70}, {1.25, 6.70}}, {{0.88, 4.84}, {0.76, 6.30}}};
-inline constexpr UsualSlopes slopes_of_single_frames{{{1.05, 7.00}, {1.05, 7.00}},
+inline constexpr PriorSlopes slopes_of_means{{{1.30, 9.70}, {1.25, 6.70}}, {{0.88, 4.84}, {0.76, 6.30}}};
+inline constexpr PriorSlopes slopes_of_single_frames{{{1.05, 7.00}, {1.05, 7.00}},
                                                      {{0.38, 10.36}, {0.38, 10.36}}};
 
 /// Prior slopes for a camera that did not move.
 /// @param frames number of frames of the side that has fewer
-[[nodiscard]] UsualSlopes usual_slopes(std::size_t frames);
+[[nodiscard]] PriorSlopes prior_slopes(std::size_t frames);
 
 /// Heights of the peaks of pooled evidence, for all window sizes together.
 struct CalibratedPeaks {
@@ -72,7 +72,7 @@ struct CalibratedPeaks {
 /// Compares as above, given the change in disparity.
 /// @param slopes prior slopes of changes of this kind
 [[nodiscard]] CalibratedComparison compare_calibrated(const DisparityChange& change,
-                                                      const StereoScale& stereo, const UsualSlopes& slopes,
+                                                      const StereoScale& stereo, const PriorSlopes& slopes,
                                                       const CalibratedOptions& options);
 
 }  // namespace rva

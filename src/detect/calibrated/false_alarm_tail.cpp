@@ -10,14 +10,14 @@ namespace {
 // distribution that is truncated at L = `length`, given a prior with the weight of k peaks of the slope s0.
 // The logarithm of the posterior, n ln s - s sum(x) - n ln(1 - exp(-s L)) + k ln s - s k / s0, is maximal
 // where its derivative by s is 0, which is found by bisection. Equation 21 of docs/math.md.
-double most_probable_slope(double count, double sum, const UsualSlope& usual, double length) {
-  const double usual_sum = usual.peaks / usual.slope;
+double most_probable_slope(double count, double sum, const PriorSlope& prior, double length) {
+  const double prior_sum = prior.peaks / prior.slope;
   const auto rises_at = [&](double slope) {
     const double cut_off = count > 0.0 ? count * length / std::expm1(slope * length) : 0.0;
-    return (count + usual.peaks) / slope > sum + usual_sum + cut_off;
+    return (count + prior.peaks) / slope > sum + prior_sum + cut_off;
   };
   double low = 0.0;
-  double high = (count + usual.peaks) / (sum + usual_sum);
+  double high = (count + prior.peaks) / (sum + prior_sum);
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i) {
     const double slope = 0.5 * (low + high);
@@ -54,7 +54,7 @@ double FalseAlarmTail::height_of(double expected) const {
 }
 
 // Equation 22 of docs/math.md.
-FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual, double end) {
+FalseAlarmTail fit_tail(const std::vector<float>& peaks, const PriorSlope& prior, double end) {
   const double length = end - FalseAlarmTail::onset;
   double count = 0.0;
   double sum = 0.0;
@@ -64,9 +64,9 @@ FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual
     count += 1.0;
     sum += excess;
   }
-  const double slope = most_probable_slope(count, sum, usual, length);
+  const double slope = most_probable_slope(count, sum, prior, length);
   const double beyond_too = count / -std::expm1(-slope * length);
-  const double known_peaks = count * information_share(slope, length) + usual.peaks;
+  const double known_peaks = count * information_share(slope, length) + prior.peaks;
   return {std::max(beyond_too, 1.0) / 2.0, slope, known_peaks};
 }
 

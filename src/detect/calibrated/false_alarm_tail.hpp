@@ -33,7 +33,7 @@ class FalseAlarmTail {
 };
 
 /// Prior knowledge of the slope of a tail.
-struct UsualSlope {
+struct PriorSlope {
   double slope = 1.0;   ///< per deviation
   double peaks = 10.0;  ///< weight of the prior, as the number of peaks that it counts for
 };
@@ -43,7 +43,7 @@ struct UsualSlope {
 /// @param peaks       heights of local maxima of evidence, in deviations, of both signs
 /// @param end         in deviations, above `onset`
 /// @return the tail of one sign, which has half of the peaks
-[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, const UsualSlope& usual,
+[[nodiscard]] FalseAlarmTail fit_tail(const std::vector<float>& peaks, const PriorSlope& prior,
                                       double end = 7.0);
 
 }  // namespace rva

@@ -86,11 +86,11 @@ ByReliability<std::vector<float>> peaks_of(const PooledEvidence& evidence, const
   return Peaks(evidence, unreliable).heights();
 }
 
-Scale scale_of(PooledEvidence evidence, const Mask& unreliable, const ByReliability<UsualSlope>& usual_slopes,
+Scale scale_of(PooledEvidence evidence, const Mask& unreliable, const ByReliability<PriorSlope>& prior_slopes,
                double false_findings) {
   const ByReliability<std::vector<float>> peaks = peaks_of(evidence, unreliable);
-  const ByReliability<FalseAlarmTail> tails{fit_tail(peaks.reliable, usual_slopes.reliable),
-                                            fit_tail(peaks.unreliable, usual_slopes.unreliable)};
+  const ByReliability<FalseAlarmTail> tails{fit_tail(peaks.reliable, prior_slopes.reliable),
+                                            fit_tail(peaks.unreliable, prior_slopes.unreliable)};
   return {std::move(evidence),
           tails,
           {tails.reliable.height_of(false_findings), tails.unreliable.height_of(false_findings)}};

@@ -23,10 +23,10 @@ struct Scale {
 
 /// Learns the tails of the peaks of unchanged pixels from the image itself, and sets thresholds by them.
 /// @param unreliable         as returned by unreliable_pixels()
-/// @param usual_slopes   prior slopes of the tails, for images with few peaks to learn from
+/// @param prior_slopes   prior slopes of the tails, for images with few peaks to learn from
 /// @param false_findings expected number of peaks beyond the threshold in an unchanged image, for each sign
 ///                       at reliable and at unreliable pixels
 [[nodiscard]] Scale scale_of(PooledEvidence evidence, const Mask& unreliable,
-                             const ByReliability<UsualSlope>& usual_slopes, double false_findings);
+                             const ByReliability<PriorSlope>& prior_slopes, double false_findings);
 
 }  // namespace rva

@@ -34,8 +34,8 @@ void drop_faint(AppearanceChange& change, float least) {
   }
 }
 
-JudgedChange with_tail(AppearanceChange change, const UsualTail& usual, SurfaceChange surface) {
-  const FalseAlarmTail tail = fit_tail(peaks_of(change), usual.slope, usual.end);
+JudgedChange with_tail(AppearanceChange change, const TailPrior& prior, SurfaceChange surface) {
+  const FalseAlarmTail tail = fit_tail(peaks_of(change), prior.slope, prior.end);
   return {std::move(change), tail, std::move(surface)};
 }
 

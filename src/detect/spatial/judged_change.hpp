@@ -22,14 +22,14 @@ struct JudgedChange {
 /// Prior slope of the tail of peaks beyond three deviations where nothing changed, as measured by
 /// `script/fit` (docs/statistics.md), and the height up to which the peaks of an inspection are assumed to be
 /// unchanged: objects of low contrast have peaks beyond.
-struct UsualTail {
-  UsualSlope slope;
+struct TailPrior {
+  PriorSlope slope;
   double end;
 };
-inline constexpr UsualTail tail_between_dots{.slope = {.slope = 1.53, .peaks = 19.72}, .end = 4.0};
-inline constexpr UsualTail tail_with_pairs{.slope = {.slope = 1.63, .peaks = 22.62}, .end = 5.0};
-inline constexpr UsualTail tail_of_still_pair{.slope = {.slope = 2.84, .peaks = 14.52}, .end = 5.0};
-inline constexpr UsualTail tail_under_lamp{.slope = {.slope = 1.23, .peaks = 28.28}, .end = 4.0};
+inline constexpr TailPrior tail_between_dots{.slope = {.slope = 1.53, .peaks = 19.72}, .end = 4.0};
+inline constexpr TailPrior tail_with_pairs{.slope = {.slope = 1.63, .peaks = 22.62}, .end = 5.0};
+inline constexpr TailPrior tail_of_still_pair{.slope = {.slope = 2.84, .peaks = 14.52}, .end = 5.0};
+inline constexpr TailPrior tail_under_lamp{.slope = {.slope = 1.23, .peaks = 28.28}, .end = 4.0};
 
 /// Contrast up to which stains and reflections change brightness between the dots or under a lamp; a collar
 /// changes it by more.
@@ -42,7 +42,7 @@ void drop_faint(AppearanceChange& change, float least = faint_contrast);
 [[nodiscard]] std::vector<float> peaks_of(const AppearanceChange& change);
 
 /// Learns the tail from the pixels that are not beside an object that has certainly changed.
-[[nodiscard]] JudgedChange with_tail(AppearanceChange change, const UsualTail& usual,
+[[nodiscard]] JudgedChange with_tail(AppearanceChange change, const TailPrior& prior,
                                      SurfaceChange surface = {});
 
 }  // namespace rva

@@ -15,7 +15,7 @@ SpatialChange change_from_elsewhere(const DepthView& initial, const DepthView& f
 SpatialChange change_from_same_places(std::vector<PlacedChange> changes, const Intrinsics& camera,
                                       const StereoScale& stereo) {
   DisparityChange fused = fuse(std::move(changes), camera, stereo);
-  const UsualSlopes slopes = usual_slopes(fused.frames);
+  const PriorSlopes slopes = prior_slopes(fused.frames);
   return {std::move(fused), slopes, stereo};
 }
 

@@ -14,15 +14,15 @@ namespace rva {
 /// A change, and the prior slopes of the tails of evidence where nothing changed in such a comparison.
 struct SpatialChange {
   DisparityChange change;
-  UsualSlopes slopes;
+  PriorSlopes slopes;
   StereoScale stereo;  ///< of the final camera
 };
 
 /// Prior slopes of registered views, and of single captures that are a degree or two off, as measured
 /// by `script/fit` (docs/statistics.md). Lost depth is no evidence there, so the slopes of losses are
 /// never used.
-inline constexpr UsualSlopes slopes_of_moved_cameras{{{1.07, 35.36}, {0.61, 8.41}}, slopes_of_means.loss};
-inline constexpr UsualSlopes slopes_of_bumped_cameras{{{1.23, 17.93}, {0.64, 7.87}}, slopes_of_means.loss};
+inline constexpr PriorSlopes slopes_of_moved_cameras{{{1.07, 35.36}, {0.61, 8.41}}, slopes_of_means.loss};
+inline constexpr PriorSlopes slopes_of_bumped_cameras{{{1.23, 17.93}, {0.64, 7.87}}, slopes_of_means.loss};
 
 /// What is known of the camera's motion before the images are registered.
 enum class KnownMotion {

@@ -59,10 +59,10 @@ TEST(FalseAlarmTail, KeepsItsRateOnAverageWithFewPeaks) {
 }
 
 // The slope of an image, gamma distributed about the prior one.
-double slope_of(const UsualSlope& usual, Random& random) {
+double slope_of(const PriorSlope& prior, Random& random) {
   double sum = 0.0;  // of as many exponential numbers as the prior slope counts peaks
-  for (int k = 0; k < static_cast<int>(usual.peaks); ++k) sum -= std::log(1.0 - random.uniform());
-  return sum * usual.slope / usual.peaks;
+  for (int k = 0; k < static_cast<int>(prior.peaks); ++k) sum -= std::log(1.0 - random.uniform());
+  return sum * prior.slope / prior.peaks;
 }
 
 // Where peaks are as the tail assumes, the thresholds of many images let through what is allowed on average,
@@ -72,21 +72,21 @@ TEST(FalseAlarmTail, LetsThroughOnAverageWhatIsAllowed) {
   constexpr int peaks = 120;
   constexpr double allowed = 0.05 / 16.0;
   struct Case {
-    UsualSlope usual;
+    PriorSlope prior;
     double end;
     double at_most;  // of what is allowed: the shorter, the less is the posterior a gamma distribution
   };
-  for (const auto& [usual, end, at_most] :
+  for (const auto& [prior, end, at_most] :
        {Case{{1.3, 10.0}, 7.0, 1.4}, Case{{1.25, 7.0}, 7.0, 1.4}, Case{{1.7, 7.0}, 5.0, 1.8}}) {
     Random random(17);
     double expected = 0.0;
     for (std::uint64_t image = 0; image < images; ++image) {
-      const double slope = slope_of(usual, random);
-      const double height = fit_tail(peaks_of(peaks, slope, 1000 + image), usual, end).height_of(allowed);
+      const double slope = slope_of(prior, random);
+      const double height = fit_tail(peaks_of(peaks, slope, 1000 + image), prior, end).height_of(allowed);
       expected += 0.5 * peaks * std::exp(-slope * (height - FalseAlarmTail::onset)) / images;
     }
-    EXPECT_GT(expected, 0.6 * allowed) << usual.slope << " up to " << end;
-    EXPECT_LT(expected, at_most * allowed) << usual.slope << " up to " << end;
+    EXPECT_GT(expected, 0.6 * allowed) << prior.slope << " up to " << end;
+    EXPECT_LT(expected, at_most * allowed) << prior.slope << " up to " << end;
   }
 }
 

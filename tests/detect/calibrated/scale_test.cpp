@@ -12,7 +12,7 @@ namespace {
 
 constexpr int width = 120;
 constexpr int height = 90;
-constexpr ByReliability<UsualSlope> slopes{{3.0, 10.0}, {2.0, 10.0}};
+constexpr ByReliability<PriorSlope> slopes{{3.0, 10.0}, {2.0, 10.0}};
 
 PooledEvidence white(std::uint64_t seed, int window_px = 5) {
   Image<float> evidence(width, height);

@@ -1,4 +1,4 @@
-#include "evaluate/usual_slope_fit.hpp"
+#include "evaluate/prior_slope_fit.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -11,7 +11,7 @@
 namespace rva {
 namespace {
 
-constexpr double least_usual_peaks = 0.5;
+constexpr double least_prior_peaks = 0.5;
 constexpr double least_slope = 0.01;
 constexpr double greatest_slope = 20.0;
 constexpr int bits = 20;
@@ -59,8 +59,8 @@ class Likelihood {
                     std::log(greatest_slope));
   }
   [[nodiscard]] std::pair<double, double> best_peaks(double log_slope) const {
-    return greatest([&](double log_peaks) { return at(log_slope, log_peaks); }, std::log(least_usual_peaks),
-                    std::log(most_usual_peaks));
+    return greatest([&](double log_peaks) { return at(log_slope, log_peaks); }, std::log(least_prior_peaks),
+                    std::log(most_prior_peaks));
   }
 
  private:
@@ -90,19 +90,19 @@ Interval interval(const auto& profile, double best, double low, double high) {
 
 }  // namespace
 
-UsualSlopeFit fit_usual_slope(const std::vector<std::vector<float>>& peaks_of_images) {
+PriorSlopeFit fit_prior_slope(const std::vector<std::vector<float>>& peaks_of_images) {
   std::vector<Excesses> images = excesses_of(peaks_of_images);
   if (images.empty())
     throw UsageError("images", "have no peak above the onset of a tail, so none can be fitted",
                      "give more images");
-  UsualSlopeFit fit;
+  PriorSlopeFit fit;
   fit.images = images.size();
   for (const Excesses& image : images) fit.seen += static_cast<std::size_t>(image.count);
   const Likelihood likelihood(std::move(images));
   const auto of_slope = [&](double log_slope) { return likelihood.best_peaks(log_slope).second; };
   const auto of_peaks = [&](double log_peaks) { return likelihood.best_slope(log_peaks).second; };
-  const double low = std::log(least_usual_peaks);
-  const double high = std::log(most_usual_peaks);
+  const double low = std::log(least_prior_peaks);
+  const double high = std::log(most_prior_peaks);
   const double log_peaks =
       boost::math::tools::brent_find_minima([&](double value) { return -of_peaks(value); }, low, high, bits)
           .first;

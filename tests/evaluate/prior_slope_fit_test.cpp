@@ -1,4 +1,4 @@
-#include "evaluate/usual_slope_fit.hpp"
+#include "evaluate/prior_slope_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,8 @@ std::vector<std::vector<float>> drawn(std::size_t images, std::size_t peaks_each
   return drawn;
 }
 
-TEST(UsualSlope, OfManyImagesIsTheirs) {
-  const UsualSlopeFit fit = fit_usual_slope(drawn(1000, 20, 1.5, 8, 1));
+TEST(PriorSlope, OfManyImagesIsTheirs) {
+  const PriorSlopeFit fit = fit_prior_slope(drawn(1000, 20, 1.5, 8, 1));
   EXPECT_NEAR(fit.most_probable.slope, 1.5, 0.05);
   EXPECT_NEAR(fit.most_probable.peaks, 8.0, 1.0);
   EXPECT_EQ(fit.images, 1000U);
@@ -40,11 +40,11 @@ TEST(UsualSlope, OfManyImagesIsTheirs) {
 }
 
 // 95 of 100 hold the truth: 85 and more in all but 1 of 10,000 such tests.
-TEST(UsualSlope, IntervalsHoldTheTruthNineteenTimesOfTwenty) {
+TEST(PriorSlope, IntervalsIncludeTheTruthNineteenTimesOfTwenty) {
   int slopes = 0;
   int weights = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const UsualSlopeFit fit = fit_usual_slope(drawn(40, 15, 1.2, 10, 100 + seed));
+    const PriorSlopeFit fit = fit_prior_slope(drawn(40, 15, 1.2, 10, 100 + seed));
     slopes += fit.slope.low <= 1.2 && 1.2 <= fit.slope.high ? 1 : 0;
     weights += fit.peaks.low <= 10.0 && 10.0 <= fit.peaks.high ? 1 : 0;
   }
@@ -52,15 +52,15 @@ TEST(UsualSlope, IntervalsHoldTheTruthNineteenTimesOfTwenty) {
   EXPECT_GE(weights, 85);
 }
 
-TEST(UsualSlope, ThatAllImagesShareIsAsSureAsItGets) {
-  const UsualSlopeFit fit = fit_usual_slope(drawn(400, 30, 2.0, 100000, 3));
-  EXPECT_GT(fit.most_probable.peaks, 0.5 * most_usual_peaks);
-  EXPECT_DOUBLE_EQ(fit.peaks.high, most_usual_peaks);
+TEST(PriorSlope, ThatAllImagesShareHasTheMostPeaks) {
+  const PriorSlopeFit fit = fit_prior_slope(drawn(400, 30, 2.0, 100000, 3));
+  EXPECT_GT(fit.most_probable.peaks, 0.5 * most_prior_peaks);
+  EXPECT_DOUBLE_EQ(fit.peaks.high, most_prior_peaks);
 }
 
-TEST(UsualSlope, NeedsAPeak) {
-  EXPECT_THROW(static_cast<void>(fit_usual_slope({})), UsageError);
-  EXPECT_THROW(static_cast<void>(fit_usual_slope({{}, {2.5F, 3.0F}})), UsageError);
+TEST(PriorSlope, NeedsAPeak) {
+  EXPECT_THROW(static_cast<void>(fit_prior_slope({})), UsageError);
+  EXPECT_THROW(static_cast<void>(fit_prior_slope({{}, {2.5F, 3.0F}})), UsageError);
 }
 
 }  // namespace
