@@ -73,6 +73,7 @@ class Run {
     findings().coverage = comparison.coverage;
     state(options_.regions, findings().parameters);
     result_.changed = comparison.changed;
+    result_.initial_m = comparison.initial_m;
     result_.final_m = comparison.final_m;
     result_.left_out = left_out_;
     return {std::move(result_), std::move(before), std::move(after)};

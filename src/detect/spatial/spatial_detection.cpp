@@ -102,6 +102,7 @@ class Run {
     detection_.level_of_detection =
         LevelOfDetection{std::move(calibrated.level_of_detection_mm), std::move(calibrated.levels)};
     detection_.changed = std::move(comparison.changed);
+    detection_.initial_m = std::move(comparison.initial_m);
     detection_.final_m = std::move(comparison.final_m);
     return {std::move(detection_), std::move(registration), std::move(placed_)};
   }

@@ -108,6 +108,7 @@ Detection detect_by_octree(const Capture& initial, const Capture& final, const O
   findings.runtime.total_ms = start.ms();
   findings.coverage = comparison.coverage;
   detection.changed = std::move(comparison.changed);
+  detection.initial_m = std::move(comparison.initial_m);
   detection.final_m = std::move(comparison.final_m);
   detection.warnings.emplace_back(
       "the octree method reports newly visible surfaces as changes, does not detect removed objects, and "

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "scene/file/yaml_node.hpp"
+#include "core/yaml_node.hpp"
 #include "scene/scene.hpp"
 
 namespace rva {

@@ -1,7 +1,7 @@
 // Fields that several sections of a scene file share.
 #pragma once
 
-#include "scene/file/yaml_node.hpp"
+#include "core/yaml_node.hpp"
 #include "scene/scene.hpp"
 
 namespace rva {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scene/file/yaml_node.hpp"
+#include "core/yaml_node.hpp"
 #include "scene/scene.hpp"
 
 namespace rva {

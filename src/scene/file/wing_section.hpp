@@ -1,7 +1,7 @@
 // The `wing` and `work` sections of a scene file.
 #pragma once
 
-#include "scene/file/yaml_node.hpp"
+#include "core/yaml_node.hpp"
 #include "scene/wing/wing_bay.hpp"
 
 namespace rva {

@@ -1,4 +1,4 @@
-#include "scene/file/yaml_node.hpp"
+#include "core/yaml_node.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
