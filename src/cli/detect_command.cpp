@@ -14,9 +14,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
+#include "cli/plan_printing.hpp"
 #include "cli/printing.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/file_origin.hpp"
 #include "core/json_object.hpp"
 #include "core/output_folder.hpp"
@@ -26,6 +28,7 @@
 #include "detect/provenance.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "detect/result_folder.hpp"
+#include "plan/plan_match.hpp"
 
 namespace rva::cli {
 namespace {
@@ -41,6 +44,8 @@ struct DetectArguments {
   DetectOptions detection;
   std::vector<std::string> ignore;
   std::vector<std::string> within;
+  std::string plan;
+  PlanOptions planned;
   bool overwrite = false;
   bool json = false;
   bool fail_on_detection = false;
@@ -68,12 +73,7 @@ std::string or_none(const char* format, std::optional<double> number) {
   return number ? fmt::format(fmt::runtime(format), *number) : "-";
 }
 
-// @param final the camera of the first final capture
-void print_for_a_person(const DetectArguments& arguments, const Detection& detection,
-                        const Intrinsics& final) {
-  const Findings& findings = detection.findings;
-  print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
-        findings.initial_frames, findings.final_frames);
+void print_table(const Findings& findings) {
   if (!findings.findings.empty()) {
     print("{:>4}  {:10}  {:>20}  {:>8}  {:>9}  {:>11}  {:>8}\n", "id", "kind", "box x y w h (px)", "area px",
           "height mm", "distance m", "score");
@@ -91,6 +91,19 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
       print("finding {} has about the size of {}, which was removed: it may be the same object, moved\n",
             finding.id, *finding.moved_from);
   }
+}
+
+// @param final the camera of the first final capture
+// @param match findings compared with a plan, if there is one
+void print_for_a_person(const DetectArguments& arguments, const Detection& detection, const Intrinsics& final,
+                        const std::optional<PlanMatch>& match) {
+  const Findings& findings = detection.findings;
+  print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
+        findings.initial_frames, findings.final_frames);
+  if (match)
+    print_plan(*match, findings.findings);
+  else
+    print_table(findings);
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
         100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
@@ -192,6 +205,9 @@ Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
 int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_sides(arguments);
   check_options(arguments.detection);
+  check_options(arguments.planned);
+  const std::optional<Plan> plan =
+      arguments.plan.empty() ? std::nullopt : std::optional(read_plan(arguments.plan));
   OutputFolder out(arguments.out, result_files(), arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
   DetectOptions options = arguments.detection;
@@ -202,15 +218,24 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   std::vector<std::string> warnings =
       options_without_effect(command, value_of<DetectionMethod>(detection.findings.method).value());
   std::ranges::copy(detection.warnings, std::back_inserter(warnings));
-  std::ranges::move(write_result(result, *sides.final.front(), out.path(""), sides.provenance),
+  nlohmann::ordered_json json = detections_json(detection.findings, sides.provenance);
+  const Intrinsics final_camera = sides.final.front()->info().depth;
+  std::optional<PlanMatch> match;
+  if (plan) {
+    match =
+        match_plan(*plan, detection, {sides.initial.front()->info().depth, final_camera}, arguments.planned);
+    add_plan(*match, json);
+    write_file(out.path(result_file::plan), json_file_text(json_of(*match)));
+  }
+  std::ranges::move(write_result(result, *sides.final.front(), out.path(""), json),
                     std::back_inserter(warnings));
   out.commit();
   for (const std::string& warning : warnings) fmt::print(stderr, "rva: warning: {}\n", warning);
 
   if (arguments.json) {
-    print("{}", json_file_text(detections_json(detection.findings, sides.provenance)));
+    print("{}", json_file_text(json));
   } else {
-    print_for_a_person(arguments, detection, sides.final.front()->info().depth);
+    print_for_a_person(arguments, detection, final_camera, match);
   }
   return arguments.fail_on_detection && !detection.findings.findings.empty() ? status_detected : 0;
 }
@@ -250,7 +275,18 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const plan =
+      command
+          .add_option(
+              "--plan", arguments->plan,
+              "the parts that the work order states: findings of them are grouped, and what is missing, "
+              "surplus or not planned is listed")
+          ->type_name("PLAN.yaml");
   add_flags(command, arguments->detection);
+  add_flags(command, arguments->planned);
+  PlanOptions::describe(arguments->planned, [&](const auto& /*value*/, const OptionField& field) {
+    command.get_option(fmt::format("--{}", field.name))->needs(plan);
+  });
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");

@@ -11,6 +11,7 @@
 #include "map/calibration.hpp"
 #include "map/map_cloud.hpp"
 #include "map/pose_refinement.hpp"
+#include "plan/plan_match.hpp"
 #include "robot/drive.hpp"
 #include "server/web_server.hpp"
 #include "sim/sensor/stereo_sensor_options.hpp"
@@ -36,7 +37,7 @@ void print_table(const char* command) {
 // docs/options.md is this text; a test compares the two.
 void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that define them.\n");
-  print_table<DetectOptions>("rva detect");
+  print_table<DetectOptions, PlanOptions>("rva detect");
   print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");

@@ -50,7 +50,7 @@ std::vector<std::string> result_files() {
   for (const std::string_view name :
        {result_file::detections, result_file::changes, result_file::depth_overlay, result_file::overlay,
         result_file::changed_points, result_file::registration, result_file::level,
-        result_file::level_picture})
+        result_file::level_picture, result_file::plan})
     names.emplace_back(name);
   return names;
 }
@@ -71,11 +71,10 @@ nlohmann::ordered_json detections_json(const Findings& findings,
 
 std::vector<std::string> write_result(const SidesDetection& result, const Capture& final,
                                       const std::filesystem::path& folder,
-                                      const std::optional<Provenance>& provenance) {
+                                      const nlohmann::ordered_json& detections) {
   const Detection& detection = result.detection;
   std::vector<std::string> warnings;
-  write_file(folder / result_file::detections,
-             json_file_text(detections_json(detection.findings, provenance)));
+  write_file(folder / result_file::detections, json_file_text(detections));
   write_file(folder / result_file::changes, encode_png(detection.changed));
   write_file(folder / result_file::depth_overlay,
              encode_png(draw_on_depth(detection.final_m, detection.findings.findings, detection.left_out)));

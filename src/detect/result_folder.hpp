@@ -24,6 +24,7 @@ inline constexpr std::string_view changed_points = "changed_points.png";  ///< o
 inline constexpr std::string_view registration = "registration.json";     ///< if views were registered
 inline constexpr std::string_view level = "level_of_detection.json";      ///< of methods that estimate it
 inline constexpr std::string_view level_picture = "level_of_detection.png";
+inline constexpr std::string_view plan = "plan.json";  ///< findings compared with a plan, if there was one
 }  // namespace result_file
 
 /// All files that a result may have, in the form that OutputFolder takes.
@@ -42,10 +43,11 @@ inline constexpr std::string_view level_picture = "level_of_detection.png";
 /// for example.
 /// @param final  the first final capture, in whose view the findings are
 /// @param folder exists
+/// @param detections the content of `detections.json`: detections_json(), with anything added to it
 /// @return       warnings for the user on pictures that are missing or only approximate
 /// @throws Error when a file cannot be written
 [[nodiscard]] std::vector<std::string> write_result(const SidesDetection& result, const Capture& final,
                                                     const std::filesystem::path& folder,
-                                                    const std::optional<Provenance>& provenance = {});
+                                                    const nlohmann::ordered_json& detections);
 
 }  // namespace rva

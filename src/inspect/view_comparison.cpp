@@ -65,7 +65,8 @@ ColorImage write(const ViewResult& result, const std::filesystem::path& folder) 
   std::error_code ignored;  // write_result() reports the error
   std::filesystem::create_directories(folder, ignored);
   // Its warnings are of pictures that the review does not show: it has those of ReviewPictures.
-  static_cast<void>(write_result(result.changes, *result.final.front(), folder, result.provenance));
+  static_cast<void>(write_result(result.changes, *result.final.front(), folder,
+                                 detections_json(result.changes.detection.findings, result.provenance)));
   ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), result.detection());
   write_review(pictures, folder);
   return std::move(pictures.changed);

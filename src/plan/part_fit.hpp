@@ -1,0 +1,44 @@
+// Whether a piece of a finding may be a planned part.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "detect/regions/ignored_regions.hpp"
+#include "plan/pieces.hpp"
+#include "plan/plan_match.hpp"
+
+namespace rva {
+
+/// An item of a plan in the baseline's picture.
+struct PictureItem {
+  const PlannedItem* item = nullptr;    ///< never null
+  std::vector<Polygon> areas;           ///< in pixels
+  std::vector<Eigen::Vector2d> places;  ///< in pixels
+};
+
+/// The items of a plan in the picture of this camera, in their order. The plan must outlive them.
+[[nodiscard]] std::vector<PictureItem> in_picture(const Plan& plan, const Intrinsics& camera);
+
+/// A place that a piece may be at.
+struct PlaceFit {
+  std::size_t place = 0;     ///< index in the item's places
+  double distance_mm = 0.0;  ///< from the piece's centre, across the view
+};
+
+/// How a piece fits an item whose kind and height it has, and in whose areas or at whose places it is.
+struct PartFit {
+  std::vector<PlaceFit> places;  ///< those that it may be at; empty away from all
+  double misfit =
+      0.0;  ///< by how much its height is off the range: 0 not at all, 1 just within the uncertainty
+  bool too_large = false;  ///< larger than one part, in every direction or beyond its places
+  bool several = false;    ///< longer than one part, but not wider: it may be several parts of an area
+};
+
+/// @param focal_px focal length of the baseline's camera
+/// @return empty where the piece can be no part of the item
+[[nodiscard]] std::optional<PartFit> fit_of(const Piece& piece, const PictureItem& item, double focal_px,
+                                            const PlanOptions& options);
+
+}  // namespace rva
