@@ -12,6 +12,7 @@
 #include "cli/terminal_progress.hpp"
 #include "core/output_folder.hpp"
 #include "evaluate/moved_report.hpp"
+#include "evaluate/planned_study.hpp"
 #include "evaluate/recorded_study.hpp"
 #include "evaluate/report.hpp"
 #include "evaluate/study_folder.hpp"
@@ -23,6 +24,7 @@ struct EvaluateArguments {
   std::string out;
   StudySubject subject;
   std::string recorded;
+  bool planned = false;
   StudyOptions study;
   bool moved = false;
   MovedStudyOptions moved_study;
@@ -58,6 +60,16 @@ void evaluate_recorded(const EvaluateArguments& arguments) {
   const std::vector<RecordedInspection> inspections =
       run_recorded_study(arguments.recorded, terminal_progress());
   write_evaluation(json_of(inspections), arguments.recorded, out);
+  out.commit();
+  print("{}{}\n", to_table(inspections), arguments.out);
+}
+
+void evaluate_planned(const EvaluateArguments& arguments) {
+  check_options(arguments.study);
+  OutputFolder out(arguments.out, {evaluation_file},
+                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  const std::vector<PlannedInspection> inspections = run_planned_study(arguments.study, terminal_progress());
+  write_evaluation(json_of(inspections), "", out);
   out.commit();
   print("{}{}\n", to_table(inspections), arguments.out);
 }
@@ -134,15 +146,26 @@ void add_evaluate_command(CLI::App& program) {
       .add_flag("--with-octree", arguments->moved_study.octree,
                 "--moved: the thesis' pipeline too, a minute a pair")
       ->needs(moved);
+  CLI::Option* const recorded =
+      command
+          .add_option("--recorded", arguments->recorded,
+                      "captures of any camera with the truth beside them, instead of simulated inspections")
+          ->type_name("FOLDER")
+          ->excludes(frames)
+          ->excludes(scene)
+          ->excludes(resume)
+          ->excludes(moved);
   command
-      .add_option("--recorded", arguments->recorded,
-                  "captures of any camera with the truth beside them, instead of simulated inspections")
-      ->type_name("FOLDER")
+      .add_flag(
+          "--planned", arguments->planned,
+          "planned work with one missing part and one lost object, grouped by a plan; 4 captures a side")
       ->excludes(frames)
       ->excludes(scene)
       ->excludes(resume)
-      ->excludes(moved);
+      ->excludes(moved)
+      ->excludes(recorded);
   command.callback([arguments] {
+    if (arguments->planned) return evaluate_planned(*arguments);
     if (!arguments->recorded.empty()) return evaluate_recorded(*arguments);
     arguments->moved ? evaluate_moved(*arguments) : evaluate(*arguments);
   });

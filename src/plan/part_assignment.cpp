@@ -35,7 +35,7 @@ std::vector<Part> parts_of(const std::vector<PictureItem>& items) {
 double usual_area_px(std::size_t item, const std::vector<Piece>& pieces, const std::vector<Fits>& fits) {
   std::vector<double> areas_px;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (fits[k][item] && !fits[k][item]->several)
+    if (const auto& fit = fits[k][item]; fit && !fit->several && !fit->too_small)
       areas_px.push_back(static_cast<double>(pieces[k].pixels.size()));
   }
   return areas_px.empty() ? 0.0 : quantile(areas_px, 0.5);
@@ -74,7 +74,7 @@ std::vector<Part> assign_parts(const std::vector<PictureItem>& items, const std:
     usual_px.push_back(usual_area_px(item, pieces, fits));
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (std::ranges::none_of(fits[k], [](const auto& fit) { return fit.has_value(); })) continue;
+    if (std::ranges::none_of(fits[k], [](const auto& fit) { return fit && !fit->too_small; })) continue;
     const std::size_t most = std::min(most_parts(k, usual_px, pieces, fits), parts.size());
     for (std::size_t copy = 0; copy < most; ++copy) candidates.push_back({k, copy == 0});
   }
@@ -87,8 +87,9 @@ std::vector<Part> assign_parts(const std::vector<PictureItem>& items, const std:
     for (Eigen::Index column = 0; column < columns; ++column) {
       const Part& part = parts[static_cast<std::size_t>(column)];
       const std::optional<PartFit>& fit = fits[candidate.piece][part.item];
-      costs(row, column) =
-          fit ? cost_of(*fit, part, *items[part.item].item, candidate.first) : impossible_cost;
+      costs(row, column) = fit && !fit->too_small
+                               ? cost_of(*fit, part, *items[part.item].item, candidate.first)
+                               : impossible_cost;
     }
   }
   const std::vector<int> assigned = least_cost_assignment(costs);

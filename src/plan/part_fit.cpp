@@ -12,6 +12,9 @@ namespace {
 
 // A stereo matcher's window widens what it shows by half of it on each side.
 constexpr double half_window_px = 4.5;
+// What is smaller than one and a half windows mixes with its surroundings, and its depth may be a wrong
+// match.
+constexpr int resolved_from_px = 14;
 // A place counts as covered by a piece if it is this near to one of its pixels.
 constexpr double upon_px = 2.0;
 
@@ -90,6 +93,7 @@ std::array<double, 2> sides_mm(const Piece& piece, double mm_per_px) {
 void judge_size(const Piece& piece, const PictureItem& item, double mm_per_px, PartFit& fit) {
   const std::optional<RangeMm>& size_mm = item.item->size_mm;
   if (!size_mm) return;
+  fit.too_small = mm_per_px * std::max(piece.box.width, piece.box.height) < size_mm->low / 2;
   const auto [length_mm, breadth_mm] = sides_mm(piece, mm_per_px);
   if (length_mm <= size_mm->high) return;
   if (!fit.places.empty())
@@ -97,6 +101,20 @@ void judge_size(const Piece& piece, const PictureItem& item, double mm_per_px, P
   else
     fit.too_large = breadth_mm > size_mm->high;
   fit.several = !fit.too_large;
+}
+
+double mean_depth_m(const PlannedItem& item) {
+  const std::vector<PlanPoint>& points = item.places.empty() ? item.areas.front() : item.places;
+  double sum_m = 0.0;
+  for (const PlanPoint& point : points) sum_m += point.depth_m;
+  return sum_m / static_cast<double>(points.size());
+}
+
+// The plan's depth is used where there is one: that of a small piece at an edge may be a wrong match. Without
+// any, a piece has no size, and only places right upon it count.
+double scale_mm_per_px(const Piece& piece, const PictureItem& item, double focal_px) {
+  constexpr double far_m = 1e6;
+  return mm_per_m * (item.depth_m ? *item.depth_m : piece.depth_m.value_or(far_m)) / focal_px;
 }
 
 }  // namespace
@@ -107,12 +125,13 @@ std::vector<PictureItem> in_picture(const Plan& plan, const Intrinsics& camera) 
   };
   std::vector<PictureItem> items;
   for (const PlannedItem& item : plan.items) {
-    items.push_back({&item, {}, {}});
+    items.push_back({&item, {}, {}, std::nullopt});
     for (const std::vector<PlanPoint>& area : item.areas) {
       Polygon& polygon = items.back().areas.emplace_back();
       for (const PlanPoint& corner : area) polygon.push_back(pixel_of(corner));
     }
     for (const PlanPoint& place : item.places) items.back().places.push_back(pixel_of(place));
+    if (plan.coordinates == PlanCoordinates::metres) items.back().depth_m = mean_depth_m(item);
   }
   return items;
 }
@@ -121,16 +140,16 @@ std::optional<PartFit> fit_of(const Piece& piece, const PictureItem& item, doubl
                               const PlanOptions& options) {
   if (piece.outline.empty()) return std::nullopt;
   PartFit fit;
-  fit.misfit = misfit_of(piece, *item.item, options);
-  if (fit.misfit > 1.0) return std::nullopt;
-  // A piece without a depth has no size: only places right upon it count.
-  constexpr double far_m = 1e6;
-  const double mm_per_px = mm_per_m * piece.depth_m.value_or(far_m) / focal_px;
+  const double mm_per_px = scale_mm_per_px(piece, item, focal_px);
   fit.places = places_of(piece, item, mm_per_px);
   const bool in_area =
       std::ranges::any_of(item.areas, [&](const Polygon& area) { return is_in(area, piece.centroid); });
   if (fit.places.empty() && !in_area) return std::nullopt;
-  if (piece.depth_m) judge_size(piece, item, mm_per_px, fit);
+  fit.misfit = misfit_of(piece, *item.item, options);
+  const bool has_height = piece.box.width >= resolved_from_px || piece.box.height >= resolved_from_px;
+  if (!fit.places.empty() && !has_height) fit.misfit = std::min(fit.misfit, 1.0);
+  if (fit.misfit > 1.0) return std::nullopt;
+  if (item.depth_m || piece.depth_m) judge_size(piece, item, mm_per_px, fit);
   if (fit.too_large && fit.places.empty()) return std::nullopt;
   return fit;
 }

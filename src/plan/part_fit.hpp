@@ -16,6 +16,7 @@ struct PictureItem {
   const PlannedItem* item = nullptr;    ///< never null
   std::vector<Polygon> areas;           ///< in pixels
   std::vector<Eigen::Vector2d> places;  ///< in pixels
+  std::optional<double> depth_m;        ///< mean of its points, if the plan states depths
 };
 
 /// The items of a plan in the picture of this camera, in their order. The plan must outlive them.
@@ -27,11 +28,12 @@ struct PlaceFit {
   double distance_mm = 0.0;  ///< from the piece's centre, across the view
 };
 
-/// How a piece fits an item whose kind and height it has, and in whose areas or at whose places it is.
+/// How a piece fits an item in whose areas or at whose places it is.
 struct PartFit {
   std::vector<PlaceFit> places;  ///< those that it may be at; empty away from all
-  double misfit =
-      0.0;  ///< by how much its height is off the range: 0 not at all, 1 just within the uncertainty
+  /// By how much its height is off the range: 0 not at all, 1 just within the uncertainty.
+  double misfit = 0.0;
+  bool too_small = false;  ///< less than half as large as a part: it may only be a piece of one
   bool too_large = false;  ///< larger than one part, in every direction or beyond its places
   bool several = false;    ///< longer than one part, but not wider: it may be several parts of an area
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -68,28 +69,62 @@ class Match {
       if (hosts[k])
         states_[k] = {PlannedState::planned, states_[*hosts[k]].item};
       else if (const auto fit =
-                   std::ranges::find_if(fits_[k], [](const auto& one) { return one.has_value(); });
+                   std::ranges::find_if(fits_[k], [](const auto& one) { return one && !one->too_small; });
                fit != fits_[k].end())
         states_[k] = {PlannedState::surplus, static_cast<std::size_t>(fit - fits_[k].begin())};
     }
   }
 
-  // The assigned piece beside each piece that has none and is less than half as large.
+  // The assigned piece that each piece without a part belongs to, if there is one: beside it or at its place
+  // one more than twice as large, in the same finding one more than four times as large.
   [[nodiscard]] std::vector<std::optional<std::size_t>> hosts_of_fragments() const {
     constexpr int beside_px = 4;  // half of a matcher's window
     Image<int> owner(detection_.final_m.width(), detection_.final_m.height(), -1);
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      if (states_[k].state != PlannedState::planned) continue;
+      if (!is_planned(k)) continue;
       for (const std::uint32_t i : pieces_[k].pixels) owner[i] = static_cast<int>(k);
     }
     std::vector<std::optional<std::size_t>> hosts(pieces_.size());
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       if (states_[k].item) continue;
-      for (const std::size_t host : neighbours(pieces_[k], owner, beside_px)) {
-        if (2 * pieces_[k].pixels.size() < pieces_[host].pixels.size()) hosts[k] = host;
-      }
+      std::vector<std::size_t> near = neighbours(pieces_[k], owner, beside_px);
+      std::ranges::copy(at_its_places(k), std::back_inserter(near));
+      hosts[k] = larger_one(k, 2, near);
+      if (!hosts[k]) hosts[k] = larger_one(k, 4, of_same_finding(k));
     }
     return hosts;
+  }
+
+  [[nodiscard]] bool is_planned(std::size_t piece) const {
+    return states_[piece].state == PlannedState::planned;
+  }
+
+  // The first of the hosts that is more than `times` as large as the piece.
+  [[nodiscard]] std::optional<std::size_t> larger_one(std::size_t piece, std::size_t times,
+                                                      const std::vector<std::size_t>& hosts) const {
+    const auto host = std::ranges::find_if(hosts, [&](std::size_t k) {
+      return times * pieces_[piece].pixels.size() < pieces_[k].pixels.size();
+    });
+    return host == hosts.end() ? std::nullopt : std::optional(*host);
+  }
+
+  [[nodiscard]] std::vector<std::size_t> of_same_finding(std::size_t piece) const {
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      if (is_planned(k) && pieces_[k].finding == pieces_[piece].finding) found.push_back(k);
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> at_its_places(std::size_t piece) const {
+    std::vector<std::size_t> found;
+    for (const Part& part : parts_) {
+      const std::optional<PartFit>& fit = fits_[piece][part.item];
+      if (!part.piece || !part.place || !fit || !is_planned(*part.piece)) continue;
+      if (std::ranges::find(fit->places, *part.place, &PlaceFit::place) != fit->places.end())
+        found.push_back(*part.piece);
+    }
+    return found;
   }
 
   [[nodiscard]] static std::vector<std::size_t> neighbours(const Piece& piece, const Image<int>& owner,

@@ -18,7 +18,7 @@ namespace rva {
 /// Options of match_plan().
 struct PlanOptions {
   double height_error_mm = 16.0;  ///< the 90 % error of measured heights (docs/detection.md)
-  double inspected = 0.9;
+  double inspected = 0.9;         ///< share of an area that must have been inspected, 0 to 1
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.height_error_mm,
@@ -94,9 +94,13 @@ struct PlanMatch {
 /// - A piece may be a part if its centre is in an area of the item, or within the tolerance of a place or
 /// upon
 ///   it; if its height is in the item's range within its uncertainty, with the sign of the kind; and if it
-///   is not larger than the item allows. A piece of appearance alone has no height and may be of any kind.
+///   is neither larger than the item allows nor less than half as large. A piece of appearance alone has no
+///   height and may be of any kind; at a place, this also holds for a piece that is too small for its depth
+///   to be resolved.
 /// - A piece upon several places that it does not stand out of counts as several parts.
-/// - A piece beside one that was assigned, and less than half as large, belongs to that.
+/// - A piece beside one that was assigned, or at its place, and less than half as large, belongs to that; a
+/// piece
+///   less than a quarter as large belongs to an assigned one of the same finding.
 ///
 /// The result depends on neither the order of the findings nor on findings elsewhere.
 /// @throws UsageError for options out of range

@@ -47,14 +47,14 @@ Transform read_drop(const YamlNode& item, const SceneObject& object, const Scene
   return *pose;
 }
 
-void add_by_hand(const YamlNode& item, Scene& scene) {
+void add_by_hand(const YamlNode& item, Role role, Scene& scene) {
   if (item.has("at_m"))
     item.allow_only({"kind", "name", "shape_seed", "at_m", "turn_deg"});
   else
     item.allow_only({"kind", "name", "shape_seed", "on", "from_m", "resting", "turn_deg"});
 
   SceneObject object;
-  object.role = Role::debris;
+  object.role = role;
   object.kind = read_kind(item.at("kind"));
   if (const auto name = item.find("name")) {
     object.name = name->text();
@@ -138,7 +138,15 @@ void add_debris(const YamlNode& section, std::optional<std::uint64_t> seed, Scen
     if (item.has("random"))
       add_at_random(item, group++, seed, scene);
     else
-      add_by_hand(item, scene);
+      add_by_hand(item, Role::debris, scene);
+  }
+  name_the_rest(scene);
+}
+
+void add_planned_parts(const YamlNode& section, Scene& scene) {
+  for (const YamlNode& item : section.items()) {
+    throw_if_interrupted();
+    add_by_hand(item, Role::work, scene);
   }
   name_the_rest(scene);
 }

@@ -76,6 +76,12 @@ void override_stand(const SceneOverrides& overrides, CameraStand& stand) {
   stand.tilt_deg = overrides.tilt_deg.value_or(stand.tilt_deg);
 }
 
+void read_planned_parts(const YamlNode& document, const SceneOverrides& overrides, Scene& scene) {
+  const auto work = document.find("work");
+  const auto parts = work ? work->find("parts") : std::nullopt;
+  if (parts && !overrides.no_debris) add_planned_parts(*parts, scene);
+}
+
 void read_debris(const YamlNode& document, const SceneOverrides& overrides, Scene& scene) {
   if (overrides.no_debris) {
     std::erase_if(scene.objects, [](const SceneObject& object) { return object.role == Role::debris; });
@@ -115,6 +121,7 @@ Scene parse_scene(const std::string& text, const std::filesystem::path& source,
   if (const auto light = document.find("light")) read_light(*light, scene.lighting);
   if (const auto robot = document.find("robot")) read_robot(*robot, scene.stand);
   override_stand(overrides, scene.stand);
+  read_planned_parts(document, overrides, scene);
   read_debris(document, overrides, scene);
   require_free_camera(document, overrides, scene);
   return scene;

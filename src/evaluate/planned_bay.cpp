@@ -1,0 +1,234 @@
+#include "evaluate/planned_bay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/units.hpp"
+#include "evaluate/random_wing.hpp"
+#include "scene/camera_stand.hpp"
+#include "scene/debris/debris_catalogue.hpp"
+#include "scene/debris/resting.hpp"
+#include "scene/drop_zone.hpp"
+#include "scene/ray_caster.hpp"
+
+namespace rva {
+namespace {
+
+constexpr double farthest_m = 0.6;
+constexpr double spare_mm = 1.0;
+constexpr int fewest_in_a_row = 5;
+constexpr std::array<std::string_view, 5> kinds{"collar-0.36", "collar-0.44", "collar-0.53", "bolt-m6",
+                                                "nut-m6"};
+
+/// Puts parts down in a bay where the camera sees them.
+class Mechanic {
+ public:
+  explicit Mechanic(const Scene& bay)
+      : bay_(bay),
+        surface_(bay),
+        camera_(world_from_camera(bay.stand).translation()),
+        camera_from_world_(world_from_camera(bay.stand).inverse()) {}
+
+  // Empty where the part does not come to rest, or is not in full view.
+  [[nodiscard]] std::optional<SceneObject> put(std::string_view kind, const Eigen::Vector2d& at,
+                                               double turn_deg, Role role) const {
+    SceneObject object;
+    object.kind = kind;
+    object.role = role;
+    object.parts = make_debris(kind, 1);
+    const RestingOrientation upright = resting_orientations(object.parts).front();
+    const auto pose =
+        put_down(surface_, object.parts, upright, turn_deg, {at.x(), at.y(), default_look_down_m(bay_)});
+    if (!pose) return std::nullopt;
+    object.world_from_object = *pose;
+    if (!lies_inside(bay_, object) || !is_in_view(object)) return std::nullopt;
+    return object;
+  }
+
+  [[nodiscard]] PlanPoint point(const Eigen::Vector3d& world) const {
+    const Eigen::Vector3d seen = camera_from_world_ * world;
+    return {seen.hnormalized(), seen.z()};
+  }
+
+ private:
+  // Looks at corners of the part's extent, drawn in a little, so that what it stands on does not hide it.
+  [[nodiscard]] bool is_in_view(const SceneObject& object) const {
+    constexpr double half_width = 0.85;  // of the view, at a depth of 1 m
+    constexpr double half_height = 0.45;
+    constexpr double drawn_in = 0.8;
+    const Eigen::AlignedBox3d extent = bounds(world_mesh(object));
+    const Eigen::Vector3d middle = extent.center();
+    const PlanPoint seen = point(middle);
+    if (seen.depth_m < 0.2 || seen.depth_m > farthest_m || std::abs(seen.at.x()) > half_width ||
+        std::abs(seen.at.y()) > half_height)
+      return false;
+    std::vector<Ray> rays;
+    for (const auto corner : {Eigen::AlignedBox3d::BottomLeftFloor, Eigen::AlignedBox3d::BottomRightFloor,
+                              Eigen::AlignedBox3d::TopLeftCeil, Eigen::AlignedBox3d::TopRightCeil}) {
+      const Eigen::Vector3d at = middle + drawn_in * (extent.corner(corner) - middle);
+      rays.push_back({camera_.cast<float>(), (at - camera_).cast<float>()});
+    }
+    std::vector<std::uint8_t> blocked(rays.size());
+    surface_.occluded(rays, blocked);
+    return std::ranges::count(blocked, 1) == 0;
+  }
+
+  const Scene& bay_;
+  RayCaster surface_;
+  Eigen::Vector3d camera_;
+  Transform camera_from_world_;
+};
+
+// Parts of one kind, one beside the other, all on one surface; empty where there is no room.
+std::vector<SceneObject> row_of(const Mechanic& mechanic, const Scene& bay, int most, Random& random) {
+  const std::string_view kind = kinds.at(random.bits() % kinds.size());
+  const double pitch_m = m_per_mm * random.uniform(25.0, 40.0);
+  const double y_m = random.uniform(0.25, 0.85);
+  double x_m = random.uniform(bay.bay.min().x(), 0.0);
+  std::vector<SceneObject> row;
+  for (int k = 0; k < most && x_m < bay.bay.max().x(); ++k, x_m += pitch_m) {
+    auto part = mechanic.put(kind, {x_m, y_m}, 0.0, Role::work);
+    const bool fits =
+        part && (row.empty() || std::abs(part->world_from_object.translation().z() -
+                                         row.front().world_from_object.translation().z()) < 1e-3);
+    if (fits)
+      row.push_back(std::move(*part));
+    else if (static_cast<int>(row.size()) >= fewest_in_a_row)
+      break;
+    else
+      row.clear();
+  }
+  return static_cast<int>(row.size()) >= fewest_in_a_row ? row : std::vector<SceneObject>();
+}
+
+Eigen::AlignedBox3d extent_of(const std::vector<SceneObject>& row) {
+  Eigen::AlignedBox3d extent;
+  for (const SceneObject& part : row) extent.extend(bounds(world_mesh(part)));
+  return extent;
+}
+
+bool are_apart(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+  constexpr double least_m = 0.04;
+  return a.exteriorDistance(b) > least_m;
+}
+
+PlannedItem item_of(const std::vector<SceneObject>& row, const std::string& name, const Mechanic& mechanic) {
+  constexpr double around_m = 0.015;
+  PlannedItem item;
+  item.name = name;
+  item.count = static_cast<int>(row.size());
+  const Eigen::AlignedBox3d extent = extent_of(row);
+  const Eigen::Vector3d one_mm = mm_per_m * bounds(world_mesh(row.front())).sizes();
+  item.height_mm = {one_mm.z() - spare_mm, one_mm.z() + spare_mm};
+  item.size_mm = RangeMm{one_mm.maxCoeff() - spare_mm, one_mm.maxCoeff() + spare_mm};
+  std::vector<PlanPoint>& area = item.areas.emplace_back();
+  const double z_m = extent.center().z();
+  for (const auto& [x_m, y_m] : {std::pair{extent.min().x() - around_m, extent.min().y() - around_m},
+                                 std::pair{extent.max().x() + around_m, extent.min().y() - around_m},
+                                 std::pair{extent.max().x() + around_m, extent.max().y() + around_m},
+                                 std::pair{extent.min().x() - around_m, extent.max().y() + around_m}})
+    area.push_back(mechanic.point({x_m, y_m, z_m}));
+  for (const SceneObject& part : row)
+    item.places.push_back(mechanic.point(bounds(world_mesh(part)).center()));
+  return item;
+}
+
+using Rows = std::vector<std::vector<SceneObject>>;
+
+std::optional<Rows> random_rows(const Mechanic& mechanic, const Scene& bay, Random& random) {
+  constexpr int fewest = 20;
+  constexpr int most = 60;
+  constexpr int tries = 400;
+  const int wanted = fewest + static_cast<int>(random.bits() % static_cast<std::uint64_t>(most - fewest + 1));
+  Rows rows;
+  int parts = 0;
+  for (int k = 0; k < tries && wanted - parts >= fewest_in_a_row; ++k) {
+    std::vector<SceneObject> row = row_of(mechanic, bay, std::min(24, wanted - parts), random);
+    if (row.empty() || std::ranges::any_of(rows, [&](const auto& other) {
+          return !are_apart(extent_of(row), extent_of(other));
+        }))
+      continue;
+    parts += static_cast<int>(row.size());
+    rows.push_back(std::move(row));
+  }
+  return parts >= fewest ? std::optional(rows) : std::nullopt;
+}
+
+std::optional<SceneObject> lost_object(const Mechanic& mechanic, const Scene& bay, const Rows& rows,
+                                       Random& random) {
+  constexpr int tries = 1000;
+  constexpr double clear_m = 0.012;
+  for (int k = 0; k < tries; ++k) {
+    const Eigen::Vector2d at(random.uniform(bay.bay.min().x(), bay.bay.max().x()),
+                             random.uniform(0.25, 0.85));
+    const std::string_view kind = kinds.at(random.bits() % kinds.size());
+    auto lost = mechanic.put(kind, at, random.uniform(0.0, 360.0), Role::debris);
+    if (!lost) continue;
+    const Eigen::AlignedBox3d extent = bounds(world_mesh(*lost));
+    const bool is_clear = std::ranges::all_of(rows, [&](const auto& row) {
+      return std::ranges::all_of(row, [&](const SceneObject& part) {
+        return extent.exteriorDistance(bounds(world_mesh(part))) > clear_m;
+      });
+    });
+    if (is_clear) return lost;
+  }
+  return std::nullopt;
+}
+
+// Leaves out one part by chance, and names all others.
+void install(Rows rows, Random& random, PlannedBay& bay) {
+  const std::size_t row = random.bits() % rows.size();
+  const std::size_t part = random.bits() % rows[row].size();
+  bay.item = bay.plan.items[row].name;
+  bay.place = static_cast<int>(part) + 1;
+  rows[row].erase(rows[row].begin() + static_cast<std::ptrdiff_t>(part));
+  int number = 0;
+  for (std::vector<SceneObject>& parts : rows) {
+    for (SceneObject& object : parts) {
+      object.name = fmt::format("part-{}", ++number);
+      bay.after.objects.push_back(std::move(object));
+    }
+  }
+}
+
+std::optional<PlannedBay> planned_bay(std::uint64_t seed) {
+  PlannedBay bay;
+  bay.before = bay.after = random_wing(seed);
+  Random random(mix(seed, 0x91A2));
+  const Mechanic mechanic(bay.before);
+  const std::optional<Rows> rows = random_rows(mechanic, bay.before, random);
+  if (!rows) return std::nullopt;
+  std::optional<SceneObject> lost = lost_object(mechanic, bay.before, *rows, random);
+  if (!lost) return std::nullopt;
+  bay.plan.coordinates = PlanCoordinates::metres;
+  for (std::size_t row = 0; row < rows->size(); ++row)
+    bay.plan.items.push_back(
+        item_of((*rows)[row], fmt::format("{} in row {}", (*rows)[row].front().kind, row + 1), mechanic));
+  install(*rows, random, bay);
+  lost->name = "lost";
+  bay.after.objects.push_back(std::move(*lost));
+  return bay;
+}
+
+}  // namespace
+
+// Bays whose view has no room for 20 parts are drawn again.
+PlannedBay random_planned_bay(std::uint64_t seed) {
+  for (std::uint64_t draw = 0;; ++draw) {
+    if (auto bay = planned_bay(draw == 0 ? seed : mix(seed, draw))) return std::move(*bay);
+  }
+}
+
+Plan without_places(Plan plan) {
+  for (PlannedItem& item : plan.items) item.places.clear();
+  return plan;
+}
+
+}  // namespace rva
