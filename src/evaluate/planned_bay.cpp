@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "core/random.hpp"
 #include "core/units.hpp"
 #include "evaluate/random_wing.hpp"
+#include "plan/plan_areas.hpp"
 #include "scene/camera_stand.hpp"
 #include "scene/debris/debris_catalogue.hpp"
 #include "scene/debris/resting.hpp"
@@ -24,6 +26,7 @@ namespace {
 constexpr double farthest_m = 0.6;
 constexpr double spare_mm = 1.0;
 constexpr int fewest_in_a_row = 5;
+constexpr int fewest_parts = 20;
 constexpr std::array<std::string_view, 5> kinds{"collar-0.36", "collar-0.44", "collar-0.53", "bolt-m6",
                                                 "nut-m6"};
 
@@ -114,11 +117,6 @@ Eigen::AlignedBox3d extent_of(const std::vector<SceneObject>& row) {
   return extent;
 }
 
-bool are_apart(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
-  constexpr double least_m = 0.04;
-  return a.exteriorDistance(b) > least_m;
-}
-
 PlannedItem item_of(const std::vector<SceneObject>& row, const std::string& name, const Mechanic& mechanic) {
   constexpr double around_m = 0.015;
   PlannedItem item;
@@ -142,23 +140,31 @@ PlannedItem item_of(const std::vector<SceneObject>& row, const std::string& name
 
 using Rows = std::vector<std::vector<SceneObject>>;
 
-std::optional<Rows> random_rows(const Mechanic& mechanic, const Scene& bay, Random& random) {
-  constexpr int fewest = 20;
+// Also rows on different surfaces are apart in the picture, since areas of a plan must not overlap.
+bool is_apart(const PlannedItem& item, const std::vector<PlannedItem>& others) {
+  return std::ranges::none_of(others, [&](const PlannedItem& other) { return overlap(item, other); });
+}
+
+// Fewer than 20 parts where the view has no room for more.
+Rows random_rows(const Mechanic& mechanic, const Scene& bay, Random& random,
+                 std::vector<PlannedItem>& items) {
   constexpr int most = 60;
+  constexpr int most_in_a_row = 24;
   constexpr int tries = 400;
-  const int wanted = fewest + static_cast<int>(random.bits() % static_cast<std::uint64_t>(most - fewest + 1));
+  const int wanted = fewest_parts + static_cast<int>(random.bits() % (most - fewest_parts + 1));
   Rows rows;
   int parts = 0;
   for (int k = 0; k < tries && wanted - parts >= fewest_in_a_row; ++k) {
-    std::vector<SceneObject> row = row_of(mechanic, bay, std::min(24, wanted - parts), random);
-    if (row.empty() || std::ranges::any_of(rows, [&](const auto& other) {
-          return !are_apart(extent_of(row), extent_of(other));
-        }))
-      continue;
-    parts += static_cast<int>(row.size());
+    std::vector<SceneObject> row = row_of(mechanic, bay, std::min(most_in_a_row, wanted - parts), random);
+    if (row.empty()) continue;
+    const PlannedItem item =
+        item_of(row, fmt::format("{} in row {}", row.front().kind, rows.size() + 1), mechanic);
+    if (!is_apart(item, items)) continue;
+    parts += item.count;
+    items.push_back(item);
     rows.push_back(std::move(row));
   }
-  return parts >= fewest ? std::optional(rows) : std::nullopt;
+  return rows;
 }
 
 std::optional<SceneObject> lost_object(const Mechanic& mechanic, const Scene& bay, const Rows& rows,
@@ -203,15 +209,15 @@ std::optional<PlannedBay> planned_bay(std::uint64_t seed) {
   bay.before = bay.after = random_wing(seed);
   Random random(mix(seed, 0x91A2));
   const Mechanic mechanic(bay.before);
-  const std::optional<Rows> rows = random_rows(mechanic, bay.before, random);
-  if (!rows) return std::nullopt;
-  std::optional<SceneObject> lost = lost_object(mechanic, bay.before, *rows, random);
-  if (!lost) return std::nullopt;
   bay.plan.coordinates = PlanCoordinates::metres;
-  for (std::size_t row = 0; row < rows->size(); ++row)
-    bay.plan.items.push_back(
-        item_of((*rows)[row], fmt::format("{} in row {}", (*rows)[row].front().kind, row + 1), mechanic));
-  install(*rows, random, bay);
+  const Rows rows = random_rows(mechanic, bay.before, random, bay.plan.items);
+  const std::size_t parts =
+      std::accumulate(rows.begin(), rows.end(), std::size_t{0},
+                      [](std::size_t sum, const std::vector<SceneObject>& row) { return sum + row.size(); });
+  if (parts < fewest_parts) return std::nullopt;
+  std::optional<SceneObject> lost = lost_object(mechanic, bay.before, rows, random);
+  if (!lost) return std::nullopt;
+  install(rows, random, bay);
   lost->name = "lost";
   bay.after.objects.push_back(std::move(*lost));
   return bay;
