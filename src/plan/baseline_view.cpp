@@ -83,8 +83,8 @@ std::optional<double> BaselineView::level_mm(const Eigen::Vector2d& pixel) const
       if (!std::isnan(least_mm_(u, v))) levels_mm.push_back(least_mm_(u, v));
     }
   }
-  if (levels_mm.empty() || 2 * levels_mm.size() < looked_at) return std::nullopt;
-  return quantile(levels_mm, 0.5);
+  if (levels_mm.empty() || 4 * levels_mm.size() < looked_at) return std::nullopt;
+  return quantile(levels_mm, 0.25);
 }
 
 }  // namespace rva

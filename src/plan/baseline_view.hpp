@@ -28,8 +28,9 @@ class BaselineView {
   [[nodiscard]] std::optional<Eigen::Vector2d> at(const Eigen::Vector2d& final_pixel,
                                                   std::optional<double> depth_m) const;
 
-  /// The least height that would have been found about a pixel of the baseline's picture: the median around
-  /// it, mm; empty where most was not inspected. 0 for methods without a level of detection, which inspect
+  /// The least height that would have been found about a pixel of the baseline's picture, mm: the lower
+  /// quartile around it, since a part is found if any of its pixels shows it; empty where less than a quarter
+  /// was inspected. 0 for methods without a level of detection, which inspect
   /// what they measure.
   [[nodiscard]] std::optional<double> level_mm(const Eigen::Vector2d& pixel) const;
 

@@ -12,6 +12,7 @@ namespace {
 // Any part that is found outweighs all distances and second parts of a piece.
 constexpr double found_cost = -1000.0;
 constexpr double second_cost = 10.0;
+constexpr double small_cost = 5.0;
 constexpr double area_cost = 1.0;
 constexpr double largest_distance = 3.0;  // in tolerances
 constexpr double impossible_cost = 1e6;
@@ -56,12 +57,26 @@ std::size_t most_parts(std::size_t piece, const std::vector<double>& usual_px,
   return most;
 }
 
-double cost_of(const PartFit& fit, const Part& part, const PlannedItem& item, bool first) {
-  const double extra = first ? 0.0 : second_cost;
-  if (!part.place) return found_cost + area_cost + fit.misfit + extra;
+// A piece that is too small for a part is one only at a place that no other piece fills.
+double cost_of(const PartFit& fit, const Part& part, const PlannedItem& item) {
+  if (!part.place) return fit.too_small ? impossible_cost : found_cost + area_cost + fit.misfit;
   const auto at = std::ranges::find(fit.places, *part.place, &PlaceFit::place);
   if (at == fit.places.end()) return impossible_cost;
-  return found_cost + std::min(at->distance_mm / item.tolerance_mm, largest_distance) + extra;
+  const double small = fit.too_small ? small_cost : 0.0;
+  return found_cost + std::min(at->distance_mm / item.tolerance_mm, largest_distance) + small;
+}
+
+std::vector<Candidate> candidates_of(std::size_t items, const std::vector<Piece>& pieces,
+                                     const std::vector<Fits>& fits, std::size_t parts) {
+  std::vector<double> usual_px;
+  for (std::size_t item = 0; item < items; ++item) usual_px.push_back(usual_area_px(item, pieces, fits));
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (std::ranges::none_of(fits[k], [](const auto& fit) { return fit.has_value(); })) continue;
+    const std::size_t most = std::min(most_parts(k, usual_px, pieces, fits), parts);
+    for (std::size_t copy = 0; copy < most; ++copy) candidates.push_back({k, copy == 0});
+  }
+  return candidates;
 }
 
 }  // namespace
@@ -69,27 +84,17 @@ double cost_of(const PartFit& fit, const Part& part, const PlannedItem& item, bo
 std::vector<Part> assign_parts(const std::vector<PictureItem>& items, const std::vector<Piece>& pieces,
                                const std::vector<Fits>& fits) {
   std::vector<Part> parts = parts_of(items);
-  std::vector<double> usual_px;
-  for (std::size_t item = 0; item < items.size(); ++item)
-    usual_px.push_back(usual_area_px(item, pieces, fits));
-  std::vector<Candidate> candidates;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (std::ranges::none_of(fits[k], [](const auto& fit) { return fit && !fit->too_small; })) continue;
-    const std::size_t most = std::min(most_parts(k, usual_px, pieces, fits), parts.size());
-    for (std::size_t copy = 0; copy < most; ++copy) candidates.push_back({k, copy == 0});
-  }
-  const auto rows = static_cast<Eigen::Index>(candidates.size());
-  const auto columns = static_cast<Eigen::Index>(parts.size());
+  const std::vector<Candidate> candidates = candidates_of(items.size(), pieces, fits, parts.size());
   // The columns after those of the parts are for candidates that are no part.
-  Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(rows, columns + rows);
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const Candidate& candidate = candidates[static_cast<std::size_t>(row)];
-    for (Eigen::Index column = 0; column < columns; ++column) {
-      const Part& part = parts[static_cast<std::size_t>(column)];
-      const std::optional<PartFit>& fit = fits[candidate.piece][part.item];
-      costs(row, column) = fit && !fit->too_small
-                               ? cost_of(*fit, part, *items[part.item].item, candidate.first)
-                               : impossible_cost;
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(candidates.size()),
+                                                static_cast<Eigen::Index>(parts.size() + candidates.size()));
+  for (std::size_t row = 0; row < candidates.size(); ++row) {
+    for (std::size_t column = 0; column < parts.size(); ++column) {
+      const Part& part = parts[column];
+      const std::optional<PartFit>& fit = fits[candidates[row].piece][part.item];
+      const double cost = fit ? cost_of(*fit, part, *items[part.item].item) : impossible_cost;
+      costs(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+          candidates[row].first ? cost : cost + second_cost;
     }
   }
   const std::vector<int> assigned = least_cost_assignment(costs);

@@ -103,6 +103,10 @@ void judge_size(const Piece& piece, const PictureItem& item, double mm_per_px, P
   fit.several = !fit.too_large;
 }
 
+bool is_resolved(const Piece& piece) {
+  return piece.height_mm && (piece.box.width >= resolved_from_px || piece.box.height >= resolved_from_px);
+}
+
 double mean_depth_m(const PlannedItem& item) {
   const std::vector<PlanPoint>& points = item.places.empty() ? item.areas.front() : item.places;
   double sum_m = 0.0;
@@ -146,8 +150,7 @@ std::optional<PartFit> fit_of(const Piece& piece, const PictureItem& item, doubl
       std::ranges::any_of(item.areas, [&](const Polygon& area) { return is_in(area, piece.centroid); });
   if (fit.places.empty() && !in_area) return std::nullopt;
   fit.misfit = misfit_of(piece, *item.item, options);
-  const bool has_height = piece.box.width >= resolved_from_px || piece.box.height >= resolved_from_px;
-  if (!fit.places.empty() && !has_height) fit.misfit = std::min(fit.misfit, 1.0);
+  if (!fit.places.empty() && !is_resolved(piece)) fit.misfit = std::min(fit.misfit, 1.0);
   if (fit.misfit > 1.0) return std::nullopt;
   if (item.depth_m || piece.depth_m) judge_size(piece, item, mm_per_px, fit);
   if (fit.too_large && fit.places.empty()) return std::nullopt;

@@ -33,7 +33,7 @@ struct PartFit {
   std::vector<PlaceFit> places;  ///< those that it may be at; empty away from all
   /// By how much its height is off the range: 0 not at all, 1 just within the uncertainty.
   double misfit = 0.0;
-  bool too_small = false;  ///< less than half as large as a part: it may only be a piece of one
+  bool too_small = false;  ///< less than half as large as a part: one at a place, or a piece of one
   bool too_large = false;  ///< larger than one part, in every direction or beyond its places
   bool several = false;    ///< longer than one part, but not wider: it may be several parts of an area
 };

@@ -75,10 +75,11 @@ class Match {
     }
   }
 
-  // The assigned piece that each piece without a part belongs to, if there is one: beside it or at its place
-  // one more than twice as large, in the same finding one more than four times as large.
+  // The assigned piece that each piece without a part belongs to, if there is one: the one at its place if
+  // its centre is within that part; beside it or at its place one more than twice as large; a window away, or
+  // in the same finding, one more than four times as large.
   [[nodiscard]] std::vector<std::optional<std::size_t>> hosts_of_fragments() const {
-    constexpr int beside_px = 4;  // half of a matcher's window
+    constexpr int window_px = 9;  // of a matcher
     Image<int> owner(detection_.final_m.width(), detection_.final_m.height(), -1);
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       if (!is_planned(k)) continue;
@@ -87,12 +88,28 @@ class Match {
     std::vector<std::optional<std::size_t>> hosts(pieces_.size());
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       if (states_[k].item) continue;
-      std::vector<std::size_t> near = neighbours(pieces_[k], owner, beside_px);
-      std::ranges::copy(at_its_places(k), std::back_inserter(near));
-      hosts[k] = larger_one(k, 2, near);
-      if (!hosts[k]) hosts[k] = larger_one(k, 4, of_same_finding(k));
+      hosts[k] = part_around(k);
+      std::vector<std::size_t> beside = neighbours(pieces_[k], owner, window_px / 2);
+      std::ranges::copy(at_its_places(k), std::back_inserter(beside));
+      if (!hosts[k]) hosts[k] = larger_one(k, 2, beside);
+      std::vector<std::size_t> near = neighbours(pieces_[k], owner, window_px);
+      std::ranges::copy(of_same_finding(k), std::back_inserter(near));
+      if (!hosts[k]) hosts[k] = larger_one(k, 4, near);
     }
     return hosts;
+  }
+
+  // The piece of the part within which the piece has its centre: no second object can have its own there.
+  [[nodiscard]] std::optional<std::size_t> part_around(std::size_t piece) const {
+    for (const Part& part : parts_) {
+      const std::optional<PartFit>& fit = fits_[piece][part.item];
+      const std::optional<RangeMm>& size_mm = plan_.items[part.item].size_mm;
+      if (!part.piece || !part.place || !fit || !size_mm || fit->too_large || !is_planned(*part.piece))
+        continue;
+      const auto at = std::ranges::find(fit->places, *part.place, &PlaceFit::place);
+      if (at != fit->places.end() && at->distance_mm <= size_mm->low / 2) return part.piece;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] bool is_planned(std::size_t piece) const {
@@ -139,8 +156,7 @@ class Match {
       }
     }
     std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
 

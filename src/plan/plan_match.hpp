@@ -94,13 +94,13 @@ struct PlanMatch {
 /// - A piece may be a part if its centre is in an area of the item, or within the tolerance of a place or
 /// upon
 ///   it; if its height is in the item's range within its uncertainty, with the sign of the kind; and if it
-///   is neither larger than the item allows nor less than half as large. A piece of appearance alone has no
-///   height and may be of any kind; at a place, this also holds for a piece that is too small for its depth
-///   to be resolved.
+///   is neither larger than the item allows nor, away from all places, less than half as large. A piece of
+///   appearance alone has no height and may be of any kind; at a place, this also holds for a piece whose
+///   depth is not measured on both sides, or too small to be resolved.
 /// - A piece upon several places that it does not stand out of counts as several parts.
-/// - A piece beside one that was assigned, or at its place, and less than half as large, belongs to that; a
-/// piece
-///   less than a quarter as large belongs to an assigned one of the same finding.
+/// - A piece without a part belongs to an assigned one at whose place it is, if its centre is within the part
+///   or it is less than half as large; to one right beside it that is more than twice as large; and to one a
+///   window away, or of the same finding, that is more than four times as large.
 ///
 /// The result depends on neither the order of the findings nor on findings elsewhere.
 /// @throws UsageError for options out of range

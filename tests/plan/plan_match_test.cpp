@@ -190,12 +190,22 @@ TEST(PlanMatch, OfASmallPieceAtAPlaceTheHeightDoesNotMatter) {
   EXPECT_EQ(matched(row, large).groups.front().found, 0);
 }
 
-TEST(PlanMatch, ATinyPieceIsNoPart) {
+TEST(PlanMatch, ATinyPieceIsAPartAtItsPlaceOnly) {
   Detection detection = clean_floor();
   add_finding({30, 50, 1, 1}, part_mm, detection);
-  const PlanMatch match = matched(row, detection);
-  EXPECT_EQ(match.groups.front().found, 0);
-  EXPECT_EQ(match.unplanned.size(), 1U);
+  EXPECT_EQ(matched(row, detection).groups.front().found, 1);
+  const PlanMatch counted = matched(count_only, detection);
+  EXPECT_EQ(counted.groups.front().found, 0);
+  EXPECT_EQ(counted.unplanned.size(), 1U);
+}
+
+TEST(PlanMatch, ASecondPieceWithinAPartBelongsToIt) {
+  Detection detection = clean_floor();
+  add_row({30}, detection);
+  add_finding({29, 46, 4, 8}, -part_mm, detection);
+  EXPECT_THAT(matched(row, detection).groups.front().findings, ElementsAre(1, 2));
+  add_finding(box_at(37, 50), part_mm, detection);  // too far from the place to be within the part
+  EXPECT_THAT(matched(row, detection).surplus, testing::SizeIs(1));
 }
 
 // Small pieces beside a part come from the matcher's window; whole parts are never taken for such pieces.
