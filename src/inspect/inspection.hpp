@@ -109,6 +109,28 @@ struct Inspection {
   std::optional<Closing> closing;         ///< nothing can be changed afterwards
 };
 
+/// A complete round of captures.
+struct CapturedRound {
+  Side side = Side::initial;
+  TakenSide taken;
+};
+
+/// A decision as it was made, also one that a later decision superseded.
+struct RecordedDecision {
+  int comparison = 0;  ///< number of the comparison that found the finding; 0 for a marked finding
+  int finding = 0;     ///< number of the finding in its comparison, or of the marked finding
+  Decision decision;
+};
+
+/// All that the records contain of an inspection, in one state.
+struct InspectionHistory {
+  Inspection inspection;
+  std::vector<CapturedRound> captured;  ///< the initial side first, each in the order of its rounds
+  std::vector<ComparedRound> rounds;    ///< every complete comparison, newest first
+  std::vector<RecordedDecision>
+      decisions;  ///< those on findings, then those on marked ones, as they were made
+};
+
 /// Number of findings, those marked by a person included, that are not settled (is_settled()).
 [[nodiscard]] std::size_t undecided(const Inspection& inspection);
 

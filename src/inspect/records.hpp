@@ -36,6 +36,8 @@ class Records {
   [[nodiscard]] virtual std::optional<RecordedComparison> comparison(std::int64_t id, int number) const = 0;
   /// All complete comparisons of an inspection, outdated ones included, newest first.
   [[nodiscard]] virtual std::vector<ComparedRound> rounds(std::int64_t id) const = 0;
+  /// All of an inspection, superseded decisions and rounds included; empty if there is none with this id.
+  [[nodiscard]] virtual std::optional<InspectionHistory> history(std::int64_t id) const = 0;
 
   // The following throw Error if the inspection does not exist or has been closed.
 

@@ -45,18 +45,6 @@ Json json_of(const NoiseSoFar& noise) {
             {"by_distance", list_of(noise.findable.by_distance)}}}};
 }
 
-Json json_of(const TakenSide& side) {
-  return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}, {"round", side.round}};
-}
-
-Json json_of(const Decision& decision) {
-  return {{"verdict", name_of(decision.verdict)},
-          {"note", decision.note},
-          {"person", decision.person},
-          {"decided_at", decision.decided_at},
-          {"round", decision.round}};
-}
-
 Json json_of(const Closing& closing) {
   return {{"comparison", closing.comparison},
           {"person", closing.person},
@@ -104,6 +92,18 @@ Json json_list(const Values& values) {
 }  // namespace
 
 Json json_of(const PanTilt& joints) { return {{"pan_deg", joints.pan_deg}, {"tilt_deg", joints.tilt_deg}}; }
+
+Json json_of(const TakenSide& side) {
+  return {{"taken_at", side.taken_at}, {"person", side.person}, {"base", side.base}, {"round", side.round}};
+}
+
+Json json_of(const Decision& decision) {
+  return {{"verdict", name_of(decision.verdict)},
+          {"note", decision.note},
+          {"person", decision.person},
+          {"decided_at", decision.decided_at},
+          {"round", decision.round}};
+}
 
 Json json_of(const ReviewedFinding& reviewed) {
   const Finding& finding = reviewed.finding;

@@ -14,6 +14,8 @@ namespace rva {
 using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json json_of(const PanTilt& joints);
+[[nodiscard]] Json json_of(const TakenSide& side);
+[[nodiscard]] Json json_of(const Decision& decision);
 /// For the list of inspections, without findings.
 [[nodiscard]] Json json_of(const InspectionSummary& summary);
 [[nodiscard]] Json json_of(const Inspection& inspection);

@@ -13,6 +13,7 @@
 #include "core/path_text.hpp"
 #include "inspect/closing.hpp"
 #include "store/finding_rows.hpp"
+#include "store/history_rows.hpp"
 #include "store/inspection_rows.hpp"
 #include "store/mark_rows.hpp"
 #include "store/open_database.hpp"
@@ -94,6 +95,10 @@ std::optional<RecordedComparison> SqliteRecords::comparison(std::int64_t id, int
 
 std::vector<ComparedRound> SqliteRecords::rounds(std::int64_t id) const {
   return read([&](SQLite::Database& database) { return rounds_of(database, id); });
+}
+
+std::optional<InspectionHistory> SqliteRecords::history(std::int64_t id) const {
+  return read([&](SQLite::Database& database) { return history_of(database, id); });
 }
 
 std::optional<Inspection> SqliteRecords::find(std::int64_t id) const {

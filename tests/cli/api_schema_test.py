@@ -103,6 +103,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.begin_another_round()
         self.take('final', then='comparison')
         self.close()
+        self.export()
         self.sign_in()
         self.assertLessEqual(SCHEMA.not_met(), NOT_MET, 'fields that were in no request, answer or message: remove them '
                              'from the schema, or list them here')
@@ -168,6 +169,35 @@ class ApiSchemaTest(program.ProgramTest):
         self.assertEqual(closed['stage'], 'done')
         self.refuse('POST', 'inspections/1/close', closing, 409)
         self.get('inspections?text=n1+bay&stage=done&most=5', 'InspectionList')
+
+    def export(self):
+        """A closed inspection as a folder: what the server sends, and the files that it names."""
+        out = self.folder / 'exported'
+        self.succeed('export', '--data', self.folder / 'data', '--inspection', 1, '--out', out)
+        record = json.loads((out / 'inspection.json').read_text())
+        inspection = record['inspection']
+        self.read_picture(out, inspection['marked'][1].pop('picture'))
+        self.read_picture(out, inspection['marked'][0].pop('picture'))
+        regions = json.loads((out / inspection['views'][0].pop('regions')).read_text())
+        self.assertEqual(regions['ignore'], inspection['views'][0]['ignore'])
+        self.assertEqual(inspection, self.get('inspections/1', 'Inspection'))
+        for round in record['rounds']:
+            for folder in round.pop('results'):
+                json.loads((out / folder / 'detections.json').read_text())
+                self.read_picture(out, f'{folder}/final_color.png')
+        self.assertEqual(record['rounds'], self.get('inspections/1/rounds', 'RoundList')['rounds'])
+        self.assertEqual([(round['side'], round['round']) for round in record['captured']],
+                         [('initial', 1), ('final', 1), ('final', 3)], 'the second was cancelled')
+        for round in record['captured']:
+            for capture in round['captures'][0]:
+                self.succeed('info', out / capture)
+        verdicts = [entry['verdict'] for entry in record['decisions'] if 'marked' in entry]
+        self.assertEqual(verdicts, 2 * ['debris-removed'])
+        self.assertIn(('debris-removed', 1), [(entry['verdict'], entry.get('comparison')) for entry in record['decisions']],
+                      'of the first comparison')
+
+    def read_picture(self, out, name):
+        self.assertEqual((out / name).read_bytes()[:4], b'\x89PNG', name)
 
     def begin_another_round(self):
         self.post('inspections/1/capture', 'CaptureRequest', {'side': 'final', 'person': 'Ann', 'replaced': True}, status=202)

@@ -1,8 +1,11 @@
-"""`rva export`: captures as other programs read them.
+"""`rva export`: captures as other programs read them, and inspections (those with captures: api_schema_test.py and
+same_findings_test.py).
 
 usage: export_test.py RVA
 """
+import contextlib
 import json
+import sqlite3
 
 import numpy as np
 
@@ -125,6 +128,46 @@ class Export(program.ProgramTest):
         self.check_fails('export', self.capture(), '--to', 'ply', '--out', self.folder / 'none' / 'x.ply', names=['x.ply'])
         for arguments in ((), (capture,), (capture, '--to', 'stl', '--out', self.out), (capture, '--to', 'ply')):
             self.assertEqual(self.rva('export', *arguments).returncode, 2)
+
+
+class ExportOfInspections(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.data = self.folder / 'data'
+        self.succeed('account', 'list', '--data', self.data)  # creates the tables
+        self.change("insert into inspection (id, aircraft, zone, work_order, person, created_at, dither) "
+                    "values (3, 'N1', 'bay', 'W1', 'Ann', '2026-01-01T00:00:00.000Z', 2)")
+        self.change('insert into view values (3, 0, 1.5, -20)')
+
+    def change(self, statement):
+        with contextlib.closing(sqlite3.connect(self.data / 'rva.db')) as database, database:
+            database.execute(statement)
+
+    def export(self, *options):
+        return 'export', '--data', self.data, '--inspection', 3, '--out', self.out, *options
+
+    def test_one_that_was_only_begun(self):
+        self.succeed(*self.export())
+        record = json.loads((self.out / 'inspection.json').read_text())
+        self.assertEqual((record['format'], record['provenance']['program']), ('rva-inspection', 'rva'))
+        self.assertEqual(record['inspection']['views'], [{'pan_deg': 1.5, 'tilt_deg': -20.0}])
+        self.assertEqual((record['captured'], record['rounds'], record['decisions']), ([], [], []))
+        self.check_fails(*self.export(), names=['--overwrite'])
+        self.change("update inspection set aircraft = 'N2'")
+        self.succeed(*self.export('--overwrite'))
+        self.assertEqual(json.loads((self.out / 'inspection.json').read_text())['inspection']['aircraft'], 'N2')
+
+    def test_captures_that_are_lost_are_named(self):
+        self.change("insert into side values (3, 'initial', 1, '2026-01-01T00:00:00.000Z', 'Ann', 'b')")
+        self.check_fails(*self.export(), names=['000003/initial/000', 'backup'])
+
+    def test_what_does_not_exist_or_is_unclear(self):
+        self.check_fails('export', '--data', self.data, '--inspection', 4, '--out', self.out, names=['inspection 4'])
+        self.check_fails('export', '--data', self.folder / 'none', '--inspection', 3, '--out', self.out, names=['rva.db'])
+        for arguments in (('--inspection', 3), ('--data', self.data), ('--data', self.data, '--inspection', 0),
+                          (self.folder, '--to', 'ply', '--data', self.data, '--inspection', 3),
+                          ('--data', self.data, '--inspection', 3, '--to', 'ply')):
+            self.assertEqual(self.rva('export', *arguments, '--out', self.out).returncode, 2, arguments)
 
 
 if __name__ == '__main__':

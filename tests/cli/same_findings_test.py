@@ -1,4 +1,4 @@
-"""What the console shows of an inspection is what `rva detect` finds in the same captures, to the byte.
+"""What the console shows of an inspection is what `rva detect` finds in the captures of its export, to the byte.
 
 usage: same_findings_test.py RVA [INSPECTIONS [FIRST_SEED]]
 
@@ -12,6 +12,7 @@ import sys
 
 import program
 from console_client import Console, ask
+from simulations import contents
 
 INSPECTIONS, FIRST_SEED = 2, 31
 
@@ -86,21 +87,20 @@ class SameFindingsTest(program.ProgramTest):
         self.assertEqual(status['task']['end'], 'done', status['task'])
 
     def compare(self, data):
-        """How many findings there are, the same from either."""
-        inspection = data / 'inspections' / '000001'
-        captures = [sorted(path for path in (inspection / side).iterdir() if path.is_dir())
-                    for side in ('initial', 'final')]
-        self.assertEqual([len(side) for side in captures], [8, 8])
-        self.rva_detect(*captures)
-        shown = inspection / 'comparison-1' / 'results' / '000'
+        """How many findings there are, the same from either. The captures that are compared again are exported ones."""
+        exported = self.folder / f'{data.name}-exported'
+        self.succeed('export', '--data', data, '--inspection', 1, '--out', exported)
+        self.assertEqual(contents(exported / 'initial'), contents(data / 'inspections' / '000001' / 'initial'))
+        record = json.loads((exported / 'inspection.json').read_text())
+        initial, final = ([exported / capture for capture in round['captures'][0]] for round in record['captured'])
+        self.assertEqual([len(initial), len(final)], [8, 8])
+        self.succeed('detect', '--initial', *initial, '--final', *final, '--out', self.out, '--overwrite')
+        shown = exported / record['rounds'][0]['results'][0]
         findings = [timeless((folder / 'detections.json').read_text()) for folder in (shown, self.out)]
         self.assertEqual(*findings)
         for name in ('changes.png', 'level_of_detection.png'):
             self.assertEqual((shown / name).read_bytes(), (self.out / name).read_bytes(), name)
         return len(json.loads(findings[0])['detections'])
-
-    def rva_detect(self, initial, final):
-        self.succeed('detect', '--initial', *initial, '--final', *final, '--out', self.out, '--overwrite')
 
 
 def timeless(detections):
