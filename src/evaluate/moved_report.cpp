@@ -18,6 +18,7 @@
 #include "detect/calibrated/calibrated.hpp"
 #include "detect/thesis/octree_detection.hpp"
 #include "evaluate/intervals.hpp"
+#include "evaluate/table.hpp"
 #include "scene/debris/debris_catalogue.hpp"
 
 namespace rva {
@@ -266,6 +267,39 @@ std::string stated_return(const std::vector<MovedInspection>& inspections) {
       approaches, quantile(off_deg, 0.5));
 }
 
+std::string table_of_tallies(const std::vector<MovedTally>& tallies) {
+  std::vector<TableColumn> keys{{"method"}, {"captures"}, {"setting"}};
+  std::vector<TableColumn> columns{{"false each, unchanged"},
+                                   {"false each, debris"},
+                                   {"big debris found"},
+                                   {"of that over 120 px"},
+                                   {"all debris found"}};
+  for (const MovedTally& of : tallies) {
+    add_row(keys, {of.method, std::to_string(of.captures), fmt::format("{:g}", of.setting)});
+    add_row(columns, {stated_rate(of.false_when_clean, of.inspections),
+                      stated_rate(of.false_with_debris, of.inspections), stated_share(of.big_found, of.big),
+                      stated_share(of.large_found, of.large), stated_share(of.found, of.targets)});
+  }
+  return table_of(keys, columns);
+}
+
+// What the registrations of a method with so many captures a side were worth. Sorts their errors.
+std::string stated(const std::string& method, int captures, Registrations& of) {
+  const std::string head = fmt::format("{:8}  {:>8}  ", method, captures);
+  if (of.mm.empty()) return fmt::format("{}registration: all {} refused\n", head, of.refused);
+  std::string text = fmt::format(
+      "{}registration: median {:.2f} mm, {:.3f} degrees\n"
+      "{:20}{} of {} within 4 mm and 0.25 degrees; {} refused; {} trusted and wrong\n",
+      head, quantile(of.mm, 0.5), quantile(of.deg, 0.5), "", of.within, of.mm.size() + of.refused, of.refused,
+      of.trusted_and_wrong);
+  if (of.normalised.empty()) return text;
+  return text + fmt::format(
+                    "{:20}errors within the 95 % of the stated covariance: {}\n"
+                    "{:20}median of their squares in deviations: {:.1f}, where {:.1f} is expected\n",
+                    "", stated_share(of.as_claimed, of.normalised.size()), "", quantile(of.normalised, 0.5),
+                    chi_squared_50);
+}
+
 Json json_of(const CollarDetection& of) {
   Json json{{"method", of.method}, {"captures", of.captures}, {"setting", of.setting}, {"from_m", of.from_m},
             {"to_m", of.to_m},     {"collars", of.collars},   {"found", of.found}};
@@ -319,50 +353,21 @@ std::vector<CollarDetection> collar_detection(const std::vector<MovedInspection>
 }
 
 std::string to_table(const std::vector<MovedInspection>& inspections) {
-  constexpr auto line = "{:8}  {:>8}  {:>7}  {:>22}  {:>19}  {:>24}  {:>24}  {:>24}\n";
-  std::string table =
-      fmt::format(line, "method", "captures", "setting", "false each, unchanged", "false each, debris",
-                  "big debris found", "of that over 120 px", "all debris found");
-  for (const MovedTally& of : tally(inspections)) {
-    fmt::format_to(std::back_inserter(table), line, of.method, of.captures, fmt::format("{:g}", of.setting),
-                   stated_rate(of.false_when_clean, of.inspections),
-                   stated_rate(of.false_with_debris, of.inspections), stated_share(of.big_found, of.big),
-                   stated_share(of.large_found, of.large), stated_share(of.found, of.targets));
-  }
-  table += stated_return(inspections);
-  for (auto& [key, of] : registrations_of(inspections)) {
-    const auto& [method, captures] = key;
-    if (of.mm.empty()) {
-      fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  registration: all {} refused\n", method,
-                     captures, of.refused);
-      continue;
-    }
-    fmt::format_to(
-        std::back_inserter(table),
-        "{:8}  {:>8}  registration: median {:.2f} mm, {:.3f} degrees; {} of {} within 4 mm and 0.25 "
-        "degrees; {} refused; {} trusted and wrong\n",
-        method, captures, quantile(of.mm, 0.5), quantile(of.deg, 0.5), of.within, of.mm.size() + of.refused,
-        of.refused, of.trusted_and_wrong);
-    if (of.normalised.empty()) continue;
-    fmt::format_to(
-        std::back_inserter(table),
-        "{:8}  {:>8}  errors within the 95 % of the stated covariance: {}; median of their squares in "
-        "deviations {:.1f}, where {:.1f} is expected\n",
-        method, captures, stated_share(of.as_claimed, of.normalised.size()), quantile(of.normalised, 0.5),
-        chi_squared_50);
-  }
+  std::string text = table_of_tallies(tally(inspections)) + stated_return(inspections);
+  for (auto& [key, of] : registrations_of(inspections)) text += stated(key.first, key.second, of);
   for (const auto& [key, share] : shares_at_usual_setting(inspections)) {
     const auto& [kind, method, captures] = key;
-    fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:26} {}\n", method, captures, kind,
+    fmt::format_to(std::back_inserter(text), "{:8}  {:>8}  {:26} {}\n", method, captures, kind,
                    stated_share(share.found, share.all));
   }
   for (const CollarDetection& of : collar_detection(inspections)) {
     if (of.collars == 0) continue;
-    fmt::format_to(std::back_inserter(table), "{:8}  {:>8}  {:>7}  collars at {:.1f} to {:.1f} m: {}, {}\n",
+    fmt::format_to(std::back_inserter(text), "{:8}  {:>8}  {:>7}  collars at {:.1f} to {:.1f} m: {}\n",
                    of.method, of.captures, fmt::format("{:g}", of.setting), of.from_m, of.to_m,
-                   stated_share(of.found, of.collars), stated_sizes(of.sizes));
+                   stated_share(of.found, of.collars));
+    fmt::format_to(std::back_inserter(text), "{:29}{}\n", "", stated_sizes(of.sizes));
   }
-  return table;
+  return text;
 }
 
 Json json_of(const std::vector<MovedInspection>& inspections, const std::string& arguments) {

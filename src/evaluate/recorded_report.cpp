@@ -8,6 +8,7 @@
 
 #include "evaluate/intervals.hpp"
 #include "evaluate/recorded_study.hpp"
+#include "evaluate/table.hpp"
 
 namespace rva {
 namespace {
@@ -48,21 +49,25 @@ std::string kind_of(const RecordedScene& scene, const RecordedResult& result) {
   return scene.initial.size() == 1 ? "one" : std::to_string(result.captures);
 }
 
-void add_row(std::string& table, const std::string& scene, const std::string& captures, double allowed,
-             const Counts& of) {
-  fmt::format_to(std::back_inserter(table), "{:16}  {:>8}  {:>7}  {:>20}  {:>26}  {:>26}{}\n", scene,
-                 captures, fmt::format("{:g}", allowed), stated_rate(of.false_findings, of.comparisons),
-                 stated_share(of.large_found, of.large), stated_share(of.found, of.all),
-                 of.refused > 0 ? fmt::format("  {} refused", of.refused) : "");
-}
+/// The rows of the table.
+struct Rows {
+  std::vector<TableColumn> keys{{"scene"}, {"captures"}, {"allowed"}};
+  std::vector<TableColumn> columns{
+      {"false each"}, {"found of those over 120 px"}, {"all found"}, {"refused"}};
+
+  void add(const std::string& scene, const std::string& captures, double allowed, const Counts& of) {
+    add_row(keys, {scene, captures, fmt::format("{:g}", allowed)});
+    add_row(columns, {stated_rate(of.false_findings, of.comparisons), stated_share(of.large_found, of.large),
+                      stated_share(of.found, of.all), of.refused > 0 ? std::to_string(of.refused) : ""});
+  }
+};
 
 void add_objects(std::string& table, const RecordedInspection& inspection) {
   for (std::size_t i = 0; i < inspection.scene.targets.size(); ++i) {
     const RecordedTarget& target = inspection.scene.targets[i];
     std::string marks;
-    for (const RecordedResult& result : inspection.results)
-      marks += fmt::format(" {:>6}", result.found[i] ? "found" : "-");
-    fmt::format_to(std::back_inserter(table), "{:16}  {:28} {:>6} px {:>5}{}\n", inspection.scene.name,
+    for (const RecordedResult& result : inspection.results) marks += result.found[i] ? " +" : " -";
+    fmt::format_to(std::back_inserter(table), "{:28.28}  {:28.28} {:>6} px {:>5} {}\n", inspection.scene.name,
                    target.target.kind, target.target.visible_px, target.seen_free ? "free" : "", marks);
   }
 }
@@ -93,21 +98,20 @@ Json json_of(const RecordedInspection& inspection) {
 }  // namespace
 
 std::string to_table(const std::vector<RecordedInspection>& inspections) {
-  std::string table = fmt::format("{:16}  {:>8}  {:>7}  {:>20}  {:>26}  {:>26}\n", "scene", "captures",
-                                  "allowed", "false each", "found of those over 120 px", "all found");
+  Rows rows;
   std::map<std::pair<std::string, double>, Counts> totals;
   for (const RecordedInspection& inspection : inspections) {
     for (const RecordedResult& result : inspection.results) {
       Counts counts;
       counts.add(inspection.scene, result);
-      const std::string captures = std::to_string(result.captures);
-      add_row(table, inspection.scene.name, captures, result.allowed, counts);
+      rows.add(inspection.scene.name, std::to_string(result.captures), result.allowed, counts);
       totals[{kind_of(inspection.scene, result), result.allowed}].add(inspection.scene, result);
     }
   }
   for (const auto& [key, counts] : totals)
-    add_row(table, "all of", key.first == "one" ? "one" : key.first + " of many", key.second, counts);
-  table += "\nobjects, found in the order of the rows of their scene:\n";
+    rows.add("all of", key.first == "one" ? "one" : key.first + " of many", key.second, counts);
+  std::string table = table_of(rows.keys, rows.columns);
+  table += "\nobjects, found (+) or not (-) in the order of the rows of their scene:\n";
   for (const RecordedInspection& inspection : inspections) add_objects(table, inspection);
   return table;
 }

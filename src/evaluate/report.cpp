@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include <string>
 
 #include "evaluate/intervals.hpp"
+#include "evaluate/table.hpp"
 
 namespace rva {
 namespace {
@@ -60,22 +61,20 @@ std::vector<Tally> tally(const std::vector<SimulatedInspection>& inspections) {
 }
 
 std::string to_table(const std::vector<Tally>& tallies) {
-  constexpr auto line = "{:>6}  {:10} {:>7}  {:>22}  {:>22}  {:>24}  {:>9}  {:>24}  {:>22}  {:>22}  {:>20}\n";
-  std::string table =
-      fmt::format(line, "frames", "method", "setting", "false each, unchanged", "false each, debris",
-                  "visible debris found", "by chance", "of what depth shows", "0.27 in within 1 m",
-                  "of what depth shows", "all found");
-  for (const Tally& tally : tallies) {
-    fmt::format_to(
-        std::back_inserter(table), line, tally.frames, tally.detector.method,
-        fmt::format("{:g}", tally.detector.setting), stated_rate(tally.false_when_clean, tally.inspections),
-        stated_rate(tally.false_with_debris, tally.inspections), stated_share(tally.found, tally.targets),
-        tally.found_when_clean, stated_share(tally.shown_found, tally.shown_targets),
-        stated_share(tally.small_found, tally.small_targets),
-        stated_share(tally.small_shown_found, tally.small_shown_targets),
-        stated_share(tally.all_found, tally.inspections));
+  std::vector<TableColumn> keys{{"frames"}, {"method"}, {"setting"}};
+  std::vector<TableColumn> columns{{"false each, unchanged"}, {"false each, debris"}, {"all found"},
+                                   {"visible debris found"},  {"by chance"},          {"of what depth shows"},
+                                   {"0.27 in within 1 m"},    {"of what depth shows"}};
+  for (const Tally& of : tallies) {
+    add_row(keys, {std::to_string(of.frames), of.detector.method, fmt::format("{:g}", of.detector.setting)});
+    add_row(columns,
+            {stated_rate(of.false_when_clean, of.inspections),
+             stated_rate(of.false_with_debris, of.inspections), stated_share(of.all_found, of.inspections),
+             stated_share(of.found, of.targets), std::to_string(of.found_when_clean),
+             stated_share(of.shown_found, of.shown_targets), stated_share(of.small_found, of.small_targets),
+             stated_share(of.small_shown_found, of.small_shown_targets)});
   }
-  return table;
+  return table_of(keys, columns);
 }
 
 }  // namespace rva

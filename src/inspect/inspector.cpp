@@ -68,7 +68,7 @@ Inspector::Inspector(const InspectionRig& rig, Records& records, std::filesystem
     : rig_(rig), records_(records), data_(std::move(data)), options_(options) {
   check_options(options_);
   if (options_.lamp && !rig_.camera.has_lamp())
-    throw UsageError("--lamp", "the camera has none", "leave it out");
+    throw OptionError("lamp", "the camera has none", "leave it out");
   make_folders(data_);
 }
 

@@ -50,7 +50,7 @@ class Inspector {
  public:
   /// @param rig, records outlive this object
   /// @param data    folder of the captures, made where there is none
-  /// @throws UsageError when an option is out of range or the camera has no lamp; Error when the folder
+  /// @throws OptionError when an option is out of range or the camera has no lamp; Error when the folder
   /// cannot be made
   Inspector(const InspectionRig& rig, Records& records, std::filesystem::path data,
             const InspectorOptions& options = {});

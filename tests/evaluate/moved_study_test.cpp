@@ -96,6 +96,7 @@ TEST(MovedReport, SaysTheSameToAPersonAndToAProgram) {
   EXPECT_THAT(table, testing::HasSubstr("1/2 50 %"));
   EXPECT_THAT(table,
               testing::HasSubstr("2 of 3 within 4 mm and 0.25 degrees; 1 refused; 0 trusted and wrong"));
+  EXPECT_THAT(table, testing::Not(testing::ContainsRegex("[^\n]{101}")));
   const auto json = json_of({inspection()}, "some");
   EXPECT_THAT(table, testing::HasSubstr("errors within the 95 % of the stated covariance: 1/2 50 %"));
   EXPECT_EQ(json["inspections"][0]["registrations"][2]["doubt"], "two places");

@@ -100,19 +100,18 @@ StereoSensorOptions imperfect_camera(std::uint64_t seed) {
   return sensor;
 }
 
-StereoSensorOptions camera_model(const std::string& text) {
+StereoSensorOptions camera_model(const std::string& text, const std::string& option) {
   for (const CameraModel& model : camera_models()) {
     if (model.name == text) return model.sensor;
   }
   if (const std::optional<Drawn> drawn = drawn_from_text(text)) return drawn->draw(drawn->seed);
-  throw OptionError("camera-model", printable(text) + " is not a known camera model",
-                    "give one of " + known_names());
+  throw OptionError(option, printable(text) + " is not a known camera model", "give one of " + known_names());
 }
 
 std::function<StereoSensorOptions(std::uint64_t)> camera_of_each(const std::string& text) {
   if (const std::optional<Drawn> drawn = drawn_from_text(text))
     return [drawn = *drawn](std::uint64_t seed) { return drawn.draw(mix(drawn.seed, seed)); };
-  return [sensor = camera_model(text)](std::uint64_t) { return sensor; };
+  return [sensor = camera_model(text, "cameras")](std::uint64_t) { return sensor; };
 }
 
 std::string name_of_matcher(const StereoSensorOptions& sensor) {

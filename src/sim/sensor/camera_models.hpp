@@ -30,13 +30,15 @@ struct CameraModel {
 [[nodiscard]] StereoSensorOptions imperfect_camera(std::uint64_t seed);
 
 /// The settings of a camera that the command line names.
-/// @param text the name of a model, or "random:SEED" or "imperfect:SEED" for the camera of that seed
-/// @throws UsageError for any other text
-[[nodiscard]] StereoSensorOptions camera_model(const std::string& text);
+/// @param text   the name of a model, or "random:SEED" or "imperfect:SEED" for the camera of that seed
+/// @param option name of the option that has this text, for the error
+/// @throws OptionError for any other text
+[[nodiscard]] StereoSensorOptions camera_model(const std::string& text,
+                                               const std::string& option = "camera-model");
 
 /// Returns a function from the seed of a study's inspection to its camera. "random:SEED" and "imperfect:SEED"
 /// draw another camera for each inspection; any other model is used for all of them.
-/// @throws UsageError as camera_model() does
+/// @throws OptionError of the option `cameras` as camera_model() does
 [[nodiscard]] std::function<StereoSensorOptions(std::uint64_t)> camera_of_each(const std::string& text);
 
 /// A short name for tables: "semi-global", "census 9", "correlation 7".
