@@ -17,7 +17,7 @@ VIEWS, FINDINGS = 4, 5
 REPEATS = 11
 OPEN_EVERY = 100  # one inspection in so many is not closed
 PAGE = 'most=51'
-SEARCHES = {'first page': PAGE, 'an aircraft': f'text=n77&{PAGE}', 'words of no inspection': f'text=left+N0&{PAGE}',
+SEARCHES = {'first page': PAGE, 'an aircraft': f'text=n77&{PAGE}', 'words of no inspection': f'text=left+nowhere&{PAGE}',
             'one of the first': f'text=WO-00007&{PAGE}', 'in review': f'stage=review&{PAGE}',
             'closed, of a month long ago': f'stage=done&until=2001-02-01&{PAGE}'}
 

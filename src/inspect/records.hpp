@@ -19,7 +19,7 @@ class Records {
   Records(const Records&) = delete;
   Records& operator=(const Records&) = delete;
 
-  /// @return the id of the new inspection
+  /// @return the id of the new inspection, which no other one has or had, also if that was removed
   /// @param dither number of captures of each view
   /// @param above  the new id is greater than this
   [[nodiscard]] virtual std::int64_t add_inspection(const InspectionOrder& order,

@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 5;
+inline constexpr int schema_version = 6;
 
 /// The tables of version 1. Lists within a row are JSON. Rows of `decision` are only added: the latest one of
 /// a finding applies.
@@ -189,6 +189,29 @@ create table closing (
   inspection integer primary key references inspection,
   comparison integer not null, person text not null, note text not null, closed_at text not null
 ) strict;
+)sql";
+
+/// Changes from version 5 to 6: the greatest id that any inspection had, deleted ones included; what the
+/// words of a search are compared with, stored, since a search that finds nothing reads it of all
+/// inspections.
+inline constexpr const char* schema_6_from_5 = R"sql(
+create table greatest_id (inspection integer not null) strict;
+insert into greatest_id select coalesce(max(id), 0) from inspection;
+create trigger inspection_has_id after insert on inspection begin
+  update greatest_id set inspection = max(inspection, new.id);
+end;
+
+create table searched (inspection integer primary key, text text not null) strict;
+insert into searched
+  select id, aircraft || char(10) || zone || char(10) || work_order || char(10) || person || char(10) || id
+  from inspection;
+create trigger inspection_is_searched after insert on inspection begin
+  insert into searched values (new.id, new.aircraft || char(10) || new.zone || char(10) || new.work_order
+    || char(10) || new.person || char(10) || new.id);
+end;
+create trigger inspection_is_searched_no_more after delete on inspection begin
+  delete from searched where inspection = old.id;
+end;
 )sql";
 
 }  // namespace rva

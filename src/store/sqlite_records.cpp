@@ -56,7 +56,7 @@ std::int64_t SqliteRecords::add_inspection(const InspectionOrder& order, const s
   return change([&](SQLite::Database& database) {
     SQLite::Statement insert(database,
                              "insert into inspection (id, aircraft, zone, work_order, person, created_at, "
-                             "dither) values ((select max(?7, coalesce(max(id), 0)) + 1 from inspection), "
+                             "dither) values ((select max(?7, inspection) + 1 from greatest_id), "
                              "?1, ?2, ?3, ?4, ?5, ?6)");
     insert.bind(1, order.aircraft);
     insert.bind(2, order.zone);

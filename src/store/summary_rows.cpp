@@ -37,7 +37,13 @@ select i.id, i.aircraft, i.zone, i.work_order, i.person, i.created_at,
     else 'review'
   end as stage,
   k.comparison, k.person, k.note, k.closed_at
-from inspection i
+)sql";
+
+// The searched texts are read first, in the order of the list, since nothing else is as fast to rule out.
+constexpr const char* of_all = "from inspection i";
+constexpr const char* of_those_with_words = "from searched s cross join inspection i on i.id = s.inspection";
+
+constexpr const char* conditions = R"sql(
 left join closing k on k.inspection = i.id
 left join side a on a.inspection = i.id and a.side = 'initial' and a.round =
   (select max(round) from side where inspection = i.id and side = 'initial' and taken_at is not null)
@@ -50,6 +56,7 @@ where (?1 = 0 or i.id < ?1) and i.created_at >= ?2 and (?3 = '' or i.created_at 
 )sql";
 
 constexpr const char* newest_first = " order by i.id desc limit ?5";
+constexpr const char* newest_with_words_first = " order by s.inspection desc limit ?5";
 
 // The words of a text as patterns of LIKE that match wherever the word occurs.
 std::vector<std::string> patterns_of(const std::string& text) {
@@ -78,14 +85,11 @@ std::optional<TakenSide> side_from(SQLite::Statement& row, int first) {
 constexpr int first_word = 6;
 
 std::string query_for(std::size_t words) {
-  std::string query = summaries;
+  if (words == 0) return fmt::format("{}{}{}{}", summaries, of_all, conditions, newest_first);
+  std::string query = fmt::format("{}{}{}", summaries, of_those_with_words, conditions);
   for (std::size_t k = 0; k < words; ++k)
-    query += fmt::format(
-        " and i.aircraft || char(10) || i.zone || char(10) || i.work_order || char(10) || i.person || "
-        "char(10) "
-        "|| i.id like ?{} escape '\\'",
-        first_word + static_cast<int>(k));
-  return query + newest_first;
+    query += fmt::format(" and s.text like ?{} escape '\\'", first_word + static_cast<int>(k));
+  return query + newest_with_words_first;
 }
 
 void bind_filter(SQLite::Statement& query, const InspectionFilter& filter,

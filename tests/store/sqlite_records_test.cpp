@@ -205,6 +205,8 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   EXPECT_FALSE(back.findings[0].moved_from || back.compared.at(0).coverage.left_out);
   EXPECT_TRUE(back.ignored.empty());
   EXPECT_NO_THROW(records.set_ignored(1, 0, {{{0, 0}, {1, 0}, {0, 1}}}));
+  EXPECT_THAT(records.summaries({.text = "bay n1"}), SizeIs(1));
+  EXPECT_EQ(records.add_inspection({}, "t4", 1, {{0, 0}}, 0), 2);
   EXPECT_NO_THROW(SqliteRecords{old}) << "once";
 }
 
@@ -234,6 +236,17 @@ TEST_F(Kept, AComparisonThatWasBegunIsKnownUntilItIsRecorded) {
 TEST_F(Kept, AnInspectionsIdIsAboveThoseOfFoldersThatAreThere) {
   EXPECT_EQ(records_->add_inspection({}, "t", 1, {{0, 0}}, 7), 8);
   EXPECT_EQ(records_->add_inspection({}, "t", 1, {{0, 0}}, 3), 9);
+}
+
+TEST_F(Kept, AnIdIsNeverGivenAgain) {
+  const std::int64_t first = add();
+  const std::int64_t second = add();
+  records_->remove(second);
+  open();
+  EXPECT_EQ(add(), second + 1);
+  records_->remove(second + 1);
+  records_->remove(first);
+  EXPECT_EQ(add(), second + 2) << "also if none is left";
 }
 
 TEST_F(Kept, ARoundUnderWayIsKnownUntilItIsComplete) {
@@ -321,6 +334,10 @@ TEST_F(Kept, AListIsFilteredByWordsStageTimeAndNumber) {
   EXPECT_THAT(ids({.from = "2026-01-02"}), ElementsAre(third, second));
   EXPECT_THAT(ids({.until = "2026-01-02"}), ElementsAre(first));
   EXPECT_THAT(ids({.before = third, .most = 1}), ElementsAre(second));
+  EXPECT_THAT(ids({.text = "n", .before = third, .most = 1}), ElementsAre(second));
+  EXPECT_THAT(ids({.text = "ann", .stage = Stage::work}), ElementsAre(second));
+  records_->remove(first);
+  EXPECT_THAT(ids({.text = "wing"}), ElementsAre(second));
 }
 
 TEST_F(Kept, AMarkComesBackAsItWas) {
@@ -409,6 +426,34 @@ TEST_F(Kept, EarlierComparisonsStayWithTheirCoverageFindingsAndDecisions) {
   ASSERT_THAT(rounds[1].findings, SizeIs(2));
   EXPECT_EQ(rounds[1].findings[1].decision->note, "a collar");
   EXPECT_EQ(rounds[1].findings[1].decision->round, 1);
+}
+
+TEST_F(Kept, AHistoryHasEveryRoundAndDecision) {
+  const std::int64_t id = add();
+  records_->set_side(id, Side::initial, {"t1", "Ann", "base"});
+  records_->begin_side(id, Side::final, {1, "Ann", "base"});
+  records_->set_side(id, Side::final, {"t2", "Bob", "base", 2});
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
+  records_->decide(id, 1, 1, {Verdict::second_look, "?", "Ann", "t3", 2});
+  records_->decide(id, 1, 1, {Verdict::false_alarm, "", "Bob", "t4", 2});
+  const int mark = records_->add_mark(id, {});
+  records_->decide_mark(id, mark, {Verdict::debris, "", "Ann", "t5", 2});
+  records_->set_comparison(id, comparison(2), {}, {});
+  const InspectionHistory history = *records_->history(id);
+  EXPECT_EQ(history.inspection.id, id);
+  ASSERT_THAT(history.captured, SizeIs(2)) << "a round that is not complete has none";
+  EXPECT_EQ(history.captured[0].side, Side::initial);
+  EXPECT_EQ(history.captured[1].taken.round, 2);
+  EXPECT_EQ(history.captured[1].taken.person, "Bob");
+  ASSERT_THAT(history.rounds, SizeIs(2));
+  EXPECT_THAT(history.rounds[1].findings, SizeIs(1));
+  ASSERT_THAT(history.decisions, SizeIs(3));
+  EXPECT_EQ(history.decisions[0].decision.note, "?");
+  EXPECT_EQ(history.decisions[1].comparison, 1);
+  EXPECT_EQ(history.decisions[1].decision.verdict, Verdict::false_alarm);
+  EXPECT_EQ(history.decisions[2].comparison, 0);
+  EXPECT_EQ(history.decisions[2].finding, mark);
+  EXPECT_FALSE(records_->history(id + 1));
 }
 
 TEST_F(Kept, WhatIsNotThereCannotBeChanged) {
