@@ -14,6 +14,7 @@ namespace rva {
 ///   - initial/000/ and final/000/: captures, those of one view one after another; later rounds are in
 ///     final-2/000/ and so on;
 ///   - baseline-check/: what check_baseline() writes;
+///   - marks/001.png: live pictures in which findings were marked;
 ///   - comparison-1/results/000/: the results of each view (view_result_files());
 ///   - comparison-1/map.ply and comparison-1/changes.ply: point clouds of the bay and of the changes.
 /// Later captures and comparisons do not replace earlier ones.
@@ -31,6 +32,8 @@ class InspectionFolder {
   /// The folder that check_baseline() writes.
   [[nodiscard]] std::filesystem::path baseline_check() const { return path_ / baseline_check_name; }
   static constexpr const char* baseline_check_name = "baseline-check";
+  /// The folder of live pictures in which findings were marked.
+  static constexpr const char* marks_name = "marks";
 
   /// The name of a comparison's folder in this one.
   [[nodiscard]] static std::string comparison_name(int number);

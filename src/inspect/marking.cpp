@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-constexpr const char* marks_name = "marks";
-
 // The median depth of the middle half of a box, metres; empty if less than a third of it is measured.
 std::optional<double> depth_in_middle_m(const DepthImage& depth, const Box& box, double depth_unit_m) {
   std::vector<std::uint16_t> measured;
@@ -70,7 +68,7 @@ std::string review_picture(const InspectionFolder& folder, const Inspection& ins
 }
 
 std::string keep_marked_picture(const InspectionFolder& folder, const ColorImage& picture) {
-  const fs::path marks = folder.path() / marks_name;
+  const fs::path marks = folder.path() / InspectionFolder::marks_name;
   folder.require_no_links(marks);
   make_folders(marks);
   int number = 1;
@@ -78,7 +76,7 @@ std::string keep_marked_picture(const InspectionFolder& folder, const ColorImage
   std::error_code ignored;
   while (fs::exists(fs::symlink_status(marks / name(), ignored))) ++number;
   replace_file(marks / name(), encode_png(picture));
-  return (fs::path(marks_name) / name()).string();
+  return (fs::path(InspectionFolder::marks_name) / name()).string();
 }
 
 }  // namespace rva

@@ -20,16 +20,23 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-std::vector<fs::path> folders_in(const fs::path& folder) {
+// In the order of their names. Links are of neither type.
+std::vector<fs::path> entries_in(const fs::path& folder, fs::file_type type) {
   std::vector<fs::path> found;
   std::error_code failure;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
     std::error_code unknown;
-    if (entry.symlink_status(unknown).type() == fs::file_type::directory) found.push_back(entry.path());
+    if (entry.symlink_status(unknown).type() == type) found.push_back(entry.path());
   }
   std::ranges::sort(found);
   return found;
 }
+
+std::vector<fs::path> folders_in(const fs::path& folder) {
+  return entries_in(folder, fs::file_type::directory);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) { return entries_in(folder, fs::file_type::regular); }
 
 bool is_there(const fs::path& path) {
   std::error_code ignored;
@@ -59,7 +66,9 @@ class Repair {
     remove_unfinished_comparisons();
     for (const fs::path& side : folders_in(folder_)) remove_unfinished_views(side);
     remove_unfinished_clouds();
+    remove_unfinished_pictures();
     name_unrecorded_comparisons();
+    name_unrecorded_pictures();
   }
 
  private:
@@ -108,6 +117,20 @@ class Repair {
   void remove_unfinished_clouds() {
     for (const char* const cloud : {"map.ply.partial", "changes.ply.partial"}) {
       if (is_there(folder_ / cloud)) remove(folder_ / cloud);
+    }
+  }
+
+  void remove_unfinished_pictures() {
+    for (const fs::path& path : files_in(folder_ / InspectionFolder::marks_name))
+      if (is_name_of_remains(path)) remove(path);
+  }
+
+  // A picture is written before the finding that was marked in it is recorded.
+  void name_unrecorded_pictures() {
+    for (const fs::path& path : files_in(folder_ / InspectionFolder::marks_name)) {
+      const bool recorded = std::ranges::any_of(
+          inspection_.marked, [&](const MarkedFinding& marked) { return folder_ / marked.picture == path; });
+      if (!recorded) tell(path, "shows no finding that is in the records; it is kept");
     }
   }
 

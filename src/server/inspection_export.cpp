@@ -30,7 +30,8 @@ constexpr const char* records_file = "inspection.json";
 constexpr const char* restore = "restore the data folder from a backup";
 
 std::vector<std::string> export_files() {
-  std::vector<std::string> files{records_file, "regions/[0-9][0-9][0-9].json", "marks/*.png"};
+  std::vector<std::string> files{records_file, "regions/[0-9][0-9][0-9].json",
+                                 InspectionFolder::marks_name + std::string("/*.png")};
   const auto add = [&](const std::string& folder, const std::vector<std::string>& inside) {
     for (const std::string& file : inside) files.push_back(folder + file);
   };

@@ -82,6 +82,17 @@ TEST_F(Recovery, NamesAComparisonThatTheRecordsDoNotHaveAndLeavesIt) {
 }
 
 // As a former version left it when it was killed before the first view of a final side that was taken anew.
+TEST_F(Recovery, RemovesUnfinishedPicturesAndNamesThoseWithoutARecord) {
+  put("marks/001.png");
+  put("marks/002.png");
+  put("marks/003.png.partial-17-0");
+  static_cast<void>(records_.add_mark(id_, {.picture = "marks/001.png"}));
+  EXPECT_THAT(recover(),
+              ElementsAre(HasSubstr("003.png.partial-17-0: removed"), HasSubstr("002.png: shows no")));
+  EXPECT_TRUE(fs::exists(inspection_ / "marks" / "001.png") && fs::exists(inspection_ / "marks" / "002.png"));
+  EXPECT_FALSE(fs::exists(inspection_ / "marks" / "003.png.partial-17-0"));
+}
+
 TEST_F(Recovery, RestoresASideThatHadBeenMovedAside) {
   put("final.replaced/000/capture.json");
   put("final/000.partial-17-0/capture.json");
