@@ -6,7 +6,7 @@ from contents import contents
 from server import Refused
 
 PICTURES = ('initial_color', 'final_color', 'initial_depth', 'final_depth', 'changed', 'not_inspected')
-MORE_PICTURES = ('changes', 'level_of_detection')  # not of every method
+MORE_PICTURES = ('changes', 'level_of_detection', 'findable_5mm', 'findable_10mm', 'findable_20mm')  # not of every method
 REMAINS = ('.partial', '.replaced')
 
 

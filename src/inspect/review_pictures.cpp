@@ -1,5 +1,7 @@
 #include "inspect/review_pictures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -162,6 +164,30 @@ ColorImage draw_not_inspected(const Detection& detection) {
   return picture;
 }
 
+// Dotted, so that the marking differs from the stripes of what was not inspected by more than its colour.
+ColorImage draw_dotted(const Mask& mask) {
+  constexpr int period_px = 8;
+  constexpr int dot_px = 3;
+  constexpr Rgb bright{60, 230, 150};
+  constexpr Rgb dim{10, 60, 40};
+  ColorImage picture(mask.width(), mask.height());
+  for (int v = 0; v < picture.height(); ++v) {
+    for (int u = 0; u < picture.width(); ++u) {
+      const bool dot = u % period_px < dot_px && v % period_px < dot_px;
+      if (mask(u, v) != 0) picture(u, v) = dot ? bright : dim;
+    }
+  }
+  return picture;
+}
+
+void draw_findable(const Detection& detection, const Intrinsics& view, ReviewPictures& pictures) {
+  if (!detection.level_of_detection) return;
+  const LevelOfDetection& level = *detection.level_of_detection;
+  for (std::size_t k = 0; k < findable_sizes_mm.size(); ++k)
+    pictures.findable[k] = draw_dotted(findable_mask(level.least_mm, detection.final_m,
+                                                     level.summary.window_px, view.fx, findable_sizes_mm[k]));
+}
+
 struct PictureFile {
   std::string_view name;
   ColorImage ReviewPictures::*picture;
@@ -173,6 +199,8 @@ constexpr std::array picture_files{PictureFile{"initial_color.png", &ReviewPictu
                                    PictureFile{"final_depth.png", &ReviewPictures::final_depth},
                                    PictureFile{"changed.png", &ReviewPictures::changed},
                                    PictureFile{"not_inspected.png", &ReviewPictures::not_inspected}};
+
+std::string findable_file(double size_mm) { return fmt::format("findable_{:g}mm.png", size_mm); }
 
 }  // namespace
 
@@ -193,6 +221,7 @@ ColorImage draw_color(const Capture& capture) {
 std::vector<std::string> review_picture_files() {
   std::vector<std::string> names;
   for (const PictureFile& file : picture_files) names.emplace_back(file.name);
+  for (const double size_mm : findable_sizes_mm) names.push_back(findable_file(size_mm));
   return names;
 }
 
@@ -200,6 +229,10 @@ void write_review(const ReviewPictures& pictures, const std::filesystem::path& f
   for (const PictureFile& file : picture_files) {
     const ColorImage& picture = pictures.*file.picture;
     if (!picture.empty()) write_file(folder / file.name, encode_png(picture));
+  }
+  for (std::size_t k = 0; k < pictures.findable.size(); ++k) {
+    if (pictures.findable[k].empty()) continue;
+    write_file(folder / findable_file(findable_sizes_mm[k]), encode_png(pictures.findable[k]));
   }
 }
 
@@ -217,6 +250,7 @@ ReviewPictures draw_review(const Capture& initial, const Capture& final, const D
   pictures.final_depth = colorized(detection.final_m, scale);
   pictures.changed = draw_changed(detection);
   pictures.not_inspected = draw_not_inspected(detection);
+  draw_findable(detection, view, pictures);
   return pictures;
 }
 

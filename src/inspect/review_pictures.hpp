@@ -1,12 +1,14 @@
 // Pictures for the review of findings: before and after the work in one view, aligned pixel by pixel.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "capture/capture.hpp"
 #include "depth/image.hpp"
+#include "detect/calibrated/level_of_detection.hpp"
 #include "detect/findings/detection.hpp"
 #include "geometry/transform.hpp"
 
@@ -22,6 +24,9 @@ struct ReviewPictures {
   ColorImage final_depth;
   ColorImage changed;        ///< black where nothing changed; the greater the change, the brighter
   ColorImage not_inspected;  ///< black where a change could have been found, striped elsewhere
+  /// For each of findable_sizes_mm, dotted where an object of that size would have been found
+  /// (findable_mask()), black elsewhere. Empty where the method states no level of detection.
+  std::array<ColorImage, findable_sizes_mm.size()> findable;
 };
 
 /// Names of the files of the pictures.

@@ -1,12 +1,15 @@
 #include "inspect/inspector.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "capture/capture.hpp"
 #include "core/error.hpp"
+#include "depth/image_file.hpp"
 #include "sim/simulated_robot.hpp"
 #include "store/sqlite_records.hpp"
 #include "tests/eventually.hpp"
@@ -41,6 +44,13 @@ class Standing : public testing::Test {
     return wait();
   }
 
+  // The share of a picture of the first view that is not black.
+  double share_drawn(const Inspection& inspection, const std::string& name) {
+    const ColorImage picture = read_color(inspector_->folder(inspection.id).result(inspection, 0) / name);
+    const auto black = std::ranges::count(picture.pixels(), Rgb{});
+    return 1.0 - static_cast<double>(black) / static_cast<double>(picture.size());
+  }
+
   test::TemporaryFolder folder_;
   std::shared_ptr<test::Plug> plug_;
   LiveCamera camera_;
@@ -69,6 +79,10 @@ TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
   for (const char* const picture :
        {"initial_depth.png", "final_depth.png", "changed.png", "not_inspected.png"})
     EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(inspection, 0) / picture)) << picture;
+  const std::vector<FindableShare>& findable = inspection.compared.at(0).findable;
+  ASSERT_EQ(findable.size(), 3U);
+  for (const FindableShare& of : findable)
+    EXPECT_DOUBLE_EQ(share_drawn(inspection, fmt::format("findable_{:g}mm.png", of.size_mm)), of.share);
   EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map(inspection)));
   EXPECT_THROW(inspector_->decide(id, 2, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error)
       << "of findings that are shown no more";

@@ -9,7 +9,8 @@ import { ZoomButtons } from '../picture/ZoomButtons';
 import { ZoomPicture, type Frame } from '../picture/ZoomPicture';
 import type { Size } from '../regions/shapes';
 import { useStore } from '../store';
-import type { Box, Finding, Inspection, Pixel } from '../types';
+import type { Box, FindableShare, Finding, Inspection, Pixel } from '../types';
+import { FindableLegend, FindablePicture, useFindable, type FindableLayer } from './Findable';
 import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
 import { groupsOf } from './groups';
 import { review, reviewSize, reviewZoom, show, type Moment } from './review_state';
@@ -61,7 +62,7 @@ function keepSize({ naturalWidth: width, naturalHeight: height }: HTMLImageEleme
   if (width !== reviewSize.value.width || height !== reviewSize.value.height) reviewSize.value = { width, height };
 }
 
-function Layers({ inspection, view, before }: { inspection: Inspection; view: number; before: boolean }) {
+function Layers({ inspection, view, before, found }: { inspection: Inspection; view: number; before: boolean; found: FindableLayer | null }) {
   const { layer, findings, glow, uninspected } = useStore(review);
   const address = (name: string) => pictureAddress(inspection, view, name);
   const kind = layer === 'depth' ? 'depth' : 'color';
@@ -83,8 +84,13 @@ function Layers({ inspection, view, before }: { inspection: Inspection; view: nu
         </>
       )}
       {uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" draggable={false} class="glow striped" data-testid="picture-uninspected" />}
+      {found && <FindablePicture layer={found} />}
     </>
   );
+}
+
+function findableOf(inspection: Inspection, view: number): FindableShare[] {
+  return inspection.compared.find((one) => one.view === view)?.findable ?? [];
 }
 
 function ReviewBar({ inspection, view, marking, mayMark }: { inspection: Inspection; view: number; marking: Marking; mayMark: boolean }) {
@@ -96,7 +102,7 @@ function ReviewBar({ inspection, view, marking, mayMark }: { inspection: Inspect
       <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
       <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
       <MarkButton marking={marking} shown={mayMark} />
-      <ShowMenu />
+      <ShowMenu findable={findableOf(inspection, view)} />
     </div>
   );
 }
@@ -116,6 +122,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
     all.filter((finding) => finding.view === view).map((finding) => ({ finding, label, selected: lead.number === state.group })),
   );
   const size = useStore(reviewSize);
+  const found = useFindable(findableOf(inspection, view), (name) => pictureAddress(inspection, view, name));
   const here = marked.find(({ selected }) => selected);
   const marking = useMarking(onMark && ((box) => onMark(box, view)));
   useCloser(here?.finding, state.closer, size);
@@ -131,11 +138,16 @@ export function ReviewPictures({ inspection, onMark }: Props) {
         zoom={reviewZoom}
         label="Pictures before and after the work"
         overlay={(frame) => state.findings && <FindingBoxes marked={marked} frame={frame} />}
-        fixed={<span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>}
+        fixed={
+          <>
+            <span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>
+            {found && <FindableLegend layer={found} />}
+          </>
+        }
         onTap={pick}
         marking={marking}
       >
-        <Layers inspection={inspection} view={view} before={before} />
+        <Layers inspection={inspection} view={view} before={before} found={found} />
       </ZoomPicture>
     </section>
   );

@@ -2,6 +2,8 @@
 import { useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { useStore } from '../store';
+import type { FindableShare } from '../types';
+import { FindableChoice } from './Findable';
 import { review, show, type Layer } from './review_state';
 
 const layers: [Layer, string][] = [
@@ -18,7 +20,8 @@ export function Toggle({ label, on, testId, onChange }: { label: string; on: boo
   );
 }
 
-export function ShowMenu() {
+/** @param findable of the view that is shown; empty where it is not known */
+export function ShowMenu({ findable }: { findable: FindableShare[] }) {
   const state = useStore(review);
   const [open, setOpen] = useState(false);
   return (
@@ -32,6 +35,7 @@ export function ShowMenu() {
           <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
           <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
           <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
+          {findable.length > 0 && <FindableChoice findable={findable} />}
         </div>
       )}
     </div>

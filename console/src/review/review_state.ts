@@ -16,13 +16,15 @@ export interface ReviewState {
   /** Overlays: none during the first look (thesis 4.2.2). */
   findings: boolean;
   uninspected: boolean;
+  /** The size of objects of which it is shown where they would have been found; 0: none. */
+  findable_mm: number;
   /** Whether what changed glows in the pictures. */
   glow: boolean;
   /** Whether the picture is enlarged to the finding that is selected. */
   closer: boolean;
 }
 
-export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false, glow: false, closer: false };
+export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', moment: 'after', findings: false, uninspected: false, findable_mm: 0, glow: false, closer: false };
 
 export const review = new Store<ReviewState>(firstLook);
 

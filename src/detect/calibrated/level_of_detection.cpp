@@ -100,19 +100,27 @@ std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm, co
   return levels;
 }
 
+Mask findable_mask(const Image<float>& level_mm, const Image<float>& depth_m, int window_px, double focal_px,
+                   double size_mm) {
+  const double farthest_m = size_mm * focal_px / (mm_per_m * window_px);
+  Mask findable(level_mm.width(), level_mm.height());
+  for (std::size_t i = 0; i < level_mm.size(); ++i) {
+    if (level_mm[i] <= size_mm && depth_m[i] > 0.0F && depth_m[i] <= farthest_m) findable[i] = mask_set;
+  }
+  return findable;
+}
+
 double findable_share(const Image<float>& level_mm, const Image<float>& depth_m, int window_px,
                       double focal_px, double size_mm) {
-  const double farthest_m = size_mm * focal_px / (mm_per_m * window_px);
-  std::size_t findable = 0;
-  for (std::size_t i = 0; i < level_mm.size(); ++i)
-    findable += level_mm[i] <= size_mm && depth_m[i] > 0.0F && depth_m[i] <= farthest_m ? 1U : 0U;
-  return static_cast<double>(findable) / static_cast<double>(level_mm.size());
+  const Mask findable = findable_mask(level_mm, depth_m, window_px, focal_px, size_mm);
+  return static_cast<double>(std::ranges::count(findable.pixels(), mask_set)) /
+         static_cast<double>(findable.size());
 }
 
 std::vector<FindableShare> findable_shares(const Image<float>& level_mm, const Image<float>& depth_m,
                                            int window_px, double focal_px) {
   std::vector<FindableShare> shares;
-  for (const double size_mm : {5.0, 10.0, 20.0})
+  for (const double size_mm : findable_sizes_mm)
     shares.push_back({size_mm, findable_share(level_mm, depth_m, window_px, focal_px, size_mm)});
   return shares;
 }

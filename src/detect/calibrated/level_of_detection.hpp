@@ -1,6 +1,7 @@
 // Level of detection: the least height that an inspection could have found at each pixel.
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -69,15 +70,23 @@ struct DetectionLevelSummary {
 [[nodiscard]] std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm,
                                                               const Image<float>& depth_m);
 
-/// The share of the depth image in which an object as high and as wide as `size_mm` would have been found:
-/// where the level is that height or less, and where the object appears as wide as the window at that depth,
-/// as the level requires. It grows with the size and is at most judged_share().
+/// Sizes of objects for which it is stated where they would have been found, millimetres.
+inline constexpr std::array findable_sizes_mm{5.0, 10.0, 20.0};
+
+/// The pixels at which an object as high and as wide as `size_mm` would have been found: where the level is
+/// that height or less, and where the object appears as wide as the window at that depth, as the level
+/// requires. None where not judged.
 /// @param depth_m  depth after, metres; 0 where not measured
 /// @param focal_px focal length of the depth image
+[[nodiscard]] Mask findable_mask(const Image<float>& level_mm, const Image<float>& depth_m, int window_px,
+                                 double focal_px, double size_mm);
+
+/// The share of the depth image that findable_mask() contains. It grows with the size and is at most
+/// judged_share().
 [[nodiscard]] double findable_share(const Image<float>& level_mm, const Image<float>& depth_m, int window_px,
                                     double focal_px, double size_mm);
 
-/// findable_share() of objects of 5, 10 and 20 mm.
+/// findable_share() of objects of findable_sizes_mm.
 [[nodiscard]] std::vector<FindableShare> findable_shares(const Image<float>& level_mm,
                                                          const Image<float>& depth_m, int window_px,
                                                          double focal_px);
