@@ -140,6 +140,12 @@ export interface Finding {
   above_surroundings_mm?: number;
   /** Whether depth changed by much more than that, since a farther surface was seen there before, or is seen now. Only with `above_surroundings_mm` and `height_mm`. */
   background_jump?: boolean;
+  /** Height of its top above the surface that it lies on, at right angles to it; missing where that surface is not known. */
+  top_above_surroundings_mm?: number;
+  /** Whether it may be higher: it is not wholly seen, or the surface around it is seen in part. With `top_above_surroundings_mm`. */
+  top_is_least?: boolean;
+  /** In how many of its pixels its view shows it clearly: with depth, and within the colour imager's view; 0 at the border of the image. Of the findings of one object, that with the most is in the best view. Missing in comparisons of earlier versions. */
+  clear_px?: number;
   score?: number;
   p_value?: number;
   /** Which images show the change. */
@@ -289,6 +295,8 @@ export interface Levels {
   window_px: number;
   /** Near to far. */
   by_distance: LevelsAtDistance[];
+  /** Small to large. Missing in baseline checks of earlier versions. */
+  findable?: FindableShare[];
 }
 
 export interface RecordedLevels extends Levels {

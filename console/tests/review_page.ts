@@ -14,7 +14,7 @@ export async function openReview(page: Page): Promise<void> {
   await standIn(page, {
     stage: 'review', initial: taken, final: taken, comparison: 1, compared_at: taken.taken_at, views: [ahead, ahead],
     compared: [0, 1].map((view) => ({ view, method: 'calibrated', judged: 0.7, warnings: [], findable: [{ size_mm: 5, share: 0.4 }, { size_mm: 10, share: 0.7 }], coverage: { compared: 0.7, unseen: 0.1, invalid: 0.2 } })),
-    findings: [finding, { ...finding, number: 2, view: 1, bbox: [600, 300, 40, 30] }, { ...finding, number: 3, same_as: 3, kind: 'removed', bbox: [400, 200, 300, 200] }] as unknown as Inspection['findings'],
+    findings: [{ ...finding, clear_px: 300 }, { ...finding, number: 2, view: 1, bbox: [600, 300, 40, 30], clear_px: 800 }, { ...finding, number: 3, same_as: 3, kind: 'removed', bbox: [400, 200, 300, 200] }] as unknown as Inspection['findings'],
     marked: [],
   });
   await expect(page.getByTestId('first-look')).toBeVisible();

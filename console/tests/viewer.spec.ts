@@ -156,3 +156,14 @@ test('the live picture is enlarged, too, and measured where it is tapped', async
   expect(point!.u / width).toBeCloseTo(0.5, 1);
   expect(point!.v / height).toBeCloseTo(0.5 + 0.25 / 2.25, 1);
 });
+
+test('the close-up of a finding is in the view that shows it best, which is named', async ({ console: page }) => {
+  await openReview(page);
+  await page.getByTestId('reveal').click();
+  const card = page.getByTestId('finding-1');
+  for (const part of await card.locator('.close-up image').all()) await expect(part).toHaveAttribute('href', /views\/1\/(initial|final)_color\.png$/);
+  await expect(card.getByTestId('close-up-view')).toHaveText('In view 2, which shows it best');
+  await page.getByTestId('finding-3').getByRole('button').first().click();
+  await expect(page.getByTestId('finding-3').locator('.close-up image').first()).toHaveAttribute('href', /views\/0\//);
+  await expect(page.getByTestId('finding-3').getByTestId('close-up-view'), 'seen in one view').toHaveCount(0);
+});

@@ -46,6 +46,9 @@ struct ReviewedFinding {
   Finding finding;                             ///< in the coordinates of its view; without its pixels
   std::optional<Eigen::Vector3d> in_foot_m{};  ///< position in the frame of the robot's foot, as in the map
   std::optional<Decision> decision{};          ///< the latest one
+  /// In how many of its pixels its view shows it clearly: with depth, within the colour imager's view where
+  /// there is one; 0 if it reaches the border of the image. Empty in comparisons of earlier versions.
+  std::optional<int> clear_px{};
   /// For an added finding: number of the removed finding in the same view that has about the same size.
   std::optional<int> moved_from{};
 };

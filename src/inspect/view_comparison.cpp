@@ -14,6 +14,7 @@
 #include "core/interrupt.hpp"
 #include "core/output_folder.hpp"
 #include "detect/detect.hpp"
+#include "detect/findings/height_above_surroundings.hpp"
 #include "detect/provenance.hpp"
 #include "detect/result_folder.hpp"
 #include "inspect/inspection_map.hpp"
@@ -86,6 +87,28 @@ ComparedView summary_of(const ViewResult& result, int view) {
   return summary;
 }
 
+// In pictures in colour, what is beyond the colour imager's view is grey.
+bool is_in_color(const CaptureInfo& info, const Eigen::Vector3d& point_m) {
+  if (!info.color) return true;
+  const Eigen::Vector3d seen = info.color_from_depth.value_or(Transform::Identity()) * point_m;
+  if (seen.z() <= 0.0) return false;
+  const Eigen::Vector2d pixel = info.color->project(seen);
+  return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= info.color->width - 1.0 &&
+         pixel.y() <= info.color->height - 1.0;
+}
+
+int clear_px(const Finding& finding, const Detection& detection, const CaptureInfo& info) {
+  const int width = detection.final_m.width();
+  if (reaches_border(finding.pixels, width, detection.final_m.height())) return 0;
+  const bool gone = finding.kind == ChangeKind::removed && !detection.initial_m.empty();
+  const Image<float>& depth_m = gone ? detection.initial_m : detection.final_m;
+  return static_cast<int>(std::ranges::count_if(finding.pixels, [&](std::uint32_t pixel) {
+    if (!(depth_m[pixel] > 0.0F)) return false;
+    const auto at = static_cast<int>(pixel);
+    return is_in_color(info, info.depth.deproject(Eigen::Vector2d(at % width, at / width), depth_m[pixel]));
+  }));
+}
+
 std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const PanTiltChain& chain) {
   const Transform foot_from_final = map_from_camera(result.final.front()->info(), chain);
   std::vector<ReviewedFinding> findings;
@@ -94,6 +117,7 @@ std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, con
     reviewed.view = view;
     reviewed.finding = finding;
     reviewed.finding.pixels.clear();
+    reviewed.clear_px = clear_px(finding, result.detection(), result.final.front()->info());
     if (finding.position_m) reviewed.in_foot_m = foot_from_final * *finding.position_m;
     findings.push_back(std::move(reviewed));
   }

@@ -40,6 +40,8 @@ class BaselineView {
   [[nodiscard]] const Image<float>& least_mm() const { return least_mm_; }
   /// The baseline's camera.
   [[nodiscard]] const Intrinsics& camera() const { return cameras_.initial; }
+  /// The camera of the final depth image, whose pixels findings have.
+  [[nodiscard]] const Intrinsics& final_camera() const { return cameras_.final; }
 
  private:
   void transfer(const Detection& detection, const Image<float>& least_mm);

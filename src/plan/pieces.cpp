@@ -18,7 +18,7 @@ std::optional<double> median(std::vector<float> values) {
   return values.empty() ? std::nullopt : std::optional<double>(quantile(values, 0.5));
 }
 
-void measure_depth(const Detection& detection, Piece& piece) {
+void measure_depth(const Detection& detection, const Intrinsics& camera, Piece& piece) {
   std::vector<float> depths_m;
   std::vector<float> heights_m;
   std::vector<float> levels_mm;
@@ -38,7 +38,8 @@ void measure_depth(const Detection& detection, Piece& piece) {
   const BeforeAndAfter depth = piece.kind == ChangeKind::added
                                    ? BeforeAndAfter{detection.final_m, detection.initial_m}
                                    : BeforeAndAfter{detection.initial_m, detection.final_m};
-  piece.above_surroundings_mm = height_above_surroundings_mm(piece.pixels, depth, detection.changed);
+  const auto height = height_above_surroundings(piece.pixels, depth, detection.changed, camera);
+  if (height) piece.above_surroundings_mm = height->median_mm;
 }
 
 // A single pixel without depth is taken to be as far as the whole piece.
@@ -68,7 +69,7 @@ std::vector<Piece> pieces_of(const Detection& detection, const BaselineView& bas
       piece.kind = finding.kind;
       piece.box = region.box;
       piece.pixels = std::move(region.pixels);
-      measure_depth(detection, piece);
+      measure_depth(detection, baseline.final_camera(), piece);
       place_in_baseline(baseline, width, piece);
       pieces.push_back(std::move(piece));
     }

@@ -35,6 +35,13 @@ Json list_of(const std::vector<DetectionLevels>& by_distance) {
   return list;
 }
 
+Json list_of(const std::vector<FindableShare>& findable) {
+  Json list = Json::array();
+  for (const FindableShare& share : findable)
+    list.push_back({{"size_mm", share.size_mm}, {"share", rounded(share.share, 4)}});
+  return list;
+}
+
 Json json_of(const NoiseSoFar& noise) {
   return {{"frames", noise.frames},
           {"measured", noise.measured},
@@ -42,7 +49,8 @@ Json json_of(const NoiseSoFar& noise) {
           {"findable",
            {{"judged", noise.findable.judged},
             {"window_px", noise.findable.window_px},
-            {"by_distance", list_of(noise.findable.by_distance)}}}};
+            {"by_distance", list_of(noise.findable.by_distance)},
+            {"findable", list_of(noise.findable.findable)}}}};
 }
 
 Json json_of(const Closing& closing) {
@@ -73,13 +81,10 @@ Json json_of(const ComparedView& view) {
                 {"unseen", view.coverage.unseen},
                 {"invalid", view.coverage.invalid}};
   if (view.coverage.left_out) coverage["left_out"] = *view.coverage.left_out;
-  Json findable = Json::array();
-  for (const FindableShare& share : view.findable)
-    findable.push_back({{"size_mm", share.size_mm}, {"share", rounded(share.share, 4)}});
   Json warnings = Json::array();
   for (const std::string& warning : view.warnings) warnings.push_back(without_folders(warning));
   return {{"view", view.view},     {"method", view.method}, {"coverage", coverage},
-          {"judged", view.judged}, {"warnings", warnings},  {"findable", findable}};
+          {"judged", view.judged}, {"warnings", warnings},  {"findable", list_of(view.findable)}};
 }
 
 template <typename Values>
@@ -122,6 +127,11 @@ Json json_of(const ReviewedFinding& reviewed) {
     json["above_surroundings_mm"] = *finding.above_surroundings_mm;
     if (finding.height_mm) json["background_jump"] = finding.background_jump;
   }
+  if (finding.top_above_surroundings_mm) {
+    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
+    json["top_is_least"] = finding.top_is_least;
+  }
+  if (reviewed.clear_px) json["clear_px"] = *reviewed.clear_px;
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   json["evidence"] = Json::array();

@@ -37,6 +37,8 @@ Finding finding_of(SQLite::Statement& row) {
   finding.size_mm = extent_in(row.getColumn("size_mm"));
   finding.height_mm = number_in(row.getColumn("height_mm"));
   finding.above_surroundings_mm = number_in(row.getColumn("above_surroundings_mm"));
+  finding.top_above_surroundings_mm = number_in(row.getColumn("top_above_surroundings_mm"));
+  finding.top_is_least = row.getColumn("top_is_least").getInt() != 0;
   finding.background_jump = row.getColumn("background_jump").getInt() != 0;
   finding.score = number_in(row.getColumn("score"));
   finding.p_value = number_in(row.getColumn("p_value"));
@@ -53,8 +55,9 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   SQLite::Statement insert(database,
                            "insert into finding (inspection, comparison, number, view, same_as, kind, box, "
                            "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from, "
-                           "by_depth, by_appearance, above_surroundings_mm, background_jump) "
-                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "by_depth, by_appearance, above_surroundings_mm, background_jump, "
+                           "top_above_surroundings_mm, top_is_least, clear_px) "
+                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
   insert.bind(2, comparison);
   insert.bind(3, reviewed.number);
@@ -74,6 +77,9 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   insert.bind(17, finding.evidence.appearance ? 1 : 0);
   bind_value(insert, 18, finding.above_surroundings_mm);
   insert.bind(19, finding.background_jump ? 1 : 0);
+  bind_value(insert, 20, finding.top_above_surroundings_mm);
+  insert.bind(21, finding.top_is_least ? 1 : 0);
+  if (reviewed.clear_px) insert.bind(22, *reviewed.clear_px);
   insert.exec();
 }
 
@@ -93,6 +99,8 @@ std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_
     finding.in_foot_m = point_in(query.getColumn("in_foot_m"));
     if (const SQLite::Column moved_from = query.getColumn("moved_from"); !moved_from.isNull())
       finding.moved_from = moved_from.getInt();
+    if (const SQLite::Column clear_px = query.getColumn("clear_px"); !clear_px.isNull())
+      finding.clear_px = clear_px.getInt();
     finding.decision = last_decision(database, inspection, comparison, finding.number);
     findings.push_back(std::move(finding));
   }

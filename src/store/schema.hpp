@@ -193,7 +193,7 @@ create table closing (
 
 /// Changes from version 5 to 6: the greatest id that any inspection had, deleted ones included; what the
 /// words of a search are compared with, stored, since a search that finds nothing reads it of all
-/// inspections.
+/// inspections; how high the top of a finding is, and how clearly its view shows it.
 inline constexpr const char* schema_6_from_5 = R"sql(
 create table greatest_id (inspection integer not null) strict;
 insert into greatest_id select coalesce(max(id), 0) from inspection;
@@ -212,6 +212,10 @@ end;
 create trigger inspection_is_searched_no_more after delete on inspection begin
   delete from searched where inspection = old.id;
 end;
+
+alter table finding add column top_above_surroundings_mm real;
+alter table finding add column top_is_least integer not null default 0;
+alter table finding add column clear_px integer;
 )sql";
 
 }  // namespace rva

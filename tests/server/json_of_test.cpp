@@ -28,16 +28,20 @@ TEST(JsonOf, FindingStatesWhatIsKnown) {
   finding.height_mm = -4.0;
   finding.above_surroundings_mm = 3.5;
   finding.background_jump = true;
+  finding.top_above_surroundings_mm = 6.5;
+  finding.top_is_least = true;
   finding.score = 2.5;
   finding.p_value = 0.001;
   finding.evidence = {.depth = false, .appearance = true};
   reviewed.in_foot_m = Eigen::Vector3d(1.0, 2.0, 3.0);
+  reviewed.clear_px = 40;
   reviewed.moved_from = 1;
   reviewed.decision = Decision{Verdict::installed_work, "a clip", "Ann", "2026-01-01T00:00:00.000Z", 2};
   EXPECT_EQ(json_of(reviewed), Json::parse(R"({"number": 3, "view": 1, "same_as": 2, "kind": "removed",
       "bbox": [4, 5, 6, 7], "centroid": [6.5, 8.25], "position_m": [0.5, -0.25, 1.0],
       "in_foot_m": [1.0, 2.0, 3.0], "size_mm": [12.0, 8.0], "height_mm": -4.0, "above_surroundings_mm": 3.5,
-      "background_jump": true, "score": 2.5, "p_value": 0.001,
+      "background_jump": true, "top_above_surroundings_mm": 6.5, "top_is_least": true, "clear_px": 40,
+      "score": 2.5, "p_value": 0.001,
       "evidence": ["appearance"], "moved_from": 1, "decision": {"verdict": "installed-work",
       "note": "a clip", "person": "Ann", "decided_at": "2026-01-01T00:00:00.000Z",
       "round": 2}})"));
@@ -140,11 +144,12 @@ TEST(JsonOf, NoiseIsRounded) {
   noise->frames = 12;
   noise->measured = 0.875;
   noise->median_std_mm = 0.12678;
-  noise->findable = {0.5, 9, 0.01, 0.02, {}, {{0.39999999, 0.6000001, 50, 2.3456, 4.99}}};
+  noise->findable = {0.5, 9, 0.01, 0.02, {}, {{0.39999999, 0.6000001, 50, 2.3456, 4.99}}, {{5.0, 0.123456}}};
   task.noise = noise;
   EXPECT_EQ(json_of(task)["noise"].dump(),
             R"({"frames":12,"measured":0.875,"median_std_mm":0.13,"findable":{"judged":0.5,"window_px":9,)"
-            R"("by_distance":[{"from_m":0.4,"to_m":0.6,"median_mm":2.3,"p90_mm":5.0}]}})");
+            R"("by_distance":[{"from_m":0.4,"to_m":0.6,"median_mm":2.3,"p90_mm":5.0}],)"
+            R"("findable":[{"size_mm":5.0,"share":0.1235}]}})");
 }
 
 TEST(JsonOf, RobotStatesItsAnglesWhileTheyAreKnown) {

@@ -53,6 +53,9 @@ ReviewedFinding finding(int number) {
   reviewed.finding.height_mm = 6.9;
   reviewed.finding.above_surroundings_mm = 5.9;
   reviewed.finding.background_jump = true;
+  reviewed.finding.top_above_surroundings_mm = 7.5;
+  reviewed.finding.top_is_least = true;
+  reviewed.clear_px = 120;
   reviewed.finding.score = 9.5;
   reviewed.finding.p_value = 1e-9;
   return reviewed;
@@ -87,6 +90,9 @@ TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
   EXPECT_EQ(first.size_mm, finding(1).finding.size_mm);
   EXPECT_EQ(first.p_value, 1e-9);
   EXPECT_EQ(first.above_surroundings_mm, 5.9);
+  EXPECT_EQ(first.top_above_surroundings_mm, 7.5);
+  EXPECT_TRUE(first.top_is_least);
+  EXPECT_EQ(back->findings[0].clear_px, 120);
   EXPECT_TRUE(first.background_jump);
   EXPECT_EQ(first.box, (Box{1, 2, 3, 4}));
   EXPECT_EQ(back->findings[1].finding.kind, ChangeKind::removed);

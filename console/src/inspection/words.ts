@@ -65,24 +65,31 @@ export function whereAndHow(finding: Finding, marked = false): string {
   if (finding.kind === 'appearance' && !marked) parts.push('brighter or darker than before; not visible in depth');
   const change = finding.height_mm;
   const height = finding.above_surroundings_mm;
-  if (height !== undefined) parts.push(`${millimetres(height)} above its surroundings${finding.kind === 'removed' ? ' before' : ''}`);
+  const top = finding.top_above_surroundings_mm;
+  const before = finding.kind === 'removed' ? ' before' : '';
+  if (top !== undefined) parts.push(`${finding.top_is_least ? 'at least ' : ''}${millimetres(top)} high${before}`);
+  else if (height !== undefined) parts.push(`${millimetres(height)} above its surroundings${before}`);
   if (finding.background_jump) parts.push('at an edge, where the background jumps');
   else if (change !== undefined && height === undefined)
     parts.push(`surface ${millimetres(Math.abs(change))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
   return parts.join(', ');
 }
 
-/** "objects of 5 mm would have been found in 76 % of it, of 10 mm in 91 %"; empty if it is not known. */
-export function findableText(shares: FindableShare[]): string {
+/**
+ * "objects of 5 mm would have been found in 76 % of it, of 10 mm in 91 %"; empty if it is not known.
+ * @param found what is stated of the objects: that they would have been found, or are expected to be
+ * @param where the part of which the shares are
+ */
+export function findableText(shares: FindableShare[], found = 'would have been found', where = 'it'): string {
   const [first, ...others] = shares;
   if (!first) return '';
   const share = ({ share: part }: FindableShare) => `${Math.round(100 * part)} %`;
   const rest = others.map((other) => `, of ${other.size_mm} mm in ${share(other)}`);
-  return `objects of ${first.size_mm} mm would have been found in ${share(first)} of it${rest.join('')}`;
+  return `objects of ${first.size_mm} mm ${found} in ${share(first)} of ${where}${rest.join('')}`;
 }
 
 /** For each size, the share of the view in which least of it would have been found. */
-export function leastFindable(views: ComparedView[]): FindableShare[] {
+export function leastFindable(views: Pick<ComparedView, 'findable'>[]): FindableShare[] {
   const [first, ...others] = views.map(({ findable }) => findable);
   return (first ?? []).map(({ size_mm, share }) => ({
     size_mm,

@@ -9,7 +9,7 @@ import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { ClosingCard } from './ClosingCard';
 import { DecisionForm } from './DecisionForm';
-import { decisionOf, groupsOf, isSettled, type Group } from './groups';
+import { bestSeen, decisionOf, groupsOf, isSettled, type Group } from './groups';
 import { Moved } from './Moved';
 import { review, reviewSize, selectionOf, show } from './review_state';
 import { RoundsCard } from './RoundsCard';
@@ -110,8 +110,14 @@ function Pictures({ inspection, group }: { inspection: Inspection; group: Group 
   const size = useStore(reviewSize);
   if (marked && marked.comparison !== inspection.comparison)
     return <CloseUp after={markedAddress(inspection, marked.number)} size={size} bbox={lead.bbox} />;
-  const address = (moment: string) => pictureAddress(inspection, lead.view, `${moment}_color`);
-  return <CloseUp before={address('initial')} after={address('final')} size={size} bbox={lead.bbox} />;
+  const best = bestSeen(group);
+  const address = (moment: string) => pictureAddress(inspection, best.view, `${moment}_color`);
+  return (
+    <>
+      <CloseUp before={address('initial')} after={address('final')} size={size} bbox={best.bbox} />
+      {group.all.length > 1 && <small data-testid="close-up-view">{`In view ${best.view + 1}, which shows it best`}</small>}
+    </>
+  );
 }
 
 function FirstLook({ groups }: { groups: Group[] }) {

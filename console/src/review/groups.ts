@@ -43,6 +43,11 @@ export function groupsOf(inspection: Inspection): Group[] {
   return [...groups.values()];
 }
 
+/** The finding of a group whose view shows the object best; the lead where this is not known. */
+export function bestSeen({ lead, all }: Group): Finding {
+  return all.reduce((best, one) => ((one.clear_px ?? 0) > (best.clear_px ?? 0) ? one : best), lead);
+}
+
 export function decisionOf(group: Group): Decision | undefined {
   return group.lead.decision;
 }

@@ -1,6 +1,6 @@
 // Findings of one object in several views, joined, and objects that were moved.
 import { expect, test } from '@playwright/test';
-import { decisionOf, groupsOf, isSettled } from '../../src/review/groups';
+import { bestSeen, decisionOf, groupsOf, isSettled } from '../../src/review/groups';
 import { movedFrom, movedTo } from '../../src/review/moves';
 import type { Decision, Inspection, MarkedFinding, Verdict } from '../../src/types';
 import { finding } from './findings';
@@ -19,6 +19,17 @@ test('findings of one object are one group, whose first finding leads', () => {
   expect(first!.lead.number).toBe(1);
   expect(first!.all.map(({ number }) => number)).toEqual([1, 3]);
   expect(second!.all.map(({ number }) => number)).toEqual([2]);
+});
+
+test('an object is seen best where most of it is clear, and where that is not known in the most suspicious view', () => {
+  const best = (...clear_px: (number | undefined)[]) => {
+    const [group] = groups(...clear_px.map((px, view) => finding(view + 1, { same_as: 1, view, ...(px !== undefined && { clear_px: px }) })));
+    return bestSeen(group!).view;
+  };
+  expect(best(40, 90, 60)).toBe(1);
+  expect(best(90, 90), 'as clear').toBe(0);
+  expect(best(0, 0), 'at the border in each').toBe(0);
+  expect(best(undefined, undefined), 'of an earlier version').toBe(0);
 });
 
 test('the decision on a group is that on the finding that leads it', () => {

@@ -51,12 +51,20 @@ test('height is that above the surroundings where it is known, and a jump of the
   expect(whereAndHow(finding(1, { kind: 'removed', above_surroundings_mm: 7, background_jump: false }))).toBe('7.0 mm above its surroundings before');
 });
 
+test('how high an object is at its top is stated where that is known, at least where it may be higher', () => {
+  const heights = { height_mm: 157, above_surroundings_mm: 6, top_above_surroundings_mm: 12 };
+  expect(whereAndHow(finding(1, { ...heights, background_jump: false, top_is_least: false }))).toBe('12 mm high');
+  expect(whereAndHow(finding(1, { ...heights, background_jump: true, top_is_least: true }))).toBe('at least 12 mm high, at an edge, where the background jumps');
+  expect(whereAndHow(finding(1, { ...heights, kind: 'removed', top_is_least: true }))).toBe('at least 12 mm high before');
+});
+
 test('a share is named with the size that it is of, and is that of the least favourable view', () => {
   const views = [
     { findable: [{ size_mm: 5, share: 0.4 }, { size_mm: 10, share: 0.8 }] },
     { findable: [{ size_mm: 5, share: 0.5 }, { size_mm: 10, share: 0.7 }] },
   ] as ComparedView[];
   expect(findableText(leastFindable(views))).toBe('objects of 5 mm would have been found in 40 % of it, of 10 mm in 70 %');
+  expect(findableText(leastFindable(views), 'are expected to be found', 'the view')).toBe('objects of 5 mm are expected to be found in 40 % of the view, of 10 mm in 70 %');
   expect(findableText(leastFindable([...views, { findable: [] } as unknown as ComparedView])), 'not known of one view').toBe('objects of 5 mm would have been found in 0 % of it, of 10 mm in 0 %');
   expect(findableText(leastFindable([]))).toBe('');
 });

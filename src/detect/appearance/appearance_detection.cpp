@@ -84,6 +84,27 @@ void give_height(float nearer_px, const StereoScale& stereo, Finding& finding) {
   if (before_px > 0.0) finding.height_mm = mm_per_m * (stereo.depth_m(before_px) - finding.position_m->z());
 }
 
+// The depth images may not show what the pairs show. Depth with the object is that without it, changed by
+// what the pairs measured.
+void measure_by_pairs(const DepthView& view, const Detection& detection, Finding& finding) {
+  if (detection.initial_m.empty() || finding.kind == ChangeKind::appearance || !finding.height_mm) return;
+  const bool added = finding.kind == ChangeKind::added;
+  const StereoScale& stereo = view.stereo;
+  const double after_m = finding.position_m->z();
+  const double nearer_px =
+      stereo.disparity_px(after_m) - stereo.disparity_px(after_m + *finding.height_mm / mm_per_m);
+  const Image<float>& without_m = added ? detection.initial_m : detection.final_m;
+  Image<float> with_m = added ? detection.final_m : detection.initial_m;
+  for (const std::uint32_t i : finding.pixels) {
+    const auto without = static_cast<double>(without_m[i]);
+    with_m[i] = without > 0.0
+                    ? static_cast<float>(stereo.depth_m(stereo.disparity_px(without) + std::abs(nearer_px)))
+                    : 0.0F;
+  }
+  measure_surroundings(added ? without_m : with_m, added ? with_m : without_m, detection.changed, view.camera,
+                       finding);
+}
+
 /// The strongest evidence of one light over a finding, in deviations.
 struct Strongest {
   float moved = 0.0F;      // motion of the surface, in either direction
@@ -171,6 +192,7 @@ void add_changes(ImageChanges images, InfraredCompared compared, double false_fi
     Finding finding = finding_of(std::move(region), changes, detection.final_m, final_view);
     if (is_spike_of_surfaces(finding, final_view.camera.fx)) continue;
     for (const std::uint32_t i : finding.pixels) detection.changed[i] = mask_set;
+    measure_by_pairs(final_view, detection, finding);
     finding.id = static_cast<int>(findings.size()) + 1;
     findings.push_back(std::move(finding));
   }

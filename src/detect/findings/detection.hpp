@@ -37,9 +37,10 @@ struct Detection {
   Findings findings;
   std::optional<LevelOfDetection> level_of_detection;  ///< set by `calibrated` and `spatial`
   Mask changed;          ///< every changed pixel, including blobs below the minimum size
-  Image<float> initial_m;  ///< depth before in the view of the final capture, metres; 0 where not measured
-  Image<float> final_m;    ///< depth after, metres; 0 where not measured
-  Mask left_out;         ///< pixels of the final depth image left out by the user; empty for none
+  Image<float> final_m;  ///< depth after, metres; 0 where not measured
+  /// Depth before at the pixels of `final_m`, metres, without drift where that is known; 0 where not measured.
+  Image<float> initial_m;
+  Mask left_out;  ///< pixels of the final depth image left out by the user; empty for none
   /// What limits the result, for the user; one line each.
   std::vector<std::string> warnings;
 };

@@ -39,16 +39,6 @@ std::optional<double> height_mm(RegionDepth& depth, std::size_t pixels, ChangeKi
   return agrees ? std::optional(height_mm) : std::nullopt;
 }
 
-// An object that was added is seen after, one that was removed is seen before.
-void measure_surroundings(const Comparison& comparison, Finding& finding) {
-  const BeforeAndAfter depth = finding.kind == ChangeKind::added
-                                   ? BeforeAndAfter{comparison.final_m, comparison.initial_m}
-                                   : BeforeAndAfter{comparison.initial_m, comparison.final_m};
-  finding.above_surroundings_mm = height_above_surroundings_mm(finding.pixels, depth, comparison.changed);
-  finding.background_jump = finding.height_mm && finding.above_surroundings_mm &&
-                            is_background_jump(std::abs(*finding.height_mm), *finding.above_surroundings_mm);
-}
-
 // Equation 27 of docs/math.md.
 Finding measure(Region region, ChangeKind kind, const Comparison& comparison, const Intrinsics& camera) {
   Finding finding;
@@ -69,7 +59,7 @@ Finding measure(Region region, ChangeKind kind, const Comparison& comparison, co
   RegionDepth depth = depth_of(finding.pixels, comparison);
   locate(camera, depth.depths_m, finding);
   finding.height_mm = height_mm(depth, finding.pixels.size(), kind);
-  measure_surroundings(comparison, finding);
+  measure_surroundings(comparison.initial_m, comparison.final_m, comparison.changed, camera, finding);
   if (comparison.evidence_is_rarity) {
     finding.score = rarest;
     // By Poisson statistics: 1 - exp(-n), where n = 10^-rarest is the expected number of such locations.
@@ -98,6 +88,20 @@ void locate(const Intrinsics& camera, std::vector<float>& depths_m, Finding& fin
   finding.position_m = camera.deproject(finding.centroid, depth_m);
   finding.size_mm = {finding.box.width * depth_m / camera.fx * mm_per_m,
                      finding.box.height * depth_m / camera.fy * mm_per_m};
+}
+
+// An object that was added is seen after, one that was removed is seen before.
+void measure_surroundings(const Image<float>& initial_m, const Image<float>& final_m, const Mask& changed,
+                          const Intrinsics& camera, Finding& finding) {
+  const BeforeAndAfter depth = finding.kind == ChangeKind::added ? BeforeAndAfter{final_m, initial_m}
+                                                                 : BeforeAndAfter{initial_m, final_m};
+  const auto height = height_above_surroundings(finding.pixels, depth, changed, camera);
+  if (!height) return;
+  finding.above_surroundings_mm = height->median_mm;
+  finding.top_above_surroundings_mm = height->top_mm;
+  finding.top_is_least = height->at_least;
+  finding.background_jump =
+      finding.height_mm && is_background_jump(std::abs(*finding.height_mm), height->median_mm);
 }
 
 std::vector<Finding> find_findings(const Comparison& comparison, const RegionOptions& options,

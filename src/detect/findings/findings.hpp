@@ -60,6 +60,9 @@ struct Finding {
   /// Height above the surface around it, along z, above 0: of an added finding after, of a removed one before
   /// (height_above_surroundings.hpp).
   std::optional<double> above_surroundings_mm{};
+  /// Height of its top above the surface that it lies on, at right angles to it (HeightAboveSurroundings).
+  std::optional<double> top_above_surroundings_mm{};
+  bool top_is_least = false;  ///< whether it may be higher (HeightAboveSurroundings::at_least)
   /// True if depth changed by much more than that, since a farther surface was seen there before, or is seen
   /// now. False also where either is empty.
   bool background_jump = false;
@@ -108,6 +111,13 @@ struct Findings {
 /// if there are no depths.
 /// @param depths_m depths of its pixels, metres; reordered
 void locate(const Intrinsics& camera, std::vector<float>& depths_m, Finding& finding);
+
+/// Sets the heights of an added or removed finding above the surface around it, and whether the background
+/// jumps there, from depth before and after; does nothing where depth does not show them.
+/// @param changed every changed pixel, including those of the finding
+/// @param camera  of both depth images
+void measure_surroundings(const Image<float>& initial_m, const Image<float>& final_m, const Mask& changed,
+                          const Intrinsics& camera, Finding& finding);
 
 /// Groups the changed pixels of a comparison into regions and measures them; the most suspicious come first.
 /// Pixels that came nearer and pixels that went farther are never grouped, however close they are.

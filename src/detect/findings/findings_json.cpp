@@ -29,6 +29,10 @@ Json json_of(const Finding& finding, bool of_two) {
     json["above_surroundings_mm"] = *finding.above_surroundings_mm;
     if (finding.height_mm) json["background_jump"] = finding.background_jump;
   }
+  if (finding.top_above_surroundings_mm) {
+    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
+    json["top_is_least"] = finding.top_is_least;
+  }
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   if (finding.moved_from) json["moved_from"] = *finding.moved_from;

@@ -9,6 +9,7 @@
 #include "core/quantile.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
+#include "views/disparity_change.hpp"
 
 namespace rva {
 namespace {
@@ -152,16 +153,27 @@ std::vector<Plane> surfaces(Pixels pixels) {
   return planes;
 }
 
-// Median over the region; empty where the plane does not lie behind it.
-std::optional<double> height_above_mm(const Pixels& region, const Plane& plane) {
+// Empty where fewer than half of the region's pixels have a height, or the median is not above 0.
+std::optional<double> median_of(std::vector<double>& heights_mm, std::size_t region_pixels) {
+  if (heights_mm.empty() || 2 * heights_mm.size() < region_pixels) return std::nullopt;
+  const double median_mm = quantile(heights_mm, 0.5);
+  return median_mm > 0.0 ? std::optional(median_mm) : std::nullopt;
+}
+
+// Distances along z from a plane, where it lies in front of the camera.
+std::vector<double> heights_above_mm(const Pixels& region, const Plane& plane) {
   std::vector<double> heights_mm;
   for (const Measured& pixel : region) {
     const double inverse_m = plane.dot(pixel.at);
     if (inverse_m > 0.0) heights_mm.push_back(mm_per_m * (1.0 / inverse_m - 1.0 / pixel.inverse_m));
   }
-  if (2 * heights_mm.size() < region.size()) return std::nullopt;
-  const double height_mm = quantile(heights_mm, 0.5);
-  return height_mm > 0.0 ? std::optional(height_mm) : std::nullopt;
+  return heights_mm;
+}
+
+// Median over the region; empty where the plane does not lie behind it.
+std::optional<double> height_above_mm(const Pixels& region, const Plane& plane) {
+  std::vector<double> heights_mm = heights_above_mm(region, plane);
+  return median_of(heights_mm, region.size());
 }
 
 // Median difference of depth without and with the object; empty where there is none, or none above 0.
@@ -171,9 +183,48 @@ std::optional<double> change_mm(std::span<const std::uint32_t> pixels, const Bef
     if (depth.with_object_m[i] > 0.0F && depth.without_m[i] > 0.0F)
       changes_mm.push_back(mm_per_m * static_cast<double>(depth.without_m[i] - depth.with_object_m[i]));
   }
-  if (2 * changes_mm.size() < pixels.size()) return std::nullopt;
-  const double median_mm = quantile(changes_mm, 0.5);
-  return median_mm > 0.0 ? std::optional(median_mm) : std::nullopt;
+  return median_of(changes_mm, pixels.size());
+}
+
+/// A surface that a region's object may lie on.
+struct Support {
+  Plane plane;
+  double height_mm = 0.0;  ///< of the region above it, median along z
+  double seen = 0.0;       ///< share of the pixels in which it is looked for that belong to it
+};
+
+// The nearest of the planes that lie behind the region.
+std::optional<Support> nearest_support(const Pixels& region, const std::vector<Plane>& planes,
+                                       const Pixels& around, std::size_t pixels_around) {
+  std::optional<Support> nearest;
+  for (const Plane& plane : planes) {
+    const std::optional<double> height_mm = height_above_mm(region, plane);
+    if (!height_mm || (nearest && nearest->height_mm <= *height_mm)) continue;
+    const auto on_plane = static_cast<double>(count_on(plane, around));
+    nearest = Support{plane, *height_mm, on_plane / static_cast<double>(pixels_around)};
+  }
+  return nearest;
+}
+
+// Where both are one surface, what the object hides is nearer to its place than what is beside it.
+std::optional<Support> nearer_of(const std::optional<Support>& hidden, const std::optional<Support>& beside) {
+  constexpr double alike = 1.25;
+  return hidden && (!beside || hidden->height_mm < alike * beside->height_mm) ? hidden : beside;
+}
+
+// The 90th percentile of the distances at right angles to the plane. In camera coordinates, a plane in
+// inverse depth, 1 / z = (a, b, c) . (u, v, 1), is n . p = 1 with n = (a fx, b fy, (a, b, c) . (cx, cy, 1)),
+// and a point that is h in front of it along z has the distance h / (z |n|), where z is the plane's depth.
+double top_above_mm(const Pixels& region, const Plane& plane, const cv::Point& origin,
+                    const Intrinsics& camera) {
+  constexpr double top = 0.9;
+  const Eigen::Vector3d principal(camera.cx - origin.x, camera.cy - origin.y, 1.0);
+  const double length =
+      Eigen::Vector3d(plane.x() * camera.fx, plane.y() * camera.fy, plane.dot(principal)).norm();
+  std::vector<double> heights_mm;
+  for (const Measured& pixel : region)
+    heights_mm.push_back(mm_per_m * (1.0 - plane.dot(pixel.at) / pixel.inverse_m) / length);
+  return quantile(heights_mm, top);
 }
 
 Pixels measured(std::span<const std::uint32_t> pixels, const Image<float>& depth_m) {
@@ -188,21 +239,37 @@ Pixels measured(std::span<const std::uint32_t> pixels, const Image<float>& depth
 
 }  // namespace
 
-std::optional<double> height_above_surroundings_mm(std::span<const std::uint32_t> pixels,
-                                                   const BeforeAndAfter& depth, const Mask& changed) {
+std::optional<HeightAboveSurroundings> height_above_surroundings(std::span<const std::uint32_t> pixels,
+                                                                 const BeforeAndAfter& depth,
+                                                                 const Mask& changed,
+                                                                 const Intrinsics& camera) {
   const Pixels region = measured(pixels, depth.with_object_m);
   if (region.empty() || 2 * region.size() < pixels.size()) return std::nullopt;
   const Ring ring = ring_around(pixels, depth, changed);
   if (ring.measured.size() < fewest_pixels || 3 * ring.measured.size() < ring.pixels) return std::nullopt;
   const std::vector<Plane> planes = surfaces(ring.measured);
   if (planes.empty()) return std::nullopt;
+  const std::optional<Support> beside = nearest_support(region, planes, ring.measured, ring.pixels);
   // No surface that the object lies on is farther than what is seen where the object is not.
-  std::optional<double> nearest_mm = change_mm(pixels, depth);
-  for (const Plane& plane : planes) {
-    const std::optional<double> height_mm = height_above_mm(region, plane);
-    if (height_mm && (!nearest_mm || *height_mm < *nearest_mm)) nearest_mm = height_mm;
-  }
-  return nearest_mm;
+  const std::optional<double> change = change_mm(pixels, depth);
+  if (!beside && !change) return std::nullopt;
+  HeightAboveSurroundings height;
+  height.median_mm = !change || (beside && beside->height_mm < *change) ? beside->height_mm : *change;
+  const Pixels hidden = measured(pixels, depth.without_m);
+  const std::optional<Support> support =
+      nearer_of(nearest_support(region, surfaces(hidden), hidden, pixels.size()), beside);
+  if (!support) return height;
+  height.top_mm = top_above_mm(region, support->plane, place_of(pixels.front(), changed.width()), camera);
+  height.at_least = support->seen < 0.5 || 5 * region.size() < 4 * pixels.size() ||
+                    reaches_border(pixels, changed.width(), changed.height());
+  return height;
+}
+
+bool reaches_border(std::span<const std::uint32_t> pixels, int width, int height) {
+  return std::ranges::any_of(pixels, [&](std::uint32_t pixel) {
+    const cv::Point at = place_of(pixel, width);
+    return std::min({at.x, at.y, width - 1 - at.x, height - 1 - at.y}) <= margin_px;
+  });
 }
 
 bool is_background_jump(double change_mm, double above_surroundings_mm) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,8 @@ namespace {
 constexpr int width = 160;
 constexpr int height = 120;
 constexpr double noise_m = 0.0005;
+
+const Intrinsics camera{width, height, 212.0, 212.0, 79.5, 59.5};
 
 /// Depth at a pixel, metres.
 using Surface = std::function<double(int u, int v)>;
@@ -44,8 +47,12 @@ struct Scene {
       }
     }
   }
+  [[nodiscard]] std::optional<HeightAboveSurroundings> measure() const {
+    return height_above_surroundings(pixels, {with_object_m, without_m}, changed, camera);
+  }
   [[nodiscard]] std::optional<double> measure_mm() const {
-    return height_above_surroundings_mm(pixels, {with_object_m, without_m}, changed);
+    const std::optional<HeightAboveSurroundings> above = measure();
+    return above ? std::optional(above->median_mm) : std::nullopt;
   }
 
   Mask changed;
@@ -123,6 +130,84 @@ TEST(HeightAboveSurroundings, NeverExceedsTheChange) {
   EXPECT_NEAR(*Scene(middle, 12.0, with_pad, with_pad).measure_mm(), 12.0, 1.0);
 }
 
+// A quarter of the object is higher than the rest.
+TEST(HeightAboveSurroundings, HasATopThatIsHigherThanTheMedian) {
+  Scene stepped(middle, 10.0, wall, wall);
+  for (std::size_t k = 0; k < stepped.pixels.size(); k += 4)
+    stepped.with_object_m[stepped.pixels[k]] -= 0.02F;
+  const std::optional<HeightAboveSurroundings> above = stepped.measure();
+  ASSERT_TRUE(above);
+  EXPECT_NEAR(above->median_mm, 10.0, 1.0);
+  ASSERT_TRUE(above->top_mm);
+  EXPECT_NEAR(*above->top_mm, 30.0, 1.5);
+  EXPECT_FALSE(above->at_least) << "all of it and of its surroundings is seen";
+}
+
+TEST(HeightAboveSurroundings, IsALeastHeightWhereSomethingIsNotSeen) {
+  const auto top = [](int, int) { return 0.7; };
+  const auto at_least = [](const Scene& scene) {
+    const std::optional<HeightAboveSurroundings> above = scene.measure();
+    return above && above->top_mm && above->at_least;
+  };
+  EXPECT_TRUE(at_least(Scene({0, 50, 20, 12}, 20.0, wall, wall))) << "it may continue beyond the image";
+  EXPECT_TRUE(at_least(Scene({70, 50, 20, 12}, 30.0, table, top)))
+      << "half of its surroundings is the ground";
+  Scene holes(middle, 20.0, wall, wall);
+  for (std::size_t k = 0; k < holes.pixels.size(); k += 4) holes.with_object_m[holes.pixels[k]] = 0.0F;
+  EXPECT_TRUE(at_least(holes)) << "its top may be in the holes";
+  Scene blind(middle, 20.0, wall, wall);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < 80; ++u) {
+      if (blind.changed(u, v) == 0) blind.with_object_m(u, v) = 0.0F;
+    }
+    for (int u = 80; u < width; u += 5) {
+      if (blind.changed(u, v) == 0) blind.with_object_m(u, v) = 0.0F;
+    }
+  }
+  EXPECT_FALSE(at_least(blind)) << "what it hides has been seen";
+  for (const std::uint32_t i : blind.pixels) blind.without_m[i] = 0.0F;
+  EXPECT_TRUE(at_least(blind)) << "its surroundings alone are known, and in part";
+  EXPECT_FALSE(at_least(Scene(middle, 20.0, floor_seen_flatly, floor_seen_flatly)));
+}
+
+// The plane's normal is found from three of its points in space.
+TEST(HeightAboveSurroundings, HasATopAtRightAnglesToItsSurface) {
+  const auto point = [](int u, int v) {
+    return camera.deproject({static_cast<double>(u), static_cast<double>(v)}, floor_seen_flatly(u, v));
+  };
+  const Eigen::Vector3d a = point(20, 30);
+  const Eigen::Vector3d normal = (point(130, 30) - a).cross(point(20, 90) - a).normalized();
+  const Scene on_floor(middle, 40.0, floor_seen_flatly, floor_seen_flatly);
+  const std::optional<HeightAboveSurroundings> above = on_floor.measure();
+  ASSERT_TRUE(above && above->top_mm);
+  EXPECT_LT(std::abs(normal.z()), 0.7) << "it is seen flatly";
+  // 40 mm along z at each pixel, which is not along its ray.
+  const Eigen::Vector3d ray = point(80, 56) / point(80, 56).z();
+  EXPECT_NEAR(*above->top_mm, 40.0 * std::abs(normal.dot(ray)), 2.0);
+  EXPECT_NEAR(above->median_mm, 40.0, 1.0);
+  EXPECT_FALSE(above->at_least);
+}
+
+TEST(HeightAboveSurroundings, HasATopAboveWhatIsSeenWithoutItInAPit) {
+  const auto pit = [](int u, int v) { return u > 64 && u < 96 && v > 44 && v < 68 ? 0.9 : 0.8; };
+  const std::optional<HeightAboveSurroundings> above = Scene(middle, 15.0, pit, pit).measure();
+  ASSERT_TRUE(above && above->top_mm);
+  EXPECT_NEAR(above->median_mm, 15.0, 1.0);
+  EXPECT_NEAR(*above->top_mm, 15.0, 2.0);
+  EXPECT_FALSE(above->at_least);
+}
+
+TEST(ReachesBorder, WhereAnImageIsNotJudged) {
+  const auto reaches = [](int u, int v) {
+    const std::array pixels{static_cast<std::uint32_t>(60 * width + 80),
+                            static_cast<std::uint32_t>(v * width + u)};
+    return reaches_border(pixels, width, height);
+  };
+  EXPECT_FALSE(reaches(80, 61));
+  EXPECT_FALSE(reaches(7, 60) || reaches(width - 8, 60) || reaches(80, 7) || reaches(80, height - 8));
+  EXPECT_TRUE(reaches(6, 60) && reaches(width - 7, 60) && reaches(80, 6) && reaches(80, height - 7));
+}
+
 TEST(BackgroundJump, IsMuchMoreThanTheHeight) {
   EXPECT_TRUE(is_background_jump(157.0, 30.0));
   EXPECT_FALSE(is_background_jump(30.0, 30.0));
@@ -136,7 +221,6 @@ Finding finding_of(const Scene& scene, bool added) {
   if (!added) comparison.farther = scene.changed;
   comparison.final_m = added ? scene.with_object_m : scene.without_m;
   comparison.initial_m = added ? scene.without_m : scene.with_object_m;
-  const Intrinsics camera{width, height, 212.0, 212.0, 79.5, 59.5};
   return find_findings(comparison, {}, camera).at(0);
 }
 
@@ -156,8 +240,12 @@ TEST(Findings, HaveAHeightAboveTheirSurroundings) {
   const auto json = json_of(findings)["detections"][0];
   EXPECT_EQ(json["above_surroundings_mm"], *flat.above_surroundings_mm);
   EXPECT_EQ(json["background_jump"], false);
+  EXPECT_EQ(json["top_above_surroundings_mm"], *flat.top_above_surroundings_mm);
+  EXPECT_EQ(json["top_is_least"], false);
   findings.findings[0].above_surroundings_mm.reset();
-  EXPECT_FALSE(json_of(findings)["detections"][0].contains("background_jump"));
+  findings.findings[0].top_above_surroundings_mm.reset();
+  for (const char* const member : {"background_jump", "top_is_least"})
+    EXPECT_FALSE(json_of(findings)["detections"][0].contains(member)) << member;
 }
 
 }  // namespace
