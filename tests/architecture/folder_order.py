@@ -7,8 +7,8 @@ import pathlib
 import re
 import sys
 
-ORDER = ['core', 'geometry', 'depth', 'capture', 'infrared', 'stereo', 'views', 'detect', 'plan', 'camera', 'robot', 'map', 'scene',
-         'sim', 'inspect', 'evaluate', 'server', 'store', 'cli']
+ORDER = ['core', 'geometry', 'depth', 'capture', 'infrared', 'stereo', 'views', 'measure', 'detect', 'plan', 'camera', 'robot', 'map',
+         'scene', 'sim', 'inspect', 'evaluate', 'server', 'store', 'cli']
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
