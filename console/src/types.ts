@@ -327,17 +327,47 @@ export interface BaselineCheck {
 }
 
 export interface MeasuredPoint {
-  /** In the frame of the camera. */
+  /** In the frame of the camera; of a map, in that of the robot's foot. */
   position_m: Point3;
-  /** From the camera. */
+  /** From the camera; of a map, from the view that is nearest to it. */
   distance_m: number;
+  /** Expanded. */
+  distance_uncertainty_mm?: number;
+  /** Another surface is so close that the camera may show that one; the uncertainty does not include this. */
+  near_edge?: boolean;
 }
 
+export type MeasureTool = 'distance' | 'length' | 'height' | 'profile';
+
+export interface ProfileSample {
+  /** Of the line in the picture, 0 to 1. */
+  share: number;
+  /** From the first end, along the line; missing in a gap, as the others. */
+  along_mm?: number;
+  /** Above the line through both ends, towards the camera. */
+  height_mm?: number;
+  /** Expanded. */
+  height_uncertainty_mm?: number;
+}
+
+/** Uncertainties are expanded: `coverage_factor` times the standard uncertainty. */
 export interface Measurement {
+  tool?: MeasureTool;
+  coverage_factor?: number;
   /** In the order of the request; null where depth is not measured. */
   points: (MeasuredPoint | null)[];
+  /** Why something cannot be measured. */
+  problem?: string;
   /** Between two points that are both measured. */
   length_mm?: number;
+  length_uncertainty_mm?: number;
+  /** Above the plane, positive towards the camera. */
+  height_mm?: number;
+  height_uncertainty_mm?: number;
+  /** In order, both ends included. */
+  profile?: ProfileSample[];
+  /** Number of depth images that were averaged. */
+  frames?: number;
 }
 
 export interface SignInRequest {
@@ -409,7 +439,27 @@ export interface Pixel {
 
 export interface MeasureRequest {
   stream: Stream;
+  /** By default, the distance of one point and the length between two. */
+  tool?: MeasureTool;
+  /** A distance: one; a length and a profile: two; a height: three of the surface and one above it, or that one alone with `bbox`. */
   points: Pixel[];
+  /** Region whose surface a height is above. */
+  bbox?: Box;
+}
+
+export interface ViewMeasureRequest {
+  /** Whether in the picture before or after the work. */
+  side: SideName;
+  tool: MeasureTool;
+  /** As of `MeasureRequest`, in pixels of the view's pictures. */
+  points: Pixel[];
+  /** As of `MeasureRequest`. */
+  bbox?: Box;
+}
+
+export interface MapMeasureRequest {
+  /** Points of the map, in the frame of the robot's foot. */
+  points_m: [Point3, Point3];
 }
 
 export interface SimulationRequest {

@@ -8,6 +8,7 @@
 #include "detect/detect.hpp"
 #include "evaluate/study.hpp"
 #include "inspect/inspector.hpp"
+#include "measure/measure_options.hpp"
 #include "map/calibration.hpp"
 #include "map/map_cloud.hpp"
 #include "map/pose_refinement.hpp"
@@ -44,7 +45,7 @@ void print_options() {
   print_table<MapCloudOptions, RefinementOptions, RealSenseOptions>("rva map");
   print_table<CalibrationOptions>("rva calibrate");
   print_table<RealSenseOptions>("rva record");
-  print_table<ServerOptions, InspectorOptions, DriveOptions, RealSenseOptions>("rva serve");
+  print_table<ServerOptions, InspectorOptions, DriveOptions, RealSenseOptions, MeasureOptions>("rva serve");
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ struct ServeArguments {
   DriveOptions drive;
   ServerOptions server;
   RealSenseOptions realsense;
+  MeasureOptions measure;
 };
 
 // Refuses an option that is neither on the command line nor in the file.
@@ -54,6 +55,7 @@ std::unique_ptr<WebServer> open_server(const ServerOptions& options, const Serve
 void serve(ServeArguments arguments) {
   check_options(arguments.inspector);
   check_options(arguments.drive);
+  check_options(arguments.measure);
   const PanTiltChain chain =
       arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
   if (arguments.server.console.empty()) arguments.server.console = console_folder();
@@ -71,7 +73,8 @@ void serve(ServeArguments arguments) {
   Sessions sessions(records);
   Lease lease;
   const std::unique_ptr<WebServer> server = open_server(
-      arguments.server, {camera, drive.get(), inspector, sessions, lease, rig.simulated_work}, log);
+      arguments.server,
+      {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure}, log);
   print("{}\n", server->address());
   static_cast<void>(std::fflush(stdout));
   server->run();
@@ -108,6 +111,7 @@ void add_serve_command(CLI::App& program) {
   add_flags(command, arguments->inspector);
   add_flags(command, arguments->drive);
   add_flags(command, arguments->realsense);
+  add_flags(command, arguments->measure);
   command.add_option("--config", arguments->config, "file with any of these options, as option = value")
       ->type_name("FILE");
   command.callback([arguments, &command] {

@@ -75,6 +75,8 @@ class Inspector {
   /// @throws Error when there is none of this id
   [[nodiscard]] Inspection inspection(std::int64_t id) const;
   [[nodiscard]] InspectionFolder folder(std::int64_t id) const { return {data_, id}; }
+  /// The robot's geometry.
+  [[nodiscard]] const PanTiltChain& chain() const { return rig_.chain; }
 
   /// @throws Error when the baseline has been begun, there is no view or more than 60, or one is beyond the
   ///         robot's limits (UsageError)

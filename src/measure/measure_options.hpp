@@ -19,8 +19,8 @@ struct MeasureOptions {
     visit(self.frame_px, OptionField{"frame-error", "px", 0, 5,
                                      "standard deviation of disparity over time where one frame was taken"});
     visit(self.correlation_px,
-          OptionField{"correlation", "px", 1, 100,
-                      "width of the camera's matcher: nearer pixels have similar errors"});
+          OptionField{"matcher-window", "px", 1, 100,
+                      "width of the window of the camera's matcher, within which errors are similar"});
     visit(self.pointing_px,
           OptionField{"pointing-error", "px", 0, 20, "standard uncertainty of a tapped pixel"});
     visit(self.calibration_share,

@@ -74,6 +74,8 @@ const std::vector<Api::Route>& Api::routes() {
       {"GET", "/api/findable.png", PersonRole::viewer, &Api::get_findable},
       {"POST", "/api/cancel", PersonRole::operator_, &Api::cancel},
       {"POST", "/api/measure", PersonRole::viewer, &Api::measure_points},
+      {"POST", "/api/inspections/{}/rounds/{}/views/{}/measure", PersonRole::viewer, &Api::measure_view},
+      {"POST", "/api/inspections/{}/map/measure", PersonRole::viewer, &Api::measure_map},
       {"POST", "/api/simulation", PersonRole::operator_, &Api::simulate_work},
   };
   return all;

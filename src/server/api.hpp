@@ -118,8 +118,11 @@ class Api {
   ApiResponse get_findable(const Call& call) const;
   ApiResponse get_map(const Call& call) const;
   ApiResponse get_changes(const Call& call) const;
-  ApiResponse measure_points(const Call& call) const;
   ApiResponse simulate_work(const Call& call) const;
+  // server/measure_routes.cpp
+  ApiResponse measure_points(const Call& call) const;
+  ApiResponse measure_view(const Call& call) const;
+  ApiResponse measure_map(const Call& call) const;
 
   ServerParts parts_;
   bool secure_cookie_;

@@ -1,81 +1,205 @@
 #include "server/measurement.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
 
-#include "core/quantile.hpp"
+#include <chrono>
+
+#include "capture/capture.hpp"
+#include "core/units.hpp"
+#include "measure/profile.hpp"
+#include "measure/quantity.hpp"
+#include "server/api.hpp"
+#include "server/request_body.hpp"
 
 namespace rva {
 namespace {
 
-constexpr int reach_px = 2;
+using Points = std::vector<PointOrReason>;
 
-std::optional<double> depth_around(const LiveFrame& live, int u, int v) {
-  const DepthImage& depth = live.frame.depth;
-  std::vector<std::uint16_t> measured;
-  std::size_t pixels = 0;
-  for (int y = std::max(0, v - reach_px); y <= std::min(depth.height() - 1, v + reach_px); ++y) {
-    for (int x = std::max(0, u - reach_px); x <= std::min(depth.width() - 1, u + reach_px); ++x) {
-      ++pixels;
-      if (depth(x, y) != no_depth) measured.push_back(depth(x, y));
-    }
+ApiError bad(const std::string& problem) {
+  return {400, "bad-request", "measure", problem, "see docs/api.md"};
+}
+
+// What the person is shown. @param what for example "point 2"
+std::string problem_text(Unmeasured reason, const std::string& what) {
+  switch (reason) {
+    case Unmeasured::outside:
+      return what + " is outside of the depth image";
+    case Unmeasured::missing_depth:
+      return "no depth is measured at " + what;
+    case Unmeasured::edge:
+      return what + " is at an edge between surfaces";
+    case Unmeasured::collinear:
+      return what + " span no plane: select points that are farther apart";
   }
-  if (3 * measured.size() < pixels || measured.empty()) return std::nullopt;
-  return quantile(measured, 0.5) * live.info.depth_unit_m;
+  return {};
 }
 
-/// A pixel of the depth image as a candidate for a pixel of the colour picture.
-struct Candidate {
-  Eigen::Vector2d pixel{0, 0};
-  double off_px = 0.0;  ///< distance of its projection from the pixel of the colour picture
-  double depth_m = 0.0;
-};
+const SurfacePoint* measured(const PointOrReason& point) { return std::get_if<SurfacePoint>(&point); }
 
-// Where one surface hides another, the nearer one is visible.
-bool is_better(const Candidate& a, const Candidate& b) {
-  constexpr double same_px = 1.0;
-  return a.off_px < b.off_px - same_px || (a.off_px < b.off_px + same_px && a.depth_m < b.depth_m);
+void put(Json& json, const std::string& name, const Quantity& quantity) {
+  json[name + "_mm"] = quantity.value_mm;
+  json[name + "_uncertainty_mm"] = quantity.expanded_mm();
 }
 
-std::optional<Candidate> candidate_at(const LiveFrame& live, int u, int v,
-                                      const Eigen::Vector2d& color_pixel) {
-  const std::uint16_t units = live.frame.depth(u, v);
-  if (units == no_depth) return std::nullopt;
-  Candidate candidate{{u, v}, 0.0, units * live.info.depth_unit_m};
-  const Eigen::Vector3d point =
-      *live.info.color_from_depth * live.info.depth.deproject(candidate.pixel, candidate.depth_m);
-  if (point.z() <= 0.0) return std::nullopt;
-  candidate.off_px = (live.info.color->project(point) - color_pixel).norm();
-  return candidate;
+Json json_of(const SurfacePoint& point, const Quantity& distance) {
+  const Eigen::Vector3d& at_m = point.position_m;
+  return {{"position_m", {at_m.x(), at_m.y(), at_m.z()}},
+          {"distance_m", distance.value_mm / mm_per_m},
+          {"distance_uncertainty_mm", distance.expanded_mm()},
+          {"near_edge", point.near_edge}};
 }
 
-// The pixel of the depth image whose surface is projected nearest to a pixel of the colour picture.
-std::optional<Eigen::Vector2d> depth_pixel_of(const LiveFrame& live, const Eigen::Vector2d& color_pixel) {
-  if (!live.info.color || !live.info.color_from_depth) return std::nullopt;
-  constexpr double farthest_px = 3.0;
-  std::optional<Candidate> best;
-  for (int v = 0; v < live.frame.depth.height(); ++v) {
-    for (int u = 0; u < live.frame.depth.width(); ++u) {
-      const std::optional<Candidate> candidate = candidate_at(live, u, v, color_pixel);
-      if (!candidate || candidate->off_px >= farthest_px) continue;
-      if (!best || is_better(*candidate, *best)) best = candidate;
-    }
+Json json_of(const PointOrReason& point, const MeasureOptions& options) {
+  const SurfacePoint* found = measured(point);
+  return found == nullptr ? Json(nullptr) : json_of(*found, distance_of(*found, options));
+}
+
+Json json_of(const ProfileSample& sample) {
+  Json json{{"share", sample.share}};
+  if (sample.point) {
+    json["along_mm"] = sample.point->along_mm;
+    put(json, "height", sample.point->height);
   }
-  return best ? std::optional(best->pixel) : std::nullopt;
+  return json;
+}
+
+PlaneOrReason surface_of(const MeasuredPicture& picture, const MeasureRequest& request,
+                         const Points& points) {
+  if (request.surface) {
+    const Box& box = *request.surface;
+    return plane_in(picture.view,
+                    picture.region({Eigen::Vector2d(box.x, box.y),
+                                    Eigen::Vector2d(box.x + box.width - 1, box.y + box.height - 1)}));
+  }
+  return plane_through({*measured(points[0]), *measured(points[1]), *measured(points[2])});
+}
+
+void add_height(Json& answer, const MeasuredPicture& picture, const MeasureRequest& request,
+                const Points& points, const MeasureOptions& options) {
+  const PlaneOrReason plane = surface_of(picture, request, points);
+  if (const auto* reason = std::get_if<Unmeasured>(&plane))
+    answer["problem"] =
+        problem_text(*reason, request.surface ? "the surface" : "the three points of the surface");
+  else
+    put(answer, "height", height_above(*measured(points.back()), std::get<Plane>(plane), options));
+}
+
+void add_profile(Json& answer, const MeasuredPicture& picture, const MeasureRequest& request,
+                 const MeasureOptions& options) {
+  const ProfileOrReason along = profile_along(picture.view, *picture.depth_pixel(request.points[0]),
+                                              *picture.depth_pixel(request.points[1]), options);
+  if (const auto* reason = std::get_if<Unmeasured>(&along)) {
+    answer["problem"] = problem_text(*reason, "the ends of the line");
+    return;
+  }
+  answer["profile"] = Json::array();
+  for (const ProfileSample& sample : std::get<Profile>(along).samples)
+    answer["profile"].push_back(json_of(sample));
+}
+
+std::size_t points_of(MeasureTool tool, bool with_surface) {
+  switch (tool) {
+    case MeasureTool::distance:
+      return 1;
+    case MeasureTool::length:
+    case MeasureTool::profile:
+      return 2;
+    case MeasureTool::height:
+      return with_surface ? 1 : 4;
+  }
+  return 0;
 }
 
 }  // namespace
 
-std::optional<MeasuredPoint> measure(const LiveFrame& live, Stream stream, const Eigen::Vector2d& pixel) {
-  if (!pixel.allFinite()) return std::nullopt;
-  const std::optional<Eigen::Vector2d> at = stream == Stream::color ? depth_pixel_of(live, pixel) : pixel;
-  if (!at || !live.info.depth.contains(*at)) return std::nullopt;
-  const std::optional<double> depth_m =
-      depth_around(live, static_cast<int>(std::lround(at->x())), static_cast<int>(std::lround(at->y())));
-  if (!depth_m) return std::nullopt;
-  MeasuredPoint point;
-  point.position_m = live.info.depth.deproject(*at, *depth_m);
-  point.distance_m = point.position_m.norm();
-  return point;
+MeasureRequest measure_request_in(const Json& body) {
+  constexpr std::size_t most_points = 4;
+  const auto points = body.find("points");
+  if (points == body.end() || !points->is_array() || points->empty() || points->size() > most_points)
+    throw bad("needs one to four points");
+  MeasureRequest request;
+  for (const Json& point : *points)
+    request.points.emplace_back(number_field(point, "u"), number_field(point, "v"));
+  request.tool = request.points.size() == 1 ? MeasureTool::distance : MeasureTool::length;
+  if (const std::string tool = text_field(body, "tool"); !tool.empty()) {
+    const std::optional<MeasureTool> known = value_of<MeasureTool>(tool);
+    if (!known) throw bad("has an unknown tool");
+    request.tool = *known;
+  }
+  if (body.contains("bbox")) request.surface = box_field(body, "bbox");
+  const std::size_t needed = points_of(request.tool, request.surface.has_value());
+  if (request.points.size() != needed)
+    throw bad(fmt::format("a {} needs {} point(s)", name_of(request.tool), needed));
+  return request;
+}
+
+Json measure(const MeasuredPicture& picture, const MeasureRequest& request, const MeasureOptions& options) {
+  Points points;
+  Json answer{
+      {"tool", name_of(request.tool)}, {"coverage_factor", coverage_factor}, {"points", Json::array()}};
+  for (const Eigen::Vector2d& pixel : request.points) {
+    points.push_back(picture.point(pixel, options));
+    answer["points"].push_back(json_of(points.back(), options));
+    const auto* reason = std::get_if<Unmeasured>(&points.back());
+    if (reason != nullptr && !answer.contains("problem"))
+      answer["problem"] = problem_text(*reason, fmt::format("point {}", points.size()));
+  }
+  if (answer.contains("problem")) return answer;
+  if (points.size() == 2)
+    put(answer, "length", length_between(*measured(points[0]), *measured(points[1]), options));
+  if (request.tool == MeasureTool::height) add_height(answer, picture, request, points, options);
+  if (request.tool == MeasureTool::profile) add_profile(answer, picture, request, options);
+  return answer;
+}
+
+Json json_of(const MapMeasurement& measured) {
+  Json answer{{"tool", name_of(MeasureTool::length)},
+              {"coverage_factor", coverage_factor},
+              {"points", Json::array()}};
+  for (const std::optional<MeasuredMapPoint>& found : measured.points) {
+    answer["points"].push_back(found ? json_of(found->point, found->distance) : Json(nullptr));
+    if (!found && !answer.contains("problem"))
+      answer["problem"] = fmt::format("no view measures point {}", answer["points"].size());
+  }
+  if (measured.length) put(answer, "length", *measured.length);
+  return answer;
+}
+
+bool is_measurable(const CaptureInfo& info, Stream stream) {
+  return stream != Stream::color || (info.color && info.color_from_depth);
+}
+
+MeasuredPicture measured_picture(std::span<const std::shared_ptr<const LiveFrame>> frames, Stream stream,
+                                 const MeasureOptions& options) {
+  const CaptureInfo& info = frames.front()->info;
+  if (!is_measurable(info, stream))
+    throw Error("camera", "does not state from where its colour imager looks",
+                "measure in the depth picture");
+  DepthStatistics statistics(info.depth.width, info.depth.height);
+  for (const std::shared_ptr<const LiveFrame>& live : frames) statistics.add(live->frame.depth);
+  MeasuredPicture picture{uncertain_view(statistics, info.depth, stereo_scale(info), options), std::nullopt};
+  if (stream == Stream::color) picture.picture = PictureCamera{*info.color, *info.color_from_depth};
+  return picture;
+}
+
+std::vector<std::shared_ptr<const LiveFrame>> newest_frames(const LiveCamera& camera, std::size_t most) {
+  constexpr std::chrono::milliseconds patience{400};
+  const auto end = std::chrono::steady_clock::now() + patience;
+  std::vector<std::shared_ptr<const LiveFrame>> frames{camera.newest()};
+  if (!frames.front()) throw Error("camera", "has delivered no frame yet", "wait a moment");
+  const LiveFrame& first = *frames.front();
+  while (frames.size() < most) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    std::shared_ptr<const LiveFrame> next;
+    if (left.count() > 0) next = camera.wait_for_other(frames.back().get(), left);
+    const bool same =
+        next && next->info.depth == first.info.depth && next->info.depth_unit_m == first.info.depth_unit_m;
+    if (!same) break;
+    frames.push_back(std::move(next));
+  }
+  return frames;
 }
 
 }  // namespace rva

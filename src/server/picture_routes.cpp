@@ -1,19 +1,17 @@
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "capture/capture.hpp"
 #include "core/file.hpp"
 #include "core/json_object.hpp"
-#include "core/units.hpp"
 #include "depth/image_file.hpp"
 #include "detect/calibrated/level_of_detection.hpp"
 #include "detect/result_folder.hpp"
 #include "inspect/review_pictures.hpp"
 #include "map/view_capture.hpp"
 #include "server/api.hpp"
-#include "server/measurement.hpp"
 #include "server/request_body.hpp"
 
 namespace rva {
@@ -29,10 +27,9 @@ bool is_picture(std::string_view name) {
 ApiError not_there() { return {404, "not-found", "picture", "does not exist", "take both captures first"}; }
 
 int view_number(const std::string& text) {
-  int view = -1;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), view);
-  if (failure != std::errc{} || end != text.data() + text.size() || view < 0) throw not_there();
-  return view;
+  const std::optional<int> view = number_in_path(text);
+  if (!view) throw not_there();
+  return *view;
 }
 
 std::string text_of(const std::vector<std::byte>& bytes) {
@@ -48,12 +45,6 @@ ApiResponse file_answer(const InspectionFolder& folder, const std::filesystem::p
     throw not_there();
   folder.require_no_links(path.parent_path());
   return {200, content_type, text_of(read_file(path))};
-}
-
-Json json_of(const std::optional<MeasuredPoint>& point) {
-  if (!point) return nullptr;
-  return {{"position_m", {point->position_m.x(), point->position_m.y(), point->position_m.z()}},
-          {"distance_m", point->distance_m}};
 }
 
 }  // namespace
@@ -133,26 +124,6 @@ ApiResponse Api::get_changes(const Call& call) const {
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
   const InspectionFolder folder = parts_.inspector.folder(inspection.id);
   return file_answer(folder, folder.changes(inspection), "application/octet-stream");
-}
-
-ApiResponse Api::measure_points(const Call& call) const {
-  const std::optional<Stream> stream = value_of<Stream>(text_field(call.body, "stream"));
-  const auto points = call.body.find("points");
-  constexpr std::size_t most_points = 2;
-  if (!stream || points == call.body.end() || !points->is_array() || points->empty() ||
-      points->size() > most_points)
-    throw ApiError(400, "bad-request", "measure", "needs a stream and one or two points", "see docs/api.md");
-  const std::shared_ptr<const LiveFrame> live = parts_.camera.newest();
-  if (!live) throw Error("camera", "has delivered no frame yet", "wait a moment");
-  Json answer{{"points", Json::array()}};
-  std::vector<std::optional<MeasuredPoint>> measured;
-  for (const Json& point : *points) {
-    measured.push_back(measure(*live, *stream, {number_field(point, "u"), number_field(point, "v")}));
-    answer["points"].push_back(json_of(measured.back()));
-  }
-  if (measured.size() == most_points && measured[0] && measured[1])
-    answer["length_mm"] = mm_per_m * (measured[0]->position_m - measured[1]->position_m).norm();
-  return {200, "application/json", json_text(answer)};
 }
 
 ApiResponse Api::simulate_work(const Call& call) const {

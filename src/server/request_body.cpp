@@ -1,6 +1,8 @@
 #include "server/request_body.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "server/api.hpp"
@@ -59,6 +61,26 @@ double number_field(const Json& body, const char* key) {
   const auto number = found->get<double>();
   if (!std::isfinite(number)) throw bad(key, "is not a number");
   return number;
+}
+
+Box box_field(const Json& body, const char* key) {
+  constexpr double most_number = 1e9;
+  const auto found = body.find(key);
+  std::array<int, 4> sides{};
+  const bool is_list = found != body.end() && found->is_array() && found->size() == sides.size();
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const double side = is_list && (*found)[i].is_number() ? (*found)[i].get<double>() : -1.0;
+    if (!(side >= 0.0 && side <= most_number)) throw bad(key, "is not a list of four numbers from 0");
+    sides[i] = static_cast<int>(side);
+  }
+  return {sides[0], sides[1], sides[2], sides[3]};
+}
+
+std::optional<int> number_in_path(const std::string& text) {
+  int number = -1;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = failure == std::errc{} && end == text.data() + text.size() && number >= 0;
+  return whole ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace rva

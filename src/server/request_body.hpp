@@ -1,6 +1,7 @@
 // Reads and checks the fields of a request.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "server/json_of.hpp"
@@ -24,5 +25,12 @@ inline constexpr std::size_t most_note_bytes = 4000;
 [[nodiscard]] bool flag_field(const Json& body, const char* key);
 /// @throws ApiError (400) when the field is missing, not a number, or not finite
 [[nodiscard]] double number_field(const Json& body, const char* key);
+
+/// @return the field's [x, y, width, height], fractions dropped
+/// @throws ApiError (400) when it is not a list of four numbers from 0
+[[nodiscard]] Box box_field(const Json& body, const char* key);
+
+/// The number that a part of a path stands for. @return empty if it is no whole number from 0
+[[nodiscard]] std::optional<int> number_in_path(const std::string& text);
 
 }  // namespace rva

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "core/date_time.hpp"
 #include "core/json_object.hpp"
@@ -19,13 +18,12 @@ namespace {
 
 constexpr double most_number = 1e9;
 
-int number_in_path(const std::string& text) {
-  int number = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc{} || end != text.data() + text.size())
+int finding_number(const std::string& text) {
+  const std::optional<int> number = number_in_path(text);
+  if (!number)
     throw ApiError(404, "not-found", "finding", printable(text) + " is not a number",
                    "see the list of findings");
-  return number;
+  return *number;
 }
 
 // A whole number from 0; -1 if the field has another number.
@@ -44,29 +42,20 @@ int comparison_in(const Json& body, const Inspection& inspection) {
   return same ? inspection.comparison->number : 0;
 }
 
-Box box_in(const Json& body) {
-  const auto found = body.find("bbox");
-  std::array<int, 4> sides{};
-  const bool is_list = found != body.end() && found->is_array() && found->size() == sides.size();
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const double side = is_list && (*found)[i].is_number() ? (*found)[i].get<double>() : -1.0;
-    if (!(side >= 0.0 && side <= most_number))
-      throw ApiError(400, "bad-request", "bbox", "is not a list of four numbers from 0", "see docs/api.md");
-    sides[i] = static_cast<int>(side);
-  }
-  return {sides[0], sides[1], sides[2], sides[3]};
-}
-
 // A mark in a live picture, with the position of what it shows.
-MarkedFinding located(const LiveFrame& live, Stream stream, const Box& box) {
+MarkedFinding located(const std::shared_ptr<const LiveFrame>& live, Stream stream, const Box& box,
+                      const MeasureOptions& options) {
   MarkedFinding marked;
   marked.box = box;
-  const std::optional<MeasuredPoint> point =
-      measure(live, stream, {box.x + (box.width - 1) / 2.0, box.y + (box.height - 1) / 2.0});
-  if (!point) return marked;
+  const CaptureInfo& info = live->info;
+  if (!is_measurable(info, stream)) return marked;
+  const PointOrReason found =
+      measured_picture({&live, 1}, stream, options)
+          .point({box.x + (box.width - 1) / 2.0, box.y + (box.height - 1) / 2.0}, options);
+  const auto* point = std::get_if<SurfacePoint>(&found);
+  if (point == nullptr) return marked;
   marked.position_m = point->position_m;
-  const Intrinsics& camera =
-      stream == Stream::color ? live.info.color.value_or(live.info.depth) : live.info.depth;
+  const Intrinsics& camera = stream == Stream::color ? info.color.value_or(info.depth) : info.depth;
   const double depth_mm = mm_per_m * point->position_m.z();
   marked.size_mm = {box.width * depth_mm / camera.fx, box.height * depth_mm / camera.fy};
   return marked;
@@ -94,7 +83,7 @@ ApiResponse Api::get_rounds(const Call& call) const {
 
 ApiResponse Api::decide(const Call& call) const {
   const std::int64_t id = inspection_id(call);
-  const int number = number_in_path(call.path_parts.at(1));
+  const int number = finding_number(call.path_parts.at(1));
   parts_.inspector.decide(id, comparison_in(call.body, parts_.inspector.inspection(id)), number,
                           decision_in(call));
   return whole_inspection(id);
@@ -102,7 +91,7 @@ ApiResponse Api::decide(const Call& call) const {
 
 ApiResponse Api::decide_mark(const Call& call) const {
   const std::int64_t id = inspection_id(call);
-  parts_.inspector.decide_mark(id, number_in_path(call.path_parts.at(1)), decision_in(call));
+  parts_.inspector.decide_mark(id, finding_number(call.path_parts.at(1)), decision_in(call));
   return whole_inspection(id);
 }
 
@@ -118,7 +107,7 @@ Decision Api::decision_in(const Call& call) {
 // In the pictures of a view, or, if the request names a stream, in the newest live picture.
 ApiResponse Api::mark(const Call& call) const {
   const std::int64_t id = inspection_id(call);
-  const Box box = box_in(call.body);
+  const Box box = box_field(call.body, "bbox");
   const Remark remark{text_field(call.body, "note", most_note_bytes), person_of(call)};
   if (!call.body.contains("stream")) {
     parts_.inspector.mark(id, count_field(call.body, "comparison"), count_field(call.body, "view"), box,
@@ -129,7 +118,8 @@ ApiResponse Api::mark(const Call& call) const {
   if (!stream)
     throw ApiError(400, "bad-request", "stream", "is none of color, depth, infrared", "see docs/api.md");
   const std::shared_ptr<const LiveFrame> live = newest_with(parts_.camera, *stream);
-  parts_.inspector.mark_in_picture(id, located(*live, *stream, box), picture_of(*live, *stream), remark);
+  parts_.inspector.mark_in_picture(id, located(live, *stream, box, parts_.measure),
+                                   picture_of(*live, *stream), remark);
   return whole_inspection(id, 201);
 }
 

@@ -5,6 +5,7 @@
 
 #include "camera/live_camera.hpp"
 #include "inspect/inspector.hpp"
+#include "measure/measure_options.hpp"
 #include "robot/drive.hpp"
 #include "server/lease.hpp"
 #include "server/sessions.hpp"
@@ -23,6 +24,7 @@ struct ServerParts {
   Sessions& sessions;
   Lease& lease;
   SimulatedWork simulated_work;  ///< empty if the bay is not simulated
+  MeasureOptions measure{};      ///< of what people measure
 };
 
 }  // namespace rva

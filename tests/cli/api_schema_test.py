@@ -136,6 +136,10 @@ class ApiSchemaTest(program.ProgramTest):
     def measure(self):
         for points in ([{'u': 340, 'v': 336}], [{'u': 340, 'v': 336}, {'u': 509, 'v': 336}], [{'u': -9, 'v': -9}]):
             self.post('measure', 'MeasureRequest', {'stream': 'depth', 'points': points}, 'Measurement')
+        line = [{'u': 340, 'v': 336}, {'u': 409, 'v': 336}]
+        for request in ({'tool': 'profile', 'points': line},
+                        {'tool': 'height', 'points': line[:1], 'bbox': [300, 320, 80, 40]}):
+            self.post('measure', 'MeasureRequest', {'stream': 'depth', **request}, 'Measurement')
 
     def review(self):
         found = self.get('inspections/1', 'Inspection')
@@ -143,8 +147,23 @@ class ApiSchemaTest(program.ProgramTest):
         self.post('inspections/1/findings/1/decision', 'DecisionRequest',
                   {'comparison': found['comparison'], 'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
         self.get('inspections', 'InspectionList')
+        self.measure_the_review(found)
         self.post('inspections/1/compare', None, {}, status=202)
         self.cancel('comparison')
+
+    def measure_the_review(self, found):
+        at = f'inspections/1/rounds/{found["comparison"]}/views/0/measure'
+        line = [{'u': 340, 'v': 336}, {'u': 409, 'v': 336}]
+        for side in ('initial', 'final'):
+            measured = self.post(at, 'ViewMeasureRequest', {'side': side, 'tool': 'length', 'points': line}, 'Measurement')
+            self.assertGreater(measured['length_uncertainty_mm'], 0)
+        by_region = {'side': 'final', 'tool': 'height', 'points': line[:1], 'bbox': [300, 320, 80, 40]}
+        self.post(at, 'ViewMeasureRequest', by_region, 'Measurement')
+        self.refuse('POST', 'inspections/1/rounds/99/views/0/measure', by_region, 404)
+        self.refuse('POST', at, {**by_region, 'side': 'left'}, 400)
+        points = {'points_m': [finding['in_foot_m'] for finding in found['findings'] if 'in_foot_m' in finding][:2]}
+        self.post('inspections/1/map/measure', 'MapMeasureRequest', points, 'Measurement')
+        self.refuse('POST', 'inspections/1/map/measure', {'points_m': [[0, 0, 0]]}, 400)
 
     def mark(self):
         found = self.get('inspections/1', 'Inspection')

@@ -9,12 +9,13 @@ import type {
   Inspection,
   InspectionList,
   Joints,
+  MapMeasureRequest,
   MarkDecisionRequest,
   MarkRequest,
   Measurement,
   MeasureRequest,
   Order,
-  Pixel,
+  Point3,
   Polygon,
   RegionsRequest,
   RoundList,
@@ -22,8 +23,8 @@ import type {
   SideName,
   SignInRequest,
   SimulationRequest,
-  Stream,
   Verdict,
+  ViewMeasureRequest,
   ViewsRequest,
 } from '../types';
 import { clientId } from './client';
@@ -99,7 +100,12 @@ export const api = {
     send<CloseRequest, Inspection>('POST', `/api/inspections/${id}/close`, { comparison, note, person }),
   checkReadiness: () => post<Empty>('/api/readiness'),
   cancel: () => post<Empty>('/api/cancel'),
-  measure: (stream: Stream, points: Pixel[]) => send<MeasureRequest, Measurement>('POST', '/api/measure', { stream, points }),
+  measure: (request: MeasureRequest) => send<MeasureRequest, Measurement>('POST', '/api/measure', request),
+  /** Measures in the pictures of a view of a comparison, before or after the work. */
+  measureView: ({ id, comparison = 0 }: Inspection, view: number, request: ViewMeasureRequest) =>
+    send<ViewMeasureRequest, Measurement>('POST', `/api/inspections/${id}/rounds/${comparison}/views/${view}/measure`, request),
+  /** Measures between two points of the map of the valid comparison. */
+  measureMap: (id: number, points_m: [Point3, Point3]) => send<MapMeasureRequest, Measurement>('POST', `/api/inspections/${id}/map/measure`, { points_m }),
   simulateWork: (done: boolean) => send<SimulationRequest, Empty>('POST', '/api/simulation', { done }),
 };
 

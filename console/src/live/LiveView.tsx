@@ -4,14 +4,16 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { api } from '../link/api';
 import { link } from '../link/live_link';
+import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
+import { MeasureMarks, middleOf } from '../measure/MeasureMarks';
+import { useMeasuring } from '../measure/measuring';
 import { MarkBar, MarkButton, useMarking } from '../picture/marking';
-import { whole, type Zoom } from '../picture/zoom';
+import { shownPart, whole, type Zoom } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
 import { ZoomPicture } from '../picture/ZoomPicture';
 import { Store, useStore } from '../store';
-import type { Box, Measurement, PictureHead, Pixel, Stream } from '../types';
+import type { Box, PictureHead, Stream } from '../types';
 import { DepthScale } from './DepthScale';
-import { MeasureMarks } from './MeasureMarks';
 
 const names: Record<Stream, string> = { color: 'Colour', depth: 'Depth', infrared: 'Infrared' };
 
@@ -32,16 +34,12 @@ export function LiveView({ children, onMark }: Props) {
   const [wanted, setWanted] = useState<Stream>('color');
   const stream = streams.includes(wanted) ? wanted : (streams[0] ?? 'depth');
   const [head, setHead] = useState<PictureHead | null>(null);
-  const [points, setPoints] = useState<Pixel[]>([]);
-  const [measured, setMeasured] = useState<Measurement | null>(null);
 
   const size = head ?? { width: 848, height: 480 };
   const marking = useMarking(onMark && ((box) => onMark(box, stream)));
 
   useEffect(() => {
     link.watch(stream);
-    setPoints([]);
-    setMeasured(null);
     return () => link.watch(null);
   }, [stream]);
 
@@ -69,18 +67,7 @@ export function LiveView({ children, onMark }: Props) {
 
   // A measurement is valid only while the camera is at rest.
   const turning = status?.robot !== undefined && (status.robot.driving || status.robot.lent);
-  useEffect(() => {
-    if (!turning) return;
-    setPoints([]);
-    setMeasured(null);
-  }, [turning]);
-
-  const pick = (pixel: Pixel) => {
-    const next = points.length === 1 ? [...points, pixel] : [pixel];
-    setPoints(next);
-    setMeasured(null);
-    api.measure(stream, next).then(setMeasured, () => setMeasured(null));
-  };
+  const measuring = useMeasuring((tool, points) => api.measure({ stream, tool, points }), `${stream} ${turning}`);
 
   const scale_m = stream === 'depth' ? head?.scale_m : undefined;
   const problem = state !== 'open' ? 'The connection to the robot’s computer is lost. Reconnecting…' : status?.camera.problem;
@@ -88,6 +75,8 @@ export function LiveView({ children, onMark }: Props) {
     <section class="view" aria-label="Live view">
       {marking.active ? (
         <MarkBar marking={marking} size={size} zoom={liveZoom} />
+      ) : measuring.active ? (
+        <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(liveZoom.value, size)))} />
       ) : (
         <div class="view-bar">
           <div class="switch" role="radiogroup" aria-label="Picture">
@@ -105,6 +94,7 @@ export function LiveView({ children, onMark }: Props) {
             ))}
           </div>
           <ZoomButtons zoom={liveZoom} />
+          <MeasureButton measuring={measuring} />
           <MarkButton marking={marking} shown={onMark !== undefined} />
           {scale_m && <DepthScale range_m={scale_m} />}
           <span class="hint">{scale_m ? 'Black: no depth. Tap a point for its distance.' : 'Tap a point for its distance, a second one for the length between them.'}</span>
@@ -114,7 +104,7 @@ export function LiveView({ children, onMark }: Props) {
         size={size}
         zoom={liveZoom}
         label="Live picture"
-        overlay={(frame) => head && <MeasureMarks frame={frame} points={points} measured={measured} />}
+        overlay={(frame) => head && <MeasureMarks frame={frame} measuring={measuring} />}
         fixed={
           <>
             {problem && (
@@ -125,7 +115,7 @@ export function LiveView({ children, onMark }: Props) {
             {children}
           </>
         }
-        onTap={pick}
+        onTap={measuring.pick}
         marking={marking}
       >
         <canvas ref={canvas} data-testid="live" aria-label={`Live ${names[stream].toLowerCase()} picture`} role="img" />

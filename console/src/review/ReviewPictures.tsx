@@ -2,9 +2,12 @@
 import './review.css';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
-import { pictureAddress } from '../link/api';
+import { api, pictureAddress } from '../link/api';
+import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
+import { MeasureMarks, middleOf } from '../measure/MeasureMarks';
+import { useMeasuring, type Measuring } from '../measure/measuring';
 import { MarkBar, MarkButton, useMarking, type Marking } from '../picture/marking';
-import { closeTo, whole } from '../picture/zoom';
+import { closeTo, shownPart, whole } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
 import { ZoomPicture, type Frame } from '../picture/ZoomPicture';
 import type { Size } from '../regions/shapes';
@@ -93,7 +96,15 @@ function findableOf(inspection: Inspection, view: number): FindableShare[] {
   return inspection.compared.find((one) => one.view === view)?.findable ?? [];
 }
 
-function ReviewBar({ inspection, view, marking, mayMark }: { inspection: Inspection; view: number; marking: Marking; mayMark: boolean }) {
+interface BarProps {
+  inspection: Inspection;
+  view: number;
+  marking: Marking;
+  mayMark: boolean;
+  measuring: Measuring;
+}
+
+function ReviewBar({ inspection, view, marking, mayMark, measuring }: BarProps) {
   const state = useStore(review);
   return (
     <div class="view-bar">
@@ -101,10 +112,22 @@ function ReviewBar({ inspection, view, marking, mayMark }: { inspection: Inspect
       {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
       <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
       <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
+      {state.layer !== 'binary' && <MeasureButton measuring={measuring} />}
       <MarkButton marking={marking} shown={mayMark} />
       <ShowMenu findable={findableOf(inspection, view)} />
     </div>
   );
+}
+
+// Measures in the picture that is shown; while both alternate, in the one after the work.
+function useMeasureView(inspection: Inspection, view: number, before: boolean): Measuring {
+  const side = before ? 'initial' : 'final';
+  const measuring = useMeasuring((tool, points) => api.measureView(inspection, view, { side, tool, points }), `${inspection.comparison} ${view} ${side}`);
+  const begin = () => {
+    if (review.value.moment === 'blink') show({ moment: 'after' });
+    measuring.begin();
+  };
+  return { ...measuring, begin };
 }
 
 interface Props {
@@ -126,18 +149,31 @@ export function ReviewPictures({ inspection, onMark }: Props) {
   const here = marked.find(({ selected }) => selected);
   const marking = useMarking(onMark && ((box) => onMark(box, view)));
   useCloser(here?.finding, state.closer, size);
+  const measuring = useMeasureView(inspection, view, before);
   const pick = (at: Pixel, { screen_px }: Frame) => {
+    if (measuring.active) return measuring.pick(at);
     const hit = state.findings && findingAt(marked, at, screen_px);
     if (hit) show({ group: hit.finding.same_as });
   };
   return (
     <section class="view" aria-label="Before and after">
-      {marking.active ? <MarkBar marking={marking} size={size} zoom={reviewZoom} /> : <ReviewBar inspection={inspection} view={view} marking={marking} mayMark={onMark !== undefined} />}
+      {marking.active ? (
+        <MarkBar marking={marking} size={size} zoom={reviewZoom} />
+      ) : measuring.active ? (
+        <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(reviewZoom.value, size)))} />
+      ) : (
+        <ReviewBar inspection={inspection} view={view} marking={marking} mayMark={onMark !== undefined} measuring={measuring} />
+      )}
       <ZoomPicture
         size={size}
         zoom={reviewZoom}
         label="Pictures before and after the work"
-        overlay={(frame) => state.findings && <FindingBoxes marked={marked} frame={frame} />}
+        overlay={(frame) => (
+          <>
+            {state.findings && <FindingBoxes marked={marked} frame={frame} />}
+            {measuring.active && <MeasureMarks frame={frame} measuring={measuring} />}
+          </>
+        )}
         fixed={
           <>
             <span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>

@@ -1,7 +1,10 @@
 // The 3D scene that contains the layers: the camera, its control by the user, and drawing only after changes.
-import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D } from 'three';
+import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D, type Points } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { colorOf } from '../theme';
+
+/** How far from a tap a point of a cloud may be: more than half of the distance between neighbours. */
+const reach_m = 0.005;
 
 export class Scene3d {
   onMoving: (moving: boolean) => void = () => undefined;
@@ -57,11 +60,24 @@ export class Scene3d {
 
   /** The nearest of the objects under a point of the page, or null. */
   pick(event: { clientX: number; clientY: number }, objects: Object3D[]): Object3D | null {
+    return this.rayAt(event).intersectObjects(objects, false)[0]?.object ?? null;
+  }
+
+  /** The point of a cloud under a point of the page, by default in the middle; null where there is none. */
+  pickPoint(cloud: Points, event?: { clientX: number; clientY: number }): Vector3 | null {
+    const ray = this.rayAt(event);
+    ray.params.Points.threshold = reach_m;
+    const { index } = ray.intersectObject(cloud, false)[0] ?? {};
+    const positions = cloud.geometry.getAttribute('position');
+    return index === undefined ? null : new Vector3().fromBufferAttribute(positions, index);
+  }
+
+  private rayAt(event?: { clientX: number; clientY: number }): Raycaster {
     const box = this.renderer.domElement.getBoundingClientRect();
-    const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+    const at = event ? new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2) : new Vector2(0, 0);
     const ray = new Raycaster();
     ray.setFromCamera(at, this.camera);
-    return ray.intersectObjects(objects, false)[0]?.object ?? null;
+    return ray;
   }
 
   draw(): void {

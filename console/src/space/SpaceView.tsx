@@ -1,11 +1,15 @@
 // The bay in 3D, with the findings.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Vector3 } from 'three';
+import { api } from '../link/api';
+import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
+import { useMeasuring } from '../measure/measuring';
 import { groupsOf } from '../review/groups';
 import { review, show } from '../review/review_state';
 import { useStore } from '../store';
-import type { Inspection } from '../types';
+import type { Inspection, Point3 } from '../types';
 import { FindingLayer } from './FindingLayer';
+import { MeasureLayer } from './MeasureLayer';
 import { PointLayer, type Coloring } from './PointLayer';
 import { Scene3d } from './Scene3d';
 
@@ -18,6 +22,7 @@ const colorings: [Coloring, string][] = [
 interface Stage {
   scene: Scene3d;
   findings: FindingLayer;
+  measure: MeasureLayer;
   points?: PointLayer;
   changes?: PointLayer;
 }
@@ -45,9 +50,11 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
       return;
     }
     const findings = new FindingLayer();
-    const now: Stage = { scene, findings };
+    const measure = new MeasureLayer();
+    const now: Stage = { scene, findings, measure };
     stage.current = now;
     scene.add(findings.group);
+    scene.add(measure.group);
     scene.onMoving = (moving) => now.points?.setMoving(moving);
     const loading = new AbortController();
     Promise.all([load(inspection, 'map', loading.signal), load(inspection, 'changes', loading.signal)])
@@ -66,6 +73,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     return () => {
       loading.abort();
       findings.dispose();
+      measure.dispose();
       now.points?.dispose();
       now.changes?.dispose();
       scene.dispose();
@@ -88,7 +96,25 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     now?.scene.draw();
   }, [inspection, selected, hint]);
 
+  const measuring = useMeasuring<Point3>((_, [from, to]) => api.measureMap(inspection.id, [from!, to!]), String(inspection.comparison), ['length']);
+  useEffect(() => {
+    stage.current?.measure.set(measuring.points);
+    stage.current?.scene.draw();
+  }, [measuring.points]);
+
+  // By default what is in the middle.
+  const pickPoint = (event?: MouseEvent) => {
+    const now = stage.current;
+    const at = now?.points && now.scene.pickPoint(now.points.points, event);
+    if (at) measuring.pick([at.x, at.y, at.z]);
+  };
+
+  // A click that ends a turn of the view selects nothing.
+  const pressed = useRef({ x: 0, y: 0 });
   const pick = (event: MouseEvent) => {
+    const far_px = 10;
+    if (Math.hypot(event.clientX - pressed.current.x, event.clientY - pressed.current.y) > far_px) return;
+    if (measuring.active) return pickPoint(event);
     const hit = stage.current?.scene.pick(event, stage.current.findings.group.children);
     const number: unknown = hit?.userData['number'];
     if (typeof number === 'number') show({ group: number, findings: true });
@@ -96,27 +122,32 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
 
   return (
     <section class="view" aria-label="3D view">
-      <div class="view-bar">
-        <div class="switch" role="radiogroup" aria-label="Colouring">
-          {colorings.map(([name, label]) => (
-            <button key={name} type="button" role="radio" aria-checked={coloring === name} data-testid={`coloring-${name}`} onClick={() => setColoring(name)}>
-              {label}
-            </button>
-          ))}
-        </div>
-        <button type="button" data-testid="whole-map" onClick={() => stage.current?.points && stage.current.scene.lookAt(stage.current.points.center, stage.current.points.radius_m)}>
-          Show all
-        </button>
-        {coloring === 'change' && (
-          <span>
-            <span class="changed-mark" aria-hidden="true" /> Changed
+      {measuring.active ? (
+        <MeasureBar measuring={measuring} onMiddle={() => pickPoint()} />
+      ) : (
+        <div class="view-bar">
+          <div class="switch" role="radiogroup" aria-label="Colouring">
+            {colorings.map(([name, label]) => (
+              <button key={name} type="button" role="radio" aria-checked={coloring === name} data-testid={`coloring-${name}`} onClick={() => setColoring(name)}>
+                {label}
+              </button>
+            ))}
+          </div>
+          <button type="button" data-testid="whole-map" onClick={() => stage.current?.points && stage.current.scene.lookAt(stage.current.points.center, stage.current.points.radius_m)}>
+            Show all
+          </button>
+          <MeasureButton measuring={measuring} />
+          {coloring === 'change' && (
+            <span>
+              <span class="changed-mark" aria-hidden="true" /> Changed
+            </span>
+          )}
+          <span class="hint" role="status" data-testid="map-status">
+            {hint}
           </span>
-        )}
-        <span class="hint" role="status" data-testid="map-status">
-          {hint}
-        </span>
-      </div>
-      <div class="space" ref={box} data-testid="space" onClick={pick} />
+        </div>
+      )}
+      <div class={`space ${measuring.active ? 'measuring' : ''}`} ref={box} data-testid="space" onPointerDown={(event) => (pressed.current = { x: event.clientX, y: event.clientY })} onClick={pick} />
     </section>
   );
 }

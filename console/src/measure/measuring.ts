@@ -1,0 +1,77 @@
+// Measuring in a picture: the points that were selected, and what the server measured there.
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { Measurement, MeasureTool, Pixel } from '../types';
+
+/** The number of points that a tool needs. */
+export const pointsOf: Record<MeasureTool, number> = { distance: 1, length: 2, height: 4, profile: 2 };
+
+const allTools = Object.keys(pointsOf) as MeasureTool[];
+
+export interface Measuring<Point = Pixel> {
+  /** Whether the tools are shown. */
+  active: boolean;
+  tools: MeasureTool[];
+  tool: MeasureTool;
+  points: Point[];
+  measured: Measurement | null;
+  /** Why the request was refused. */
+  refused: string;
+  begin: () => void;
+  leave: () => void;
+  clear: () => void;
+  setTool: (tool: MeasureTool) => void;
+  pick: (at: Point) => void;
+}
+
+interface Found {
+  measured: Measurement | null;
+  refused: string;
+}
+
+const nothing: Found = { measured: null, refused: '' };
+
+/**
+ * @param ask measures; rejects where the request is refused
+ * @param scene what the picture shows: when it changes, what was measured is no longer valid
+ * @param tools those that there are; without distances, nothing is asked for the first end of a length
+ */
+export function useMeasuring<Point = Pixel>(ask: (tool: MeasureTool, points: Point[]) => Promise<Measurement>, scene: string, tools: MeasureTool[] = allTools): Measuring<Point> {
+  const [active, setActive] = useState(false);
+  const [tool, setTool] = useState<MeasureTool>('length');
+  const [points, setPoints] = useState<Point[]>([]);
+  const [found, setFound] = useState<Found>(nothing);
+  const asked = useRef(0);
+  const forget = () => {
+    ++asked.current;
+    setFound(nothing);
+  };
+  const clear = () => {
+    setPoints([]);
+    forget();
+  };
+  useEffect(clear, [scene]);
+  const request = (wanted: MeasureTool, at: Point[]) => {
+    const mine = ++asked.current;
+    const keep = (next: Found) => mine === asked.current && setFound(next);
+    ask(wanted, at).then(
+      (measured) => keep({ measured, refused: '' }),
+      (error: Error) => keep({ measured: null, refused: error.message }),
+    );
+  };
+  const pick = (at: Point) => {
+    const next = points.length < pointsOf[tool] ? [...points, at] : [at];
+    setPoints(next);
+    forget();
+    if (next.length === pointsOf[tool]) request(tool, next);
+    else if (tool === 'length' && tools.includes('distance')) request('distance', next);
+  };
+  const choose = (next: MeasureTool) => {
+    setTool(next);
+    clear();
+  };
+  const leave = () => {
+    setActive(false);
+    choose('length');
+  };
+  return { active, tools, tool, points, ...found, begin: () => setActive(true), leave, clear, setTool: choose, pick };
+}
