@@ -402,8 +402,36 @@ export interface CaptureRequest {
 export interface DecisionRequest {
   /** The comparison of which the finding is; refused if another one is valid by now. */
   comparison: number;
-  verdict: Verdict;
+  verdict: GivenVerdict;
   note: string;
+  person: string;
+}
+
+/** A `Verdict`, or `undecided`, which withdraws the earlier decision: the finding has none then. */
+export type GivenVerdict =
+  | 'debris'
+  | 'debris-removed'
+  | 'debris-unreachable'
+  | 'installed-work'
+  | 'false-alarm'
+  | 'second-look'
+  | 'undecided';
+
+/** With either `finding` or `mark`. */
+export interface GivenDecision {
+  /** The number of a finding of the comparison. */
+  finding?: number;
+  /** The number of a marked finding. */
+  mark?: number;
+  verdict: GivenVerdict;
+  note: string;
+}
+
+/** All of the decisions are recorded, or none. */
+export interface DecisionsRequest {
+  /** The comparison of which the findings are; refused if another one is valid by now. 0 where there is none. */
+  comparison: number;
+  decisions: GivenDecision[];
   person: string;
 }
 
@@ -419,7 +447,7 @@ export interface MarkRequest {
 }
 
 export interface MarkDecisionRequest {
-  verdict: Verdict;
+  verdict: GivenVerdict;
   note: string;
   person: string;
 }

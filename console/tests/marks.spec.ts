@@ -39,6 +39,8 @@ test('findings are marked by hand, stay through the rounds, and are decided like
   // Debris, and then its removal.
   await page.getByTestId('finding--2').getByTestId('verdict-debris').click();
   await expect(page.getByTestId('all-decided')).toContainText('1 to be removed');
+  await expect(page.getByTestId('finding--1')).toHaveClass(/selected/);
+  await page.getByTestId('finding--2').getByRole('button').first().click();
   await page.getByTestId('finding--2').getByTestId('verdict-debris-removed').click();
   // By keyboard, on the finding that is selected next.
   await expect(page.getByTestId('finding--1')).toHaveClass(/selected/);

@@ -312,6 +312,17 @@ void Inspector::decide_mark(std::int64_t id, int mark, const Decision& decision)
   records_.decide_mark(id, mark, with_round(decision, inspection(id)));
 }
 
+void Inspector::decide_all(std::int64_t id, int comparison, std::vector<FindingDecision> decisions) {
+  if (decisions.empty()) throw Error(title(id), "no decision was given", "choose the findings to decide on");
+  require_unchanging(id, "wait, then decide on the new findings");
+  const Inspection inspection = this->inspection(id);
+  for (FindingDecision& one : decisions) {
+    require_person(one.decision.person);
+    one.decision = with_round(std::move(one.decision), inspection);
+  }
+  records_.decide_all(id, comparison, decisions);
+}
+
 int Inspector::mark(std::int64_t id, int comparison, int view, const Box& box, const Remark& remark) {
   const Inspection inspection = this->inspection(id);
   if (!inspection.comparison || inspection.comparison->number != comparison)

@@ -130,6 +130,9 @@ class Inspector {
                       const Remark& remark);
   /// Decides on a marked finding. @throws Error as decide()
   void decide_mark(std::int64_t id, int mark, const Decision& decision);
+  /// Decides on several findings, marked ones among them: on all or, when it throws, on none.
+  /// @throws Error as decide(), or when there are no decisions
+  void decide_all(std::int64_t id, int comparison, std::vector<FindingDecision> decisions);
 
   /// Closes an inspection; nothing can be changed afterwards.
   /// @param comparison number of the one that the person reviewed

@@ -64,6 +64,8 @@ class Records {
   [[nodiscard]] virtual int add_mark(std::int64_t id, const MarkedFinding& marked) = 0;
   /// Records a decision on a marked finding; as decide(). @throws Error when there is no such mark
   virtual void decide_mark(std::int64_t id, int mark, const Decision& decision) = 0;
+  /// Records all of these decisions, in their order, or none. @throws Error as decide() and decide_mark()
+  virtual void decide_all(std::int64_t id, int comparison, const std::vector<FindingDecision>& decisions) = 0;
   /// Closes an inspection. @throws Error as require_closable()
   virtual void close(std::int64_t id, const Closing& closing) = 0;
   /// Removes an inspection of which nothing was captured or marked. @throws Error when something was

@@ -12,7 +12,15 @@
 namespace rva {
 
 /// The verdict of a person who reviewed a finding.
-enum class Verdict { debris, debris_removed, debris_unreachable, installed_work, false_alarm, second_look };
+enum class Verdict {
+  debris,
+  debris_removed,
+  debris_unreachable,
+  installed_work,
+  false_alarm,
+  second_look,
+  undecided  ///< withdraws the earlier decision; recorded, but a finding that is read has no decision then
+};
 template <>
 inline constexpr auto enum_names<Verdict> = std::to_array<EnumName<Verdict>>({
     {Verdict::debris, "debris"},  ///< which is still there
@@ -21,6 +29,7 @@ inline constexpr auto enum_names<Verdict> = std::to_array<EnumName<Verdict>>({
     {Verdict::installed_work, "installed-work"},
     {Verdict::false_alarm, "false-alarm"},
     {Verdict::second_look, "second-look"},
+    {Verdict::undecided, "undecided"},
 });
 
 /// A person's decision on a finding.
@@ -69,6 +78,13 @@ struct MarkedFinding {
   std::string person{};
   std::string marked_at{};             ///< ISO 8601
   std::optional<Decision> decision{};  ///< the latest one
+};
+
+/// A decision on one of the findings that are decided together.
+struct FindingDecision {
+  int number = 0;       ///< of a finding of the comparison, or of a marked finding
+  bool marked = false;  ///< whether it is a marked finding
+  Decision decision;
 };
 
 }  // namespace rva

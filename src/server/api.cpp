@@ -60,6 +60,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"POST", "/api/inspections/{}/compare", PersonRole::operator_, &Api::compare},
       {"GET", "/api/inspections/{}/rounds", PersonRole::viewer, &Api::get_rounds},
       {"POST", "/api/inspections/{}/findings/{}/decision", PersonRole::inspector, &Api::decide},
+      {"POST", "/api/inspections/{}/decisions", PersonRole::inspector, &Api::decide_all},
       {"POST", "/api/inspections/{}/marked", PersonRole::operator_, &Api::mark},
       {"POST", "/api/inspections/{}/marked/{}/decision", PersonRole::inspector, &Api::decide_mark},
       {"POST", "/api/inspections/{}/close", PersonRole::inspector, &Api::close},

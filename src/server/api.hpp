@@ -86,7 +86,6 @@ class Api {
   [[nodiscard]] std::int64_t inspection_id(const Call& call) const;
   [[nodiscard]] ApiResponse whole_inspection(std::int64_t id, int status = 200) const;
   [[nodiscard]] static std::string person_of(const Call& call);
-  [[nodiscard]] static Decision decision_in(const Call& call);
 
   // server/session_routes.cpp
   ApiResponse get_session(const Call& call) const;
@@ -106,6 +105,7 @@ class Api {
   // server/review_routes.cpp
   ApiResponse get_rounds(const Call& call) const;
   ApiResponse decide(const Call& call) const;
+  ApiResponse decide_all(const Call& call) const;
   ApiResponse mark(const Call& call) const;
   ApiResponse decide_mark(const Call& call) const;
   ApiResponse close(const Call& call) const;

@@ -42,6 +42,34 @@ int comparison_in(const Json& body, const Inspection& inspection) {
   return same ? inspection.comparison->number : 0;
 }
 
+Decision decision_in(const Json& body, const std::string& person) {
+  const std::optional<Verdict> verdict = value_of<Verdict>(text_field(body, "verdict"));
+  if (!verdict)
+    throw ApiError(
+        400, "bad-request", "verdict", "is missing or unknown",
+        "give debris, debris-removed, debris-unreachable, installed-work, false-alarm, second-look "
+        "or undecided");
+  return {*verdict, text_field(body, "note", most_note_bytes), person, iso_8601_now()};
+}
+
+// A decision that names its finding, or its marked finding.
+FindingDecision finding_decision_in(const Json& item, const std::string& person) {
+  if (!item.is_object() || item.contains("finding") == item.contains("mark"))
+    throw ApiError(400, "bad-request", "decisions", "contains one without a finding or a mark",
+                   "see docs/api.md");
+  const bool marked = item.contains("mark");
+  return {count_field(item, marked ? "mark" : "finding"), marked, decision_in(item, person)};
+}
+
+std::vector<FindingDecision> decisions_in(const Json& body, const std::string& person) {
+  const auto given = body.find("decisions");
+  if (given == body.end() || !given->is_array())
+    throw ApiError(400, "bad-request", "decisions", "is not a list of decisions", "see docs/api.md");
+  std::vector<FindingDecision> decisions;
+  for (const Json& item : *given) decisions.push_back(finding_decision_in(item, person));
+  return decisions;
+}
+
 // A mark in a live picture, with the position of what it shows.
 MarkedFinding located(const std::shared_ptr<const LiveFrame>& live, Stream stream, const Box& box,
                       const MeasureOptions& options) {
@@ -85,23 +113,23 @@ ApiResponse Api::decide(const Call& call) const {
   const std::int64_t id = inspection_id(call);
   const int number = finding_number(call.path_parts.at(1));
   parts_.inspector.decide(id, comparison_in(call.body, parts_.inspector.inspection(id)), number,
-                          decision_in(call));
+                          decision_in(call.body, person_of(call)));
   return whole_inspection(id);
 }
 
 ApiResponse Api::decide_mark(const Call& call) const {
   const std::int64_t id = inspection_id(call);
-  parts_.inspector.decide_mark(id, finding_number(call.path_parts.at(1)), decision_in(call));
+  parts_.inspector.decide_mark(id, finding_number(call.path_parts.at(1)),
+                               decision_in(call.body, person_of(call)));
   return whole_inspection(id);
 }
 
-Decision Api::decision_in(const Call& call) {
-  const std::optional<Verdict> verdict = value_of<Verdict>(text_field(call.body, "verdict"));
-  if (!verdict)
-    throw ApiError(
-        400, "bad-request", "verdict", "is missing or unknown",
-        "give debris, debris-removed, debris-unreachable, installed-work, false-alarm or second-look");
-  return {*verdict, text_field(call.body, "note", most_note_bytes), person_of(call), iso_8601_now()};
+// On all of the findings, or on none.
+ApiResponse Api::decide_all(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  parts_.inspector.decide_all(id, std::max(0, count_field(call.body, "comparison")),
+                              decisions_in(call.body, person_of(call)));
+  return whole_inspection(id);
 }
 
 // In the pictures of a view, or, if the request names a stream, in the newest live picture.

@@ -51,12 +51,13 @@ Box box_in(const SQLite::Column& column) {
   return {list[0], list[1], list[2], list[3]};
 }
 
-Decision decision_in(SQLite::Statement& row) {
-  return {.verdict = value_of<Verdict>(row.getColumn(0).getString()).value_or(Verdict::second_look),
-          .note = row.getColumn(1),
-          .person = row.getColumn(2),
-          .decided_at = row.getColumn(3),
-          .round = row.getColumn(4)};
+std::optional<Decision> decision_in(SQLite::Statement& row) {
+  if (row.getColumn(0).getString() == name_of(Verdict::undecided)) return std::nullopt;
+  return Decision{.verdict = value_of<Verdict>(row.getColumn(0).getString()).value_or(Verdict::second_look),
+                  .note = row.getColumn(1),
+                  .person = row.getColumn(2),
+                  .decided_at = row.getColumn(3),
+                  .round = row.getColumn(4)};
 }
 
 }  // namespace rva

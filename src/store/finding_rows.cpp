@@ -23,7 +23,7 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
   query.bind(1, inspection);
   query.bind(2, comparison);
   query.bind(3, finding);
-  return query.executeStep() ? std::optional(decision_in(query)) : std::nullopt;
+  return query.executeStep() ? decision_in(query) : std::nullopt;
 }
 
 Finding finding_of(SQLite::Statement& row) {
@@ -81,6 +81,25 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   insert.bind(21, finding.top_is_least ? 1 : 0);
   if (reviewed.clear_px) insert.bind(22, *reviewed.clear_px);
   insert.exec();
+}
+
+bool insert_decision(SQLite::Database& database, std::int64_t inspection, int comparison, int finding,
+                     const Decision& decision) {
+  SQLite::Statement insert(
+      database,
+      "insert into decision (inspection, comparison, finding, verdict, note, person, decided_at, round) "
+      "select f.inspection, f.comparison, f.number, ?, ?, ?, ?, ? from finding f join inspection i "
+      "on i.id = f.inspection and i.comparison = f.comparison where f.inspection = ? and f.number = ? "
+      "and f.comparison = ?");
+  insert.bind(1, std::string(name_of(decision.verdict)));
+  insert.bind(2, decision.note);
+  insert.bind(3, decision.person);
+  insert.bind(4, decision.decided_at);
+  insert.bind(5, decision.round);
+  insert.bind(6, inspection);
+  insert.bind(7, finding);
+  insert.bind(8, comparison);
+  return insert.exec() > 0;
 }
 
 std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_t inspection,

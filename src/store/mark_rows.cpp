@@ -17,7 +17,7 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
                           "where inspection = ? and mark = ? order by id desc limit 1");
   query.bind(1, inspection);
   query.bind(2, mark);
-  return query.executeStep() ? std::optional(decision_in(query)) : std::nullopt;
+  return query.executeStep() ? decision_in(query) : std::nullopt;
 }
 
 }  // namespace

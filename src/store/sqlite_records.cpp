@@ -21,6 +21,19 @@
 #include "store/summary_rows.hpp"
 
 namespace rva {
+namespace {
+
+void add_decision(SQLite::Database& database, std::int64_t id, int comparison, const FindingDecision& given) {
+  const auto& [number, marked, decision] = given;
+  if (marked && !insert_mark_decision(database, id, number, decision))
+    throw Error(fmt::format("inspection {}", id), fmt::format("has no finding {} marked by hand", number),
+                "reload the list of findings");
+  if (!marked && !insert_decision(database, id, comparison, number, decision))
+    throw Error(fmt::format("finding {} of inspection {}", number, id),
+                "is not a finding of the latest comparison", "reload the list of findings");
+}
+
+}  // namespace
 
 SqliteRecords::SqliteRecords(const std::filesystem::path& file)
     : source_(printable(file)), database_(open_database(file)) {}
@@ -166,27 +179,7 @@ void SqliteRecords::set_comparison(std::int64_t id, const RecordedComparison& co
 }
 
 void SqliteRecords::decide(std::int64_t id, int comparison, int finding, const Decision& decision) {
-  change([&](SQLite::Database& database) {
-    require_open_inspection(database, id);
-    SQLite::Statement insert(
-        database,
-        "insert into decision (inspection, comparison, finding, verdict, note, person, decided_at, round) "
-        "select f.inspection, f.comparison, f.number, ?, ?, ?, ?, ? from finding f join inspection i "
-        "on i.id = f.inspection and i.comparison = f.comparison where f.inspection = ? and f.number = ? "
-        "and f.comparison = ?");
-    insert.bind(1, std::string(name_of(decision.verdict)));
-    insert.bind(2, decision.note);
-    insert.bind(3, decision.person);
-    insert.bind(4, decision.decided_at);
-    insert.bind(5, decision.round);
-    insert.bind(6, id);
-    insert.bind(7, finding);
-    insert.bind(8, comparison);
-    if (insert.exec() == 0)
-      throw Error(fmt::format("finding {} of inspection {}", finding, id),
-                  "is not a finding of the latest comparison", "reload the list of findings");
-    return true;
-  });
+  decide_all(id, comparison, {{finding, false, decision}});
 }
 
 int SqliteRecords::add_mark(std::int64_t id, const MarkedFinding& marked) {
@@ -197,11 +190,14 @@ int SqliteRecords::add_mark(std::int64_t id, const MarkedFinding& marked) {
 }
 
 void SqliteRecords::decide_mark(std::int64_t id, int mark, const Decision& decision) {
+  decide_all(id, 0, {{mark, true, decision}});
+}
+
+void SqliteRecords::decide_all(std::int64_t id, int comparison,
+                               const std::vector<FindingDecision>& decisions) {
   change([&](SQLite::Database& database) {
     require_open_inspection(database, id);
-    if (!insert_mark_decision(database, id, mark, decision))
-      throw Error(fmt::format("inspection {}", id), fmt::format("has no finding {} marked by hand", mark),
-                  "reload the list of findings");
+    for (const FindingDecision& one : decisions) add_decision(database, id, comparison, one);
     return true;
   });
 }

@@ -40,6 +40,7 @@ class SqliteRecords : public Records, public Accounts {
   void decide(std::int64_t id, int comparison, int finding, const Decision& decision) override;
   [[nodiscard]] int add_mark(std::int64_t id, const MarkedFinding& marked) override;
   void decide_mark(std::int64_t id, int mark, const Decision& decision) override;
+  void decide_all(std::int64_t id, int comparison, const std::vector<FindingDecision>& decisions) override;
   void close(std::int64_t id, const Closing& closing) override;
   void remove(std::int64_t id) override;
   void set_account(const Account& account) override;

@@ -23,10 +23,10 @@ select i.id, i.aircraft, i.zone, i.work_order, i.person, i.created_at,
   (select count(*) from finding f where f.inspection = i.id and f.comparison = i.comparison and coalesce(
     (select verdict from decision d
      where d.inspection = f.inspection and d.comparison = f.comparison and d.finding = f.number
-     order by d.id desc limit 1), 'second-look') in ('second-look', 'debris'))
+     order by d.id desc limit 1), 'second-look') in ('second-look', 'debris', 'undecided'))
     + (select count(*) from mark m where m.inspection = i.id and coalesce(
     (select verdict from mark_decision d where d.inspection = m.inspection and d.mark = m.number
-     order by d.id desc limit 1), 'second-look') in ('second-look', 'debris')) as undecided,
+     order by d.id desc limit 1), 'second-look') in ('second-look', 'debris', 'undecided')) as undecided,
   case
     when k.inspection is not null then 'done'
     when a.taken_at is null then 'baseline'

@@ -174,6 +174,10 @@ class ApiSchemaTest(program.ProgramTest):
         for number in (1, 2):
             self.post(f'inspections/1/marked/{number}/decision', 'MarkDecisionRequest',
                       {'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
+        self.post('inspections/1/decisions', 'DecisionsRequest',
+                  {'comparison': found['comparison'], 'person': 'Ann', 'decisions': [
+                      {'finding': 1, 'verdict': 'undecided', 'note': ''}, {'mark': 1, 'verdict': 'false-alarm', 'note': ''}]},
+                  'Inspection')
         self.refuse('POST', 'inspections/1/marked', {**in_view, 'comparison': 99}, 409)
 
     def close(self):

@@ -140,7 +140,10 @@ TEST_F(Standing, WhatAPersonMarksIsAFindingThroughAllRounds) {
   for (const MarkedFinding& marked : inspection.marked)
     EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).path() / marked.picture)) << marked.picture;
   EXPECT_THROW(inspector_->close(id, 2, {"", "Ann"}), Error) << "one is undecided";
-  inspector_->decide_mark(id, 2, {Verdict::false_alarm, "", "Ann", "t"});
+  EXPECT_THROW(inspector_->decide_all(id, 2, {}), Error) << "nothing";
+  EXPECT_THROW(inspector_->decide_all(id, 2, {{2, true, {Verdict::debris, "", "", "t"}}}), Error) << "nobody";
+  inspector_->decide_all(id, 2, {{2, true, {Verdict::false_alarm, "", "Ann", "t"}}});
+  EXPECT_EQ(inspector_->inspection(id).marked[1].decision->round, 2);
   EXPECT_NO_THROW(inspector_->close(id, 2, {"", "Ann"})) << "the other one was removed before the last round";
   EXPECT_THROW(inspector_->decide_mark(id, 2, {Verdict::debris, "", "Ann", "t"}), Error) << "closed";
   EXPECT_THROW(inspector_->mark(id, 2, 0, {5, 5, 9, 9}, {"", "Ann"}), Error) << "closed";

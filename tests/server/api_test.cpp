@@ -99,6 +99,19 @@ TEST_F(Asked, WhatIsSeenInTheLivePictureIsMarked) {
             200);
   EXPECT_EQ(ask("POST", path + "/2/decision", R"({"verdict":"debris","note":"","person":"Ann"})").status,
             409);
+  const std::string together = "/api/inspections/1/decisions";
+  for (const char* const decisions :
+       {"7", "[7]", R"([{"verdict":"debris"}])", R"([{"mark":1,"finding":1,"verdict":"debris"}])",
+        R"([{"mark":1,"verdict":"maybe"}])",
+        R"([{"mark":1,"verdict":"undecided"},{"mark":2,"verdict":"debris"}])",
+        R"([{"mark":1.5,"verdict":"undecided"}])", "[]"})
+    EXPECT_GE(ask("POST", together, std::string(R"({"person":"Ann","decisions":)") + decisions + "}").status,
+              400)
+        << decisions;
+  EXPECT_TRUE(Json::parse(ask("GET", "/api/inspections/1").body)["marked"][0].contains("decision"));
+  const ApiResponse withdrawn =
+      ask("POST", together, R"({"person":"Ann","decisions":[{"mark":1,"verdict":"undecided"}]})");
+  EXPECT_FALSE(Json::parse(withdrawn.body)["marked"][0].contains("decision"));
   EXPECT_EQ(code("POST", "/api/inspections/1/close", R"({"comparison":1,"person":"Ann"})"), "refused");
   EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1/rounds").body)["rounds"].size(), 0U);
   EXPECT_EQ(ask("GET", "/api/inspections/1/rounds/1/views/0/final_color.png").status, 404);

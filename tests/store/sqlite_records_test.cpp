@@ -129,6 +129,37 @@ TEST_F(Kept, TheLastDecisionHoldsAndANewComparisonBeginsAnew) {
       << "nothing that was decided is lost";
 }
 
+TEST_F(Kept, AWithdrawnDecisionLeavesAFindingUndecidedAndStaysInTheRecord) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
+  const int mark = records_->add_mark(id, {});
+  const Decision withdrawn{Verdict::undecided, "", "Bob", "t2"};
+  records_->decide_all(id, 1,
+                       {{1, false, {Verdict::false_alarm, "", "Ann", "t1"}},
+                        {mark, true, {Verdict::installed_work, "", "Ann", "t1"}}});
+  EXPECT_EQ(records_->summaries({}).at(0).undecided, 0U);
+  records_->decide_all(id, 1, {{1, false, withdrawn}, {mark, true, withdrawn}});
+  open();
+  const Inspection back = *records_->find(id);
+  EXPECT_FALSE(back.findings[0].decision || back.marked[0].decision);
+  EXPECT_EQ(records_->summaries({}).at(0).undecided, 2U);
+  SQLite::Database file((folder_ / "rva.db").string());
+  EXPECT_EQ(file.execAndGet("select count(*) from decision").getInt(), 2);
+  EXPECT_EQ(file.execAndGet("select count(*) from mark_decision where person = 'Bob'").getInt(), 1);
+}
+
+TEST_F(Kept, DecisionsTogetherAreAllRecordedOrNone) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, comparison(1), {}, {finding(1), finding(2)});
+  const Decision decision{Verdict::false_alarm, "", "Ann", "t"};
+  EXPECT_THROW(records_->decide_all(id, 1, {{1, false, decision}, {3, false, decision}}), Error);
+  EXPECT_THROW(records_->decide_all(id, 1, {{1, false, decision}, {1, true, decision}}), Error);
+  EXPECT_THROW(records_->decide_all(id, 2, {{1, false, decision}}), Error) << "not of this comparison";
+  EXPECT_FALSE(records_->find(id)->findings[0].decision);
+  records_->decide_all(id, 1, {{2, false, decision}, {1, false, decision}});
+  EXPECT_TRUE(records_->find(id)->findings[0].decision && records_->find(id)->findings[1].decision);
+}
+
 TEST_F(Kept, WhatIsCapturedAnewIsNotCompared) {
   const std::int64_t id = add();
   records_->set_comparison(id, comparison(1), {}, {finding(1)});

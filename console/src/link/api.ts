@@ -3,14 +3,14 @@ import type {
   BaselineCheck,
   CaptureRequest,
   CloseRequest,
-  DecisionRequest,
+  DecisionsRequest,
   Empty,
   ErrorAnswer,
+  GivenDecision,
   Inspection,
   InspectionList,
   Joints,
   MapMeasureRequest,
-  MarkDecisionRequest,
   MarkRequest,
   Measurement,
   MeasureRequest,
@@ -23,7 +23,6 @@ import type {
   SideName,
   SignInRequest,
   SimulationRequest,
-  Verdict,
   ViewMeasureRequest,
   ViewsRequest,
 } from '../types';
@@ -89,12 +88,10 @@ export const api = {
   capture: (id: number, side: SideName, person: string, replaced: boolean) =>
     send<CaptureRequest, Empty>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
   compare: (id: number) => post<Empty>(`/api/inspections/${id}/compare`),
-  /** Decides on a finding of this comparison; refused if the inspection has been compared again since. */
-  decide: ({ id, comparison = 0 }: Inspection, finding: number, verdict: Verdict, note: string, person: string) =>
-    send<DecisionRequest, Inspection>('POST', `/api/inspections/${id}/findings/${finding}/decision`, { comparison, verdict, note, person }),
+  /** Decides on findings of this comparison, on all or on none; refused if the inspection has been compared again since. */
+  decideAll: ({ id, comparison = 0 }: Inspection, decisions: GivenDecision[], person: string) =>
+    send<DecisionsRequest, Inspection>('POST', `/api/inspections/${id}/decisions`, { comparison, decisions, person }),
   mark: (id: number, mark: MarkRequest) => send<MarkRequest, Inspection>('POST', `/api/inspections/${id}/marked`, mark),
-  decideMark: (id: number, mark: number, verdict: Verdict, note: string, person: string) =>
-    send<MarkDecisionRequest, Inspection>('POST', `/api/inspections/${id}/marked/${mark}/decision`, { verdict, note, person }),
   /** Refused if the inspection has been compared again since; it does not change afterwards. */
   close: ({ id, comparison = 0 }: Inspection, note: string, person: string) =>
     send<CloseRequest, Inspection>('POST', `/api/inspections/${id}/close`, { comparison, note, person }),

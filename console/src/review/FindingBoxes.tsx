@@ -8,6 +8,8 @@ export interface Marked {
   finding: Finding;
   label: number;
   selected: boolean;
+  /** Whether nothing remains to be decided about it. */
+  settled: boolean;
 }
 
 /** The distance of an outline from its finding, and how far from it a tap still counts, in pixels of the screen. */
@@ -20,7 +22,7 @@ function isClose({ bbox }: Finding, { shown: [, , width, height] }: Frame): bool
   return bbox[2] > close_share * width || bbox[3] > close_share * height;
 }
 
-function FindingBox({ marked: { finding, label, selected }, frame }: { marked: Marked; frame: Frame }) {
+function FindingBox({ marked: { finding, label, selected, settled }, frame }: { marked: Marked; frame: Frame }) {
   const [u, v, width, height] = finding.bbox;
   const gap = gap_px * frame.screen_px;
   const outline = { x: u - gap, y: v - gap, width: width + 2 * gap, height: height + 2 * gap, rx: 4 * frame.screen_px };
@@ -28,11 +30,11 @@ function FindingBox({ marked: { finding, label, selected }, frame }: { marked: M
   // Above the box, or below it where there is no room.
   const above = v - gap - 1.5 * text_px * frame.screen_px > frame.shown[1];
   return (
-    <g class={`finding-box ${finding.kind} ${selected ? 'selected' : ''} ${isClose(finding, frame) ? 'close' : ''}`} data-testid={`box-${finding.number}`}>
+    <g class={`finding-box ${finding.kind} ${selected ? 'selected' : ''} ${settled ? 'settled' : ''} ${isClose(finding, frame) ? 'close' : ''}`} data-testid={`box-${finding.number}`}>
       <rect class="halo" {...outline} />
       <rect class="outline" {...outline} />
       <text x={u - gap} y={above ? v - gap - 7 * frame.screen_px : v + height + gap + text_px * frame.screen_px} font-size={text_px * frame.screen_px} stroke-width={4 * frame.screen_px}>
-        {`${label} ${finding.number < 0 ? '✎' : signOf(finding.kind)}`}
+        {`${settled ? '✓ ' : ''}${label} ${finding.number < 0 ? '✎' : signOf(finding.kind)}`}
       </text>
     </g>
   );

@@ -6,13 +6,17 @@ import { CloseUp } from '../picture/CloseUp';
 import { percent } from '../regions/region_words';
 import { findableText, leastFindable, signOf, suspicion, timeOf, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
-import type { Inspection, Session } from '../types';
+import type { Inspection, Session, Verdict } from '../types';
 import { ClosingCard } from './ClosingCard';
+import { decide } from './decisions';
 import { DecisionForm } from './DecisionForm';
 import { bestSeen, decisionOf, groupsOf, isSettled, type Group } from './groups';
 import { Moved } from './Moved';
-import { review, reviewSize, selectionOf, show } from './review_state';
+import { review, reviewSize, selectionOf, several, show } from './review_state';
 import { RoundsCard } from './RoundsCard';
+import { SeveralForm, toggleSeveral } from './SeveralForm';
+import { useSwipe, type Direction } from './swipe';
+import { UndoBar } from './UndoBar';
 
 function SuspicionBar({ level, name }: { level: number; name: string }) {
   return (
@@ -34,6 +38,9 @@ function DecisionText({ group }: { group: Group }) {
   );
 }
 
+// What a swipe of a card decides.
+const swiped: Record<Direction, Verdict> = { right: 'debris', left: 'false-alarm' };
+
 interface CardProps {
   inspection: Inspection;
   groups: Group[];
@@ -41,9 +48,11 @@ interface CardProps {
   session: Session;
   past: boolean;
   selected: boolean;
+  /** Whether it is among those that are decided together; undefined while findings are decided one by one. */
+  ticked: boolean | undefined;
 }
 
-function FindingCard({ inspection, groups, group, session, past, selected }: CardProps) {
+function FindingCard({ inspection, groups, group, session, past, selected, ticked }: CardProps) {
   const { lead, all, marked } = group;
   const decision = decisionOf(group);
   const { level, name } = suspicion(lead);
@@ -53,9 +62,29 @@ function FindingCard({ inspection, groups, group, session, past, selected }: Car
   useEffect(() => {
     if (selected) card.current?.scrollIntoView({ block: 'start' });
   }, [selected]);
+  const picked = ticked === undefined ? { 'aria-expanded': selected } : { role: 'checkbox' as const, 'aria-checked': ticked };
+  const pick = () => (ticked === undefined ? show({ ...selectionOf(group), findings: true }) : toggleSeveral(lead.number));
+  const maySwipe = selected && !past && ticked === undefined && session.role === 'inspector' && !inspection.closing;
+  const swipe = useSwipe(maySwipe, (direction) => void decide(inspection, [group], swiped[direction], decision?.note ?? '', session));
   return (
-    <li ref={card} class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''}`} data-testid={`finding-${lead.number}`}>
-      <button type="button" class="row" aria-expanded={selected} onClick={() => show({ ...selectionOf(group), findings: true })}>
+    <li
+      ref={card}
+      class={`finding ${selected ? 'selected' : ''} ${decision ? 'decided' : ''} ${maySwipe ? 'swipeable' : ''}`}
+      data-testid={`finding-${lead.number}`}
+      style={swipe.offset_px === 0 ? undefined : { transform: `translateX(${swipe.offset_px}px)` }}
+      {...swipe.handlers}
+    >
+      {swipe.offset_px !== 0 && (
+        <p class={`swipe-verdict ${swipe.offset_px > 0 ? 'right' : 'left'} ${swipe.direction ? 'far' : ''}`} data-testid="swipe-verdict">
+          {verdictNames[swiped[swipe.offset_px > 0 ? 'right' : 'left']]}
+        </p>
+      )}
+      <button type="button" class="row" {...picked} onClick={pick}>
+        {ticked !== undefined && (
+          <span class="tick-mark" aria-hidden="true">
+            {ticked ? '☑' : '☐'}
+          </span>
+        )}
         <span class={`finding-number ${lead.kind}`}>
           {group.label}
           <span aria-hidden="true">{marked ? '✎' : signOf(lead.kind)}</span>
@@ -71,7 +100,7 @@ function FindingCard({ inspection, groups, group, session, past, selected }: Car
         </span>
       </button>
       <Moved groups={groups} group={group} />
-      {selected && !past && (
+      {selected && !past && ticked === undefined && (
         <DecisionForm inspection={inspection} group={group} session={session}>
           {pictures}
         </DecisionForm>
@@ -139,6 +168,9 @@ function FirstLook({ groups }: { groups: Group[] }) {
 export function FindingList({ inspection, session, past }: { inspection: Inspection; session: Session; past: boolean }) {
   const state = useStore(review);
   const groups = groupsOf(inspection);
+  const chosen = useStore(several);
+  const mayChoose = !past && !inspection.closing && session.role === 'inspector';
+  const ticks = mayChoose ? chosen : null;
   if (!state.findings && state.group === 0) return <FirstLook groups={groups} />;
   return (
     <>
@@ -146,15 +178,21 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
         <div class="card" data-testid="finding-summary">
           <h2>{groups.length === 0 ? 'Nothing found' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
           <Extent inspection={inspection} nothing={groups.length === 0} />
+          {mayChoose && groups.length > 1 && !ticks && (
+            <button type="button" data-testid="several" onClick={() => (several.value = [])}>
+              Select several
+            </button>
+          )}
         </div>
         <ul class="list">
           {groups.map((group) => (
-            <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} past={past} selected={group.lead.number === state.group} />
+            <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} past={past} selected={group.lead.number === state.group} ticked={ticks?.includes(group.lead.number)} />
           ))}
         </ul>
         {!past && <RoundsCard inspection={inspection} />}
       </div>
-      {!past && <ClosingCard inspection={inspection} session={session} />}
+      {!past && <UndoBar inspection={inspection} session={session} />}
+      {ticks ? <SeveralForm inspection={inspection} groups={groups} session={session} /> : !past && <ClosingCard inspection={inspection} session={session} />}
     </>
   );
 }

@@ -15,7 +15,7 @@ import { useStore } from '../store';
 import type { Box, FindableShare, Finding, Inspection, Pixel } from '../types';
 import { FindableLegend, FindablePicture, useFindable, type FindableLayer } from './Findable';
 import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
-import { groupsOf } from './groups';
+import { groupsOf, isSettled } from './groups';
 import { review, reviewSize, reviewZoom, show, type Moment } from './review_state';
 import { ShowMenu, Toggle } from './ShowMenu';
 
@@ -141,8 +141,10 @@ export function ReviewPictures({ inspection, onMark }: Props) {
   const before = useBlink(state.moment);
   const view = Math.min(state.view, inspection.views.length - 1);
   const groups = groupsOf(inspection);
-  const marked: Marked[] = groups.flatMap(({ label, lead, all }) =>
-    all.filter((finding) => finding.view === view).map((finding) => ({ finding, label, selected: lead.number === state.group })),
+  const marked: Marked[] = groups.flatMap((group) =>
+    group.all
+      .filter((finding) => finding.view === view)
+      .map((finding) => ({ finding, label: group.label, selected: group.lead.number === state.group, settled: isSettled(group) })),
   );
   const size = useStore(reviewSize);
   const found = useFindable(findableOf(inspection, view), (name) => pictureAddress(inspection, view, name));

@@ -57,3 +57,9 @@ export function isSettled(group: Group): boolean {
   const verdict = decisionOf(group)?.verdict;
   return verdict !== undefined && verdict !== 'second-look' && verdict !== 'debris';
 }
+
+/** The next finding without a decision after this one; the list is searched to its end and then from its beginning. */
+export function nextUndecided(groups: Group[], after: number): Group | undefined {
+  const at = groups.findIndex((group) => group.lead.number === after);
+  return [...groups.slice(at + 1), ...groups.slice(0, at + 1)].find((group) => !decisionOf(group));
+}

@@ -28,6 +28,9 @@ export const firstLook: ReviewState = { group: 0, view: 0, layer: 'color', momen
 
 export const review = new Store<ReviewState>(firstLook);
 
+/** The numbers of the groups that are decided together; null while findings are decided one by one. */
+export const several = new Store<number[] | null>(null);
+
 /** The part of the picture that is shown, the same of all layers, moments and views. */
 export const reviewZoom = new Store<Zoom>(whole);
 
@@ -42,6 +45,7 @@ export const reviewSize = new Store<Size>({ width: 848, height: 480 });
 /** Begins the review of another inspection or comparison, with the whole picture. */
 export function beginReview(): void {
   review.value = firstLook;
+  several.value = null;
   reviewZoom.value = whole;
 }
 

@@ -1,7 +1,8 @@
 // Findings of one object in several views, joined, and objects that were moved.
 import { expect, test } from '@playwright/test';
-import { bestSeen, decisionOf, groupsOf, isSettled } from '../../src/review/groups';
+import { bestSeen, decisionOf, groupsOf, isSettled, nextUndecided } from '../../src/review/groups';
 import { movedFrom, movedTo } from '../../src/review/moves';
+import { swipeOf } from '../../src/review/swipe';
 import type { Decision, Inspection, MarkedFinding, Verdict } from '../../src/types';
 import { finding } from './findings';
 
@@ -78,4 +79,17 @@ test('a finding is settled once nothing remains to be done about it', () => {
   };
   for (const verdict of [undefined, 'debris', 'second-look'] as const) expect(settled(verdict), verdict ?? 'none').toBe(false);
   for (const verdict of ['debris-removed', 'debris-unreachable', 'installed-work', 'false-alarm'] as const) expect(settled(verdict), verdict).toBe(true);
+});
+
+test('the next finding without a decision follows in the list, and after its end from the beginning', () => {
+  const decision: Decision = { verdict: 'false-alarm', note: '', person: 'Ann', decided_at: '2025-01-01T12:00:00Z', round: 1 };
+  const all = groups(finding(1), finding(2, { decision }), finding(3), finding(4, { decision }));
+  const after = (number: number) => nextUndecided(all, number)?.lead.number;
+  expect([0, 1, 2, 3, 4].map(after)).toEqual([1, 3, 3, 1, 1]);
+  expect(nextUndecided(groups(finding(1)), 1)?.lead.number, 'the last one that is left').toBe(1);
+  expect(nextUndecided(groups(finding(1, { decision })), 1)).toBeUndefined();
+});
+
+test('a swipe goes far and mostly sideways', () => {
+  expect([swipeOf(140, 0, 400), swipeOf(-300, 149, 400), swipeOf(139, 0, 400), swipeOf(300, 160, 400), swipeOf(0, 300, 400)]).toEqual(['right', 'left', '', '', '']);
 });

@@ -1,0 +1,44 @@
+// One decision on several findings.
+import { useState } from 'preact/hooks';
+import { useStore } from '../store';
+import type { Inspection, Session, Verdict } from '../types';
+import { decide } from './decisions';
+import { decisionOf, type Group } from './groups';
+import { several } from './review_state';
+import { Verdicts } from './Verdicts';
+
+export function toggleSeveral(number: number): void {
+  const now = several.value ?? [];
+  several.value = now.includes(number) ? now.filter((other) => other !== number) : [...now, number];
+}
+
+export function SeveralForm({ inspection, groups, session }: { inspection: Inspection; groups: Group[]; session: Session }) {
+  const numbers = useStore(several) ?? [];
+  const [note, setNote] = useState('');
+  const chosen = groups.filter((group) => numbers.includes(group.lead.number));
+  const undecided = groups.filter((group) => !decisionOf(group)).map((group) => group.lead.number);
+  const pick = (verdict: Verdict) =>
+    void decide(inspection, chosen, verdict, note, session).then((done) => {
+      if (done) several.value = null;
+    });
+  return (
+    <div class="panel-action" role="group" aria-label="Decide on several findings" data-testid="several-form">
+      <p role="status">
+        <strong>{chosen.length}</strong> of {groups.length} selected
+      </p>
+      <Verdicts chosen={undefined} enabled={chosen.length > 0} onPick={pick} />
+      <label class="field">
+        <span>Note for all of them</span>
+        <input value={note} maxLength={1000} onInput={(event) => setNote(event.currentTarget.value)} />
+      </label>
+      <div class="panel-pair narrow">
+        <button type="button" data-testid="several-undecided" disabled={undecided.length === 0} onClick={() => (several.value = undecided)}>
+          Select all undecided
+        </button>
+        <button type="button" data-testid="several-cancel" onClick={() => (several.value = null)}>
+          Cancel
+        </button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,35 @@
+// What was decided last, with the way back; for a few keys as well.
+import { useEffect } from 'preact/hooks';
+import { verdictNames } from '../inspection/words';
+import { useStore } from '../store';
+import type { Inspection, Session } from '../types';
+import { canUndo, goOn, isWriting, lastDecision, undo } from './decisions';
+
+export function UndoBar({ inspection, session }: { inspection: Inspection; session: Session }) {
+  const last = useStore(lastDecision);
+  const possible = canUndo(last, inspection);
+  useEffect(() => {
+    const press = (event: KeyboardEvent) => {
+      if (isWriting(event) || event.altKey) return;
+      const control = event.ctrlKey || event.metaKey;
+      if (possible && control && !event.shiftKey && event.key.toLowerCase() === 'z') void undo(inspection, last, session);
+      else if (!control && event.key.toLowerCase() === 'n') goOn(inspection);
+      else return;
+      event.preventDefault();
+    };
+    addEventListener('keydown', press);
+    return () => removeEventListener('keydown', press);
+  });
+  if (!possible) return null;
+  const labels = last.groups.map(({ label }) => label).join(', ');
+  return (
+    <div class="undo" role="status" data-testid="undo-bar">
+      <span>
+        {last.groups.length === 1 ? `Finding ${labels}` : `Findings ${labels}`}: {verdictNames[last.verdict]}
+      </span>
+      <button type="button" aria-keyshortcuts="Control+Z" data-testid="undo" onClick={() => void undo(inspection, last, session)}>
+        ↶ Undo
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,41 @@
+// One button for each verdict; the digits 1 to 6 press them.
+import { useEffect } from 'preact/hooks';
+import { verdictNames } from '../inspection/words';
+import type { Verdict } from '../types';
+import { isWriting, verdicts } from './decisions';
+
+interface Props {
+  chosen: Verdict | undefined;
+  enabled: boolean;
+  onPick: (verdict: Verdict) => void;
+}
+
+export function Verdicts({ chosen, enabled, onPick }: Props) {
+  // A digit decides, as long as nothing is being written.
+  useEffect(() => {
+    const press = (event: KeyboardEvent) => {
+      const verdict = verdicts[Number(event.key) - 1];
+      if (verdict && enabled && !event.repeat && !isWriting(event) && !event.ctrlKey && !event.altKey && !event.metaKey) onPick(verdict);
+    };
+    addEventListener('keydown', press);
+    return () => removeEventListener('keydown', press);
+  });
+  return (
+    <div class="verdicts">
+      {verdicts.map((verdict, i) => (
+        <button
+          key={verdict}
+          type="button"
+          class={chosen === verdict ? 'chosen' : ''}
+          aria-pressed={chosen === verdict}
+          disabled={!enabled}
+          aria-keyshortcuts={String(i + 1)}
+          data-testid={`verdict-${verdict}`}
+          onClick={() => onPick(verdict)}
+        >
+          <kbd aria-hidden="true">{i + 1}</kbd> {verdictNames[verdict]}
+        </button>
+      ))}
+    </div>
+  );
+}
