@@ -25,6 +25,8 @@ import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
 import { ThemeSwitch } from './ThemeSwitch';
 import type { Inspection, Session } from './types';
+import { LanguageSwitch } from './words/LanguageSwitch';
+import { decimal, words } from './words/words';
 
 function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
   const status = useStore(link.status);
@@ -34,16 +36,16 @@ function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => 
   return (
     <div class="chips">
       <span class={`chip ${bad ? 'bad' : 'good'}`} data-testid="camera-chip">
-        {state !== 'open' ? '✗ No connection' : camera?.problem ? '✗ Camera' : `✓ Camera ${camera ? camera.rate_hz.toFixed(0) : '–'}/s`}
+        {state !== 'open' ? `✗ ${words.page.noConnection}` : camera?.problem ? `✗ ${words.page.cameraFailed}` : `✓ ${words.page.camera(camera ? decimal(camera.rate_hz, 0) : '–')}`}
       </span>
       {status?.robot && (
         <span class={`chip ${state !== 'open' || status.robot.problem ? 'bad' : 'good'}`} data-testid="robot-chip">
-          {state !== 'open' ? '? Robot' : status.robot.problem ? '✗ Robot' : '✓ Robot'}
+          {state !== 'open' ? '?' : status.robot.problem ? '✗' : '✓'} {words.page.robot}
         </span>
       )}
       {session.name && (
         <button type="button" class="quiet" onClick={() => void attempt(async () => (await api.signOut(), onSignedOut()))}>
-          {session.name} · sign out
+          {words.page.signOut(session.name)}
         </button>
       )}
     </div>
@@ -61,7 +63,7 @@ function Trouble() {
     <div class="trouble" role="alert" data-testid="trouble">
       <span>{text}</span>
       <button type="button" onClick={() => (trouble.value = '')}>
-        Close
+        {words.page.close}
       </button>
     </div>
   );
@@ -70,13 +72,13 @@ function Trouble() {
 function PageTabs({ page, inspection, onPick }: { page: Page; inspection: Inspection; onPick: (page: Page) => void }) {
   const compared = inspection.compared_at !== undefined;
   const tabs: [Page, string, boolean][] = [
-    ['live', 'Live', true],
-    ['regions', 'Leave out', inspection.initial !== undefined],
-    ['review', 'Before / after', compared],
-    ['space', '3D', compared],
+    ['live', words.page.live, true],
+    ['regions', words.page.regions, inspection.initial !== undefined],
+    ['review', words.page.review, compared],
+    ['space', words.page.space, compared],
   ];
   return (
-    <div class="switch pages" role="tablist" aria-label="Page">
+    <div class="switch pages" role="tablist" aria-label={words.page.page}>
       {tabs.map(([name, label, enabled]) => (
         <button key={name} type="button" role="tab" aria-selected={page === name} disabled={!enabled} data-testid={`page-${name}`} onClick={() => onPick(name)}>
           {label}
@@ -113,7 +115,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <h1>RVA</h1>
           <p role="alert">{ended}</p>
           <button type="button" class="primary" onClick={() => location.reload()}>
-            Reload the page
+            {words.page.reload}
           </button>
         </div>
       </main>
@@ -126,13 +128,14 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <img src="/icon.svg" alt="" width="28" height="28" />
           {inspection ? (
             <>
-              ‹ <span class="brand-text">All inspections</span>
+              ‹ <span class="brand-text">{words.page.allInspections}</span>
             </>
           ) : (
             'RVA'
           )}
         </button>
-        <h1>{inspection ? titleOf(inspection) : 'Remote Visual Assistant'}</h1>
+        <h1>{inspection ? titleOf(inspection) : words.page.title}</h1>
+        <LanguageSwitch />
         <ThemeSwitch />
         <Chips session={session} onSignedOut={onSignedOut} />
       </header>
@@ -154,15 +157,15 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} />
         )}
       </main>
-      <aside aria-label="What to do" key={`${inspection?.id} ${inspection?.stage}`}>
+      <aside aria-label={words.page.whatToDo} key={`${inspection?.id} ${inspection?.stage}`}>
         {!inspection && <Begin session={session} />}
         {drawing && <RegionPanel inspection={inspection} session={session} />}
         {!drawing && inspection && !inspection.compared_at && <Steps session={session} />}
         {round && !drawing && (
           <div class="note earlier-round" role="status" data-testid="earlier-round">
-            <span>An earlier round, as it was.</span>
+            <span>{words.page.earlierRound}</span>
             <button type="button" onClick={() => showRound(null)}>
-              Back to the current round
+              {words.page.back}
             </button>
           </div>
         )}

@@ -2,6 +2,7 @@
 import './SignIn.css';
 import { useState } from 'preact/hooks';
 import { api, Refusal } from './link/api';
+import { words } from './words/words';
 
 export function SignIn({ onSignedIn }: { onSignedIn: () => void }) {
   const [name, setName] = useState('');
@@ -22,11 +23,11 @@ export function SignIn({ onSignedIn }: { onSignedIn: () => void }) {
       <form class="card" onSubmit={(event) => void submit(event)}>
         <h1>RVA</h1>
         <label class="field">
-          <span>Name</span>
+          <span>{words.signIn.name}</span>
           <input value={name} autocomplete="username" onInput={(event) => setName(event.currentTarget.value)} />
         </label>
         <label class="field">
-          <span>Password</span>
+          <span>{words.signIn.password}</span>
           <input type="password" value={password} autocomplete="current-password" onInput={(event) => setPassword(event.currentTarget.value)} />
         </label>
         {problem && (
@@ -35,7 +36,7 @@ export function SignIn({ onSignedIn }: { onSignedIn: () => void }) {
           </p>
         )}
         <button type="submit" class="primary big" data-testid="sign-in" disabled={name === '' || password === ''}>
-          Sign in
+          {words.signIn.signIn}
         </button>
       </form>
     </main>

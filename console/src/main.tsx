@@ -15,12 +15,17 @@ import { api } from './link/api';
 import { link } from './link/live_link';
 import { followRounds } from './review/rounds';
 import { SignIn } from './SignIn';
+import { useStore } from './store';
 import { followTheme } from './theme';
 import type { Session } from './types';
+import { beginLanguage, language } from './words/language';
+import { words } from './words/words';
 
 function Console() {
   const [session, setSession] = useState<Session | null>(null);
   const [problem, setProblem] = useState('');
+  // Another language draws everything again.
+  useStore(language);
   const ask = () =>
     api.session().then(
       (answer) => {
@@ -44,11 +49,11 @@ function Console() {
     void openAddress().then(followAddress, followAddress);
   }, [known]);
   if (problem) return <p class="alone" role="alert">{problem}</p>;
-  if (!session) return <p class="alone">Loading…</p>;
+  if (!session) return <p class="alone">{words.page.loading}</p>;
   if (!session.role) return <SignIn onSignedIn={() => void ask()} />;
   return <App session={session} onSignedOut={() => location.reload()} />;
 }
 
 followTheme();
 const root = document.getElementById('console');
-if (root) render(<Console />, root);
+if (root) void beginLanguage().then(() => render(<Console />, root));

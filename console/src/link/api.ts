@@ -27,6 +27,7 @@ import type {
   ViewsRequest,
 } from '../types';
 import { clientId } from './client';
+import { words } from '../words/words';
 
 /** A refused request, with the server's message. */
 export class Refusal extends Error {
@@ -48,7 +49,7 @@ async function call<T>(method: string, path: string, body?: unknown): Promise<T>
       ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     });
   } catch {
-    throw new Refusal(0, 'no-server', 'The server does not respond. Is the program running?');
+    throw new Refusal(0, 'no-server', words.page.noServer);
   }
   const answer: unknown = await response.json().catch(() => ({}));
   if (response.ok) return answer as T;

@@ -3,6 +3,7 @@ import { Store } from '../store';
 import type { ClientMessage, Lease, PictureHead, Protocol, Refused, ServerMessage, Status, Stream } from '../types';
 import { api } from './api';
 import { clientId, person } from './client';
+import { words } from '../words/words';
 
 export interface LivePicture {
   head: PictureHead;
@@ -93,7 +94,7 @@ class LiveLink {
   // A restarted server has forgotten all sign-ins: it responds, but the session is no longer valid.
   private async reconnect(): Promise<void> {
     const session = await api.session().catch(() => null);
-    if (session && !session.role) this.ended.value = 'You are no longer signed in.';
+    if (session && !session.role) this.ended.value = words.page.ended;
     else this.connect();
   }
 
@@ -127,8 +128,8 @@ class LiveLink {
   private sayWhyLost(now: Lease): void {
     if (this.lease.value.yours && !now.yours && !this.releasing) {
       const message = now.holder !== undefined
-        ? `${now.holder || 'Somebody'} has taken over the controls.`
-        : 'You have not driven for a minute, so your controls were handed back. Take them again to drive.';
+        ? words.drive.takenOver(now.holder || words.page.somebody)
+        : words.drive.handedBack;
       this.refused.value = { message };
     }
     if (!now.yours) this.releasing = false;

@@ -1,0 +1,67 @@
+// The language of the console: that of the browser until the user chooses another one.
+import { Store } from '../store';
+import { en, type Words } from './en';
+import { setWords } from './words';
+
+/** Another language is one more file, loaded when it is needed, and one more line here. */
+const loaders = {
+  en: { name: 'English', load: () => Promise.resolve(en) },
+  de: { name: 'Deutsch', load: () => import('./de').then((loaded) => loaded.de) },
+} satisfies Record<string, { name: string; load: () => Promise<Words> }>;
+
+export type Language = keyof typeof loaders;
+const languages = Object.keys(loaders) as Language[];
+
+const key = 'rva-language';
+
+/** The language that is shown. */
+export const language = new Store<Language>('en');
+
+function isLanguage(code: string | null | undefined): code is Language {
+  return code !== null && code !== undefined && Object.hasOwn(loaders, code);
+}
+
+function chosen(): Language | null {
+  try {
+    const code = localStorage.getItem(key);
+    return isLanguage(code) ? code : null;
+  } catch {
+    return null;
+  }
+}
+
+function codeOf(tag: string): string {
+  return tag.slice(0, 2).toLowerCase();
+}
+
+function ofBrowser(): Language {
+  return navigator.languages.map(codeOf).find(isLanguage) ?? 'en';
+}
+
+async function show(next: Language): Promise<void> {
+  const loaded = await loaders[next].load();
+  setWords(loaded, navigator.languages.find((tag) => codeOf(tag) === next) ?? next);
+  document.documentElement.lang = next;
+  language.value = next;
+}
+
+/** Shows the chosen language, or that of the browser; English where it cannot be loaded. Called once. */
+export async function beginLanguage(): Promise<void> {
+  await show(chosen() ?? ofBrowser()).catch(() => show('en'));
+}
+
+/** The language after the one that is shown, and its name in itself. */
+export function otherLanguage(now: Language): { code: Language; name: string } {
+  const code = languages[(languages.indexOf(now) + 1) % languages.length] ?? 'en';
+  return { code, name: loaders[code].name };
+}
+
+/** A browser that stores nothing keeps the choice until the page is closed. @throws when the texts cannot be loaded */
+export async function chooseLanguage(next: Language): Promise<void> {
+  await show(next);
+  try {
+    localStorage.setItem(key, next);
+  } catch (error) {
+    console.warn(`${key} is not kept beyond this page: ${String(error)}`);
+  }
+}
