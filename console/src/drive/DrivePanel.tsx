@@ -4,6 +4,7 @@ import { useState } from 'preact/hooks';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { RobotStatus } from '../types';
+import { words } from '../words/words';
 import { AngleGauge } from './AngleGauge';
 import { ControllerSettings } from './ControllerSettings';
 import { noticeOf } from './pad_words';
@@ -13,8 +14,8 @@ import { sticks } from './sticks';
 export function StopButton() {
   return (
     <button type="button" class="stop" data-testid="stop" onClick={() => link.stop()}>
-      Stop
-      <small>robot · Esc</small>
+      {words.drive.stop}
+      <small>{words.drive.stopHelp}</small>
     </button>
   );
 }
@@ -22,12 +23,12 @@ export function StopButton() {
 // Why the robot does not move at the moment, or what to do.
 function hint(robot: RobotStatus, yours: boolean, hasController: boolean): string {
   if (robot.problem) return robot.problem;
-  if (robot.lent) return 'A capture is turning the camera.';
-  if (!yours) return 'Take the controls to turn the camera.';
-  if (!robot.armed) return 'Stopped. Let go of the stick, then pull again.';
-  if (robot.at_limit) return 'Limit reached: the camera cannot turn farther.';
-  if (robot.driving) return 'Turning. Let go to stop.';
-  return hasController ? 'Controller ready: hold the left stick.' : 'Pull the stick, or hold an arrow key. Shift: slowly.';
+  if (robot.lent) return words.drive.lent;
+  if (!yours) return words.drive.takeFirst;
+  if (!robot.armed) return words.drive.stopped;
+  if (robot.at_limit) return words.drive.atLimit;
+  if (robot.driving) return words.drive.turning;
+  return hasController ? words.drive.controllerReady : words.drive.pull;
 }
 
 /**
@@ -44,8 +45,8 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
   const robot = status?.robot;
   if (!robot) {
     return (
-      <section class="drive" aria-label="Robot">
-        <p class="hint">No robot: the camera does not move.</p>
+      <section class="drive" aria-label={words.drive.robot}>
+        <p class="hint">{words.drive.noRobot}</p>
       </section>
     );
   }
@@ -58,17 +59,17 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
     link.takeControls(true);
   };
   return (
-    <section class={`drive ${open ? 'driven' : 'slim'}`} aria-label="Robot">
+    <section class={`drive ${open ? 'driven' : 'slim'}`} aria-label={words.drive.robot}>
       {open && <StickPad enabled={lease.yours && !robot.lent} />}
       <div class="drive-middle">
         {!small && (
           <div class="gauges">
-            <AngleGauge label="Pan" angle_deg={robot.pan_deg} limits_deg={robot.limits.pan_deg} reversed />
-            <AngleGauge label="Tilt" angle_deg={robot.tilt_deg} limits_deg={robot.limits.tilt_deg} />
+            <AngleGauge joint="pan" label={words.drive.pan} angle_deg={robot.pan_deg} limits_deg={robot.limits.pan_deg} reversed />
+            <AngleGauge joint="tilt" label={words.drive.tilt} angle_deg={robot.tilt_deg} limits_deg={robot.limits.tilt_deg} />
           </div>
         )}
         <p class={`hint ${robot.problem ? 'bad' : denied ? 'warn' : ''}`} role="status" data-testid="drive-hint">
-          {small && !robot.problem ? 'To drive the camera, open the page “Live”.' : hint(robot, lease.yours, hasController)}
+          {small && !robot.problem ? words.drive.openLive : hint(robot, lease.yours, hasController)}
         </p>
         {!small && notice && (
           <p class="warn" role="status" data-testid="controller-notice">
@@ -78,33 +79,33 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
         <div class="drive-lease">
           {lease.yours && (
             <button type="button" data-testid="release" onClick={() => link.releaseControls()}>
-              Hand back the controls
+              {words.drive.handBack}
             </button>
           )}
           {!lease.yours && !others && !small && (
             <button type="button" data-testid="take" disabled={!mayDrive} onClick={() => link.takeControls(false)}>
-              Take the controls
+              {words.drive.take}
             </button>
           )}
           {others && !asking && !small && (
             <button type="button" data-testid="take-over" disabled={!mayDrive} onClick={() => setAsking(true)}>
-              {lease.holder || 'Somebody'} is driving · take over…
+              {words.drive.drives(lease.holder || words.page.somebody)}
             </button>
           )}
           {others && asking && (
             <span class="confirm">
-              <span>{lease.holder || 'Somebody'} will lose the controls.</span>
+              <span>{words.drive.willLose(lease.holder || words.page.somebody)}</span>
               <button type="button" class="primary" data-testid="take-over-yes" onClick={takeOver}>
-                Take over
+                {words.drive.takeOver}
               </button>
               <button type="button" onClick={() => setAsking(false)}>
-                Cancel
+                {words.page.cancel}
               </button>
             </span>
           )}
           {!small && (
             <button type="button" aria-expanded={settingUp} data-testid="controller-open" onClick={() => setSettingUp(!settingUp)}>
-              Controller
+              {words.drive.controller}
             </button>
           )}
         </div>

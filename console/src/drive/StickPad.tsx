@@ -1,5 +1,6 @@
 // A stick on the screen, for a gloved thumb or a mouse: hold and pull; letting go stops.
 import { useRef, useState } from 'preact/hooks';
+import { words } from '../words/words';
 import { sticks } from './sticks';
 
 const dead = 0.12;
@@ -29,7 +30,7 @@ export function StickPad({ enabled }: { enabled: boolean }) {
       ref={pad}
       class={`stick ${enabled ? '' : 'disabled'}`}
       role="application"
-      aria-label="Stick: hold and pull to turn the camera"
+      aria-label={words.drive.stick}
       aria-disabled={!enabled}
       data-testid="stick"
       onPointerDown={(event) => {

@@ -1,20 +1,12 @@
 // Teaches the mapping of a controller by asking for one push or press after another.
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { words } from '../words/words';
 import { connectedPads, nameOf } from './gamepads';
 import { padMemory } from './pad_memory';
 import { sticks } from './sticks';
 import { Teaching, type TeachingStep } from './teaching';
 
 const period_ms = 50;
-
-const instructions: Record<TeachingStep, string> = {
-  rest: 'Let go of all sticks and buttons.',
-  right: 'Push the left stick to the right, and hold it.',
-  up: 'Push the left stick up, and hold it.',
-  stop: 'Press the button that will stop the robot.',
-  'let-go': 'Good. Let go.',
-  done: 'Done.',
-};
 
 interface Props {
   slot: number;
@@ -46,13 +38,13 @@ export function TeachController({ slot, id, onEnd }: Props) {
   }, [slot, id]);
 
   return (
-    <div class="note" role="group" aria-label={`Teach ${nameOf(id)}`} data-testid="teach">
+    <div class="note" role="group" aria-label={words.drive.teachIt(nameOf(id))} data-testid="teach">
       <p class="teach-step" role="status" data-testid="teach-step">
-        {instructions[step]}
+        {words.drive.instructions[step]}
       </p>
-      <p class="hint">Meanwhile this controller does not turn the camera.</p>
+      <p class="hint">{words.drive.meanwhile}</p>
       <button type="button" ref={cancel} data-testid="teach-cancel" onClick={onEnd}>
-        Cancel
+        {words.page.cancel}
       </button>
     </div>
   );

@@ -14,8 +14,7 @@ import { ZoomPicture } from '../picture/ZoomPicture';
 import { Store, useStore } from '../store';
 import type { Box, PictureHead, Stream } from '../types';
 import { DepthScale } from './DepthScale';
-
-const names: Record<Stream, string> = { color: 'Colour', depth: 'Depth', infrared: 'Infrared' };
+import { words } from '../words/words';
 
 /** The part of the picture that is shown, the same of all streams. */
 const liveZoom = new Store<Zoom>(whole);
@@ -70,16 +69,16 @@ export function LiveView({ children, onMark }: Props) {
   const measuring = useMeasuring((tool, points) => api.measure({ stream, tool, points }), `${stream} ${turning}`);
 
   const scale_m = stream === 'depth' ? head?.scale_m : undefined;
-  const problem = state !== 'open' ? 'The connection to the robot’s computer is lost. Reconnecting…' : status?.camera.problem;
+  const problem = state !== 'open' ? words.live.lost : status?.camera.problem;
   return (
-    <section class="view" aria-label="Live view">
+    <section class="view" aria-label={words.live.view}>
       {marking.active ? (
         <MarkBar marking={marking} size={size} zoom={liveZoom} />
       ) : measuring.active ? (
         <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(liveZoom.value, size)))} />
       ) : (
         <div class="view-bar">
-          <div class="switch" role="radiogroup" aria-label="Picture">
+          <div class="switch" role="radiogroup" aria-label={words.live.pictures}>
             {streams.map((name) => (
               <button
                 key={name}
@@ -89,7 +88,7 @@ export function LiveView({ children, onMark }: Props) {
                 data-testid={`stream-${name}`}
                 onClick={() => setWanted(name)}
               >
-                {names[name]}
+                {words.live.streams[name]}
               </button>
             ))}
           </div>
@@ -97,13 +96,13 @@ export function LiveView({ children, onMark }: Props) {
           <MeasureButton measuring={measuring} />
           <MarkButton marking={marking} shown={onMark !== undefined} />
           {scale_m && <DepthScale range_m={scale_m} />}
-          <span class="hint">{scale_m ? 'Black: no depth. Tap a point for its distance.' : 'Tap a point for its distance, a second one for the length between them.'}</span>
+          <span class="hint">{scale_m ? words.live.tapDepth : words.live.tap}</span>
         </div>
       )}
       <ZoomPicture
         size={size}
         zoom={liveZoom}
-        label="Live picture"
+        label={words.live.picture}
         overlay={(frame) => head && <MeasureMarks frame={frame} measuring={measuring} />}
         fixed={
           <>
@@ -118,7 +117,7 @@ export function LiveView({ children, onMark }: Props) {
         onTap={measuring.pick}
         marking={marking}
       >
-        <canvas ref={canvas} data-testid="live" aria-label={`Live ${names[stream].toLowerCase()} picture`} role="img" />
+        <canvas ref={canvas} data-testid="live" aria-label={words.live.pictureOf[stream]} role="img" />
       </ZoomPicture>
     </section>
   );

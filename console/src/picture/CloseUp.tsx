@@ -3,6 +3,7 @@ import './close_up.css';
 import { useState } from 'preact/hooks';
 import type { Size } from '../regions/shapes';
 import type { Box } from '../types';
+import { words } from '../words/words';
 import { cropAround, most_times } from './crop';
 
 interface Props {
@@ -23,7 +24,7 @@ function Part({ address, caption, size, crop, large, onTap }: { address: string;
   const [, , width, height] = crop;
   return (
     <figure class="close-up-part">
-      <button type="button" aria-label={`${caption} the work: show it ${large ? 'smaller' : 'larger'}`} aria-pressed={large} onClick={onTap}>
+      <button type="button" aria-label={large ? words.picture.showSmaller(caption) : words.picture.showLarger(caption)} aria-pressed={large} onClick={onTap}>
         <svg viewBox={crop.join(' ')} style={{ aspectRatio: `${width} / ${height}`, maxWidth: `${most_times * width}px` }} aria-hidden="true">
           <image href={address} width={size.width} height={size.height} />
         </svg>
@@ -39,8 +40,8 @@ export function CloseUp({ before, after, size, bbox }: Props) {
   const part = { size, crop, large, onTap: () => setLarge(!large) };
   return (
     <div class={`close-up ${large ? 'large' : ''}`} data-testid="close-up">
-      {before && <Part address={before} caption="Before" {...part} />}
-      <Part address={after} caption="After" {...part} />
+      {before && <Part address={before} caption={words.picture.before} {...part} />}
+      <Part address={after} caption={words.picture.after} {...part} />
     </div>
   );
 }

@@ -1,5 +1,6 @@
 // Enlarges a picture by buttons, for gloves.
 import { useStore, type Store } from '../store';
+import { words } from '../words/words';
 import { most, step, whole, zoomed, type Zoom } from './zoom';
 
 /** @param onFit called after the whole picture is shown */
@@ -10,15 +11,15 @@ export function ZoomButtons({ zoom, onFit }: { zoom: Store<Zoom>; onFit?: () => 
     onFit?.();
   };
   return (
-    <div class="switch" role="group" aria-label="Size of the picture">
-      <button type="button" aria-label="Larger" data-testid="zoom-in" disabled={scale >= most} onClick={() => (zoom.value = zoomed(zoom.value, step))}>
+    <div class="switch" role="group" aria-label={words.picture.size}>
+      <button type="button" aria-label={words.picture.larger} data-testid="zoom-in" disabled={scale >= most} onClick={() => (zoom.value = zoomed(zoom.value, step))}>
         +
       </button>
-      <button type="button" aria-label="Smaller" data-testid="zoom-out" disabled={scale <= 1} onClick={() => (zoom.value = zoomed(zoom.value, 1 / step))}>
+      <button type="button" aria-label={words.picture.smaller} data-testid="zoom-out" disabled={scale <= 1} onClick={() => (zoom.value = zoomed(zoom.value, 1 / step))}>
         −
       </button>
       <button type="button" data-testid="zoom-fit" disabled={scale <= 1} onClick={fit}>
-        Fit
+        {words.picture.fit}
       </button>
     </div>
   );

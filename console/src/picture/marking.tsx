@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Size } from '../regions/shapes';
 import type { Store } from '../store';
 import type { Box } from '../types';
+import { words } from '../words/words';
 import { boxInMiddle, movedBox, resizedBox } from './marks';
 import { shownPart, type Zoom } from './zoom';
 import type { Frame } from './ZoomPicture';
@@ -52,8 +53,8 @@ export function useMarking(onMark: ((box: Box) => void) | undefined): Marking {
 export function MarkButton({ marking, shown }: { marking: Marking; shown: boolean }) {
   if (!shown) return null;
   return (
-    <button type="button" aria-label="Mark a finding" data-testid="mark" onClick={marking.begin}>
-      Mark
+    <button type="button" aria-label={words.picture.markAFinding} data-testid="mark" onClick={marking.begin}>
+      {words.picture.mark}
     </button>
   );
 }
@@ -65,19 +66,19 @@ export function MarkBar({ marking, size, zoom }: { marking: Marking; size: Size;
   return (
     <div class="view-bar" data-testid="mark-bar">
       <span class="mark-guide" role="status">
-        {byKeys ? 'Arrow keys move the box, with Shift they resize it.' : 'Tap the object, or draw a box around it. Two fingers enlarge.'}
+        {byKeys ? words.picture.guideByKeys : words.picture.guide}
       </span>
       {byKeys && draft ? (
         <button type="button" class="primary" data-testid="mark-confirm" onClick={() => marking.finish(draft)}>
-          Mark this
+          {words.picture.markThis}
         </button>
       ) : (
         <button type="button" data-testid="mark-middle" onClick={begin}>
-          Mark in the middle
+          {words.picture.markInMiddle}
         </button>
       )}
       <button type="button" data-testid="mark-leave" onClick={marking.leave}>
-        Cancel
+        {words.page.cancel}
       </button>
     </div>
   );
@@ -111,7 +112,7 @@ export function MarkBox({ marking, frame, size }: { marking: Marking; frame: Fra
         class="mark-box"
         role="button"
         tabindex={byKeys ? 0 : -1}
-        aria-label="Box: arrow keys move it, with Shift they resize it, Enter marks, Escape cancels"
+        aria-label={words.picture.box}
         data-testid="mark-box"
         data-box={draft.join(' ')}
         onKeyDown={pressKey}
