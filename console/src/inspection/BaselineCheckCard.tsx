@@ -4,6 +4,7 @@ import { api, baselineAddress } from '../link/api';
 import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
 import { FindableTable, NoiseReport } from './CaptureProgress';
 import { hiddenByDepth_px } from './words';
+import { words } from '../words/words';
 
 /** The largest levels that any view has at each distance. */
 function worstOf(levels: Levels[]): Levels | null {
@@ -22,12 +23,11 @@ function worstOf(levels: Levels[]): Levels | null {
 }
 
 function noteOf(view: BaselineCheck['views'][number]): string | null {
-  const name = `View ${view.view + 1}`;
-  if (view.problem) return `${name} cannot be compared, neither with itself nor after the work: ${view.problem}`;
+  const name = words.page.view(view.view + 1);
+  if (view.problem) return words.inspection.uncheckable(name, view.problem);
   const count = view.false_findings ?? 0;
   if (count === 0) return null;
-  const things = count === 1 ? 'one false finding' : `${count} false findings`;
-  return `${name}: the baseline compared with itself shows ${things}. Something in the bay may move or reflect light. Look at the picture, and expect such findings after the work.`;
+  return words.inspection.falseFindings(name, count);
 }
 
 function CheckPicture({ inspection, check }: { inspection: Inspection; check: BaselineCheck }) {
@@ -39,7 +39,7 @@ function CheckPicture({ inspection, check }: { inspection: Inspection; check: Ba
       <div class="panel-pair">
         {views.map((view) => (
           <button key={view.view} type="button" aria-pressed={shown === view.view} onClick={() => setShown(shown === view.view ? null : view.view)}>
-            {views.length > 1 ? `Picture of view ${view.view + 1}` : 'Show it as a picture'}
+            {views.length > 1 ? words.inspection.pictureOfView(view.view + 1) : words.inspection.showPicture}
           </button>
         ))}
       </div>
@@ -48,9 +48,7 @@ function CheckPicture({ inspection, check }: { inspection: Inspection; check: Ba
           class="wide"
           src={baselineAddress(inspection, current.view, current.false_findings ? 'depth_overlay' : 'level_of_detection')}
           alt={
-            current.false_findings
-              ? 'The depth image, with boxes around what was found although nothing changed'
-              : 'Smallest findable height at each pixel; blue is small, red large, black cannot be judged'
+            current.false_findings ? words.inspection.falseFindingsPicture : words.inspection.findablePicture
           }
         />
       )}
@@ -76,8 +74,8 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
   if (checking) {
     return (
       <div class="card" data-testid="checking" role="status">
-        <h2>How small an object would be found here</h2>
-        <p>The baseline is compared with itself. You need not wait for it.</p>
+        <h2>{words.inspection.howSmall}</h2>
+        <p>{words.inspection.checking}</p>
       </div>
     );
   }
@@ -86,12 +84,13 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
   const notes = check.views.map(noteOf).filter((note) => note !== null);
   return (
     <div class="card" data-testid="baseline-check">
-      <h2>How small an object would be found here</h2>
-      {levels && <FindableTable levels={levels} caption="Height from which an object would be found" />}
+      <h2>{words.inspection.howSmall}</h2>
+      {levels && <FindableTable levels={levels} caption={words.inspection.findableHeight} />}
       {levels && (
         <p class="hint">
-          For an object {levels.window_px + hiddenByDepth_px} pixels wide{check.views.length > 1 ? ', in the least favourable view' : ''},
-          determined by comparing the baseline with itself.
+          {words.inspection.wide(levels.window_px + hiddenByDepth_px)}
+          {check.views.length > 1 ? words.inspection.leastFavourable : ''}
+          {words.inspection.checked}
         </p>
       )}
       {notes.map((note) => (

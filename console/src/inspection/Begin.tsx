@@ -6,7 +6,8 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { InspectionSummary, Session, Stage } from '../types';
 import { attempt, hasMore, inspectionList, listFilter, loadList, open, wholeList, type ListFilter } from './inspections';
-import { stageNames, timeOf, titleOf } from './words';
+import { timeOf, titleOf } from './words';
+import { words } from '../words/words';
 
 const stages: Stage[] = ['baseline', 'work', 'review', 'done'];
 
@@ -17,7 +18,7 @@ function Field({ label, value, required, onInput }: { label: string; value: stri
     <label class="field">
       <span>
         {label}
-        {required && <em> (required)</em>}
+        {required && <em> {words.page.required}</em>}
       </span>
       <input value={value} maxLength={100} required={required ?? false} onInput={(event) => onInput(event.currentTarget.value)} />
     </label>
@@ -38,14 +39,14 @@ function NewInspection({ session }: { session: Session }) {
   };
   const set = (key: keyof typeof empty) => (value: string) => setOrder({ ...order, [key]: value });
   return (
-    <form class="card" onSubmit={begin} aria-label="New inspection">
-      <h2>New inspection</h2>
-      <Field label="Aircraft" value={order.aircraft} required onInput={set('aircraft')} />
-      <Field label="Zone" value={order.zone} required onInput={set('zone')} />
-      <Field label="Work order" value={order.work_order} onInput={set('work_order')} />
-      {signedIn === '' && <Field label="Your name" value={name} required onInput={setName} />}
+    <form class="card" onSubmit={begin} aria-label={words.inspection.newInspection}>
+      <h2>{words.inspection.newInspection}</h2>
+      <Field label={words.inspection.aircraft} value={order.aircraft} required onInput={set('aircraft')} />
+      <Field label={words.inspection.zone} value={order.zone} required onInput={set('zone')} />
+      <Field label={words.inspection.workOrder} value={order.work_order} onInput={set('work_order')} />
+      {signedIn === '' && <Field label={words.page.yourName} value={name} required onInput={setName} />}
       <button type="submit" class="primary" data-testid="begin" disabled={[order.aircraft, order.zone, name].some((text) => text.trim() === '') || session.role === 'viewer'}>
-        Begin
+        {words.inspection.begin}
       </button>
     </form>
   );
@@ -58,31 +59,31 @@ function Search() {
     void attempt(() => loadList());
   };
   return (
-    <form class="search" role="search" aria-label="Inspections" onSubmit={(event) => event.preventDefault()}>
+    <form class="search" role="search" aria-label={words.inspection.inspections} onSubmit={(event) => event.preventDefault()}>
       <label class="field">
-        <span>Search</span>
-        <input type="search" placeholder="Words, a number or a name" value={filter.text} maxLength={100} data-testid="search" onInput={(event) => set({ text: event.currentTarget.value })} />
+        <span>{words.inspection.search}</span>
+        <input type="search" placeholder={words.inspection.searchHelp} value={filter.text} maxLength={100} data-testid="search" onInput={(event) => set({ text: event.currentTarget.value })} />
       </label>
       <details open={filter.stage !== '' || filter.from !== '' || filter.until !== ''}>
-        <summary>By step and date</summary>
+        <summary>{words.inspection.byStepAndDate}</summary>
         <label class="field">
-          <span>Step</span>
+          <span>{words.inspection.step}</span>
           <select value={filter.stage} data-testid="search-stage" onChange={(event) => set({ stage: event.currentTarget.value as ListFilter['stage'] })}>
-            <option value="">Any</option>
+            <option value="">{words.inspection.any}</option>
             {stages.map((stage) => (
               <option key={stage} value={stage}>
-                {stageNames[stage]}
+                {words.inspection.stages[stage]}
               </option>
             ))}
           </select>
         </label>
         <div class="panel-pair">
           <label class="field">
-            <span>From</span>
+            <span>{words.inspection.from}</span>
             <input type="date" value={filter.from} onChange={(event) => set({ from: event.currentTarget.value })} />
           </label>
           <label class="field">
-            <span>Until</span>
+            <span>{words.inspection.until}</span>
             <input type="date" value={filter.until} onChange={(event) => set({ until: event.currentTarget.value })} />
           </label>
         </div>
@@ -102,15 +103,15 @@ function Entry({ inspection, mayDelete }: { inspection: InspectionSummary; mayDe
       <button type="button" class="row" data-testid={`open-${inspection.id}`} onClick={() => void attempt(() => open(inspection.id))}>
         <strong>{titleOf(inspection)}</strong>
         <span>
-          {stageNames[inspection.stage]}
-          {inspection.undecided_count > 0 && ` · ${inspection.undecided_count} to decide`}
+          {words.inspection.stages[inspection.stage]}
+          {inspection.undecided_count > 0 && ` · ${words.inspection.toDecide(inspection.undecided_count)}`}
         </span>
         <small>
           {inspection.person}, {timeOf(inspection.created_at)}
         </small>
       </button>
       {mayDelete && inspection.stage === 'baseline' && inspection.findings_count === 0 && (
-        <button type="button" aria-label={`Delete inspection ${inspection.id}, which is empty`} data-testid={`delete-${inspection.id}`} onClick={remove}>
+        <button type="button" aria-label={words.inspection.deleteEmpty(inspection.id)} data-testid={`delete-${inspection.id}`} onClick={remove}>
           ✕
         </button>
       )}
@@ -126,11 +127,11 @@ export function Begin({ session }: { session: Session }) {
   return (
     <div class="panel-body">
       <NewInspection session={session} />
-      <div class="card" aria-label="Inspections" role="region">
-        <h2>Earlier inspections</h2>
+      <div class="card" aria-label={words.inspection.inspections} role="region">
+        <h2>{words.inspection.earlier}</h2>
         <Search />
-        {list === null && <p class="hint">Loading…</p>}
-        {list?.length === 0 && <p class="hint">{filtered ? 'No inspection matches.' : 'No inspection yet.'}</p>}
+        {list === null && <p class="hint">{words.page.loading}</p>}
+        {list?.length === 0 && <p class="hint">{filtered ? words.inspection.noneMatches : words.inspection.none}</p>}
         <ul class="list">
           {list?.map((inspection) => (
             <Entry key={inspection.id} inspection={inspection} mayDelete={session.role !== 'viewer'} />
@@ -138,7 +139,7 @@ export function Begin({ session }: { session: Session }) {
         </ul>
         {more && (
           <button type="button" data-testid="more" onClick={() => void attempt(() => loadList(true))}>
-            Show more
+            {words.inspection.more}
           </button>
         )}
       </div>

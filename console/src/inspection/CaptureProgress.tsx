@@ -4,6 +4,8 @@ import { api } from '../link/api';
 import type { Levels, TaskStatus } from '../types';
 import { attempt } from './inspections';
 import { hiddenByDepth_px, millimetres } from './words';
+import { Rich } from '../words/Rich';
+import { decimal, percentText, sentence, words } from '../words/words';
 
 function doneShare(task: TaskStatus): number {
   if (task.kind === 'capture') {
@@ -15,14 +17,13 @@ function doneShare(task: TaskStatus): number {
 }
 
 function description(task: TaskStatus): string {
-  if (task.waiting) return `Waiting: ${task.waiting}`;
-  if (task.kind === 'comparison') return 'Comparing before and after…';
-  const view = task.views > 1 ? `View ${task.view + 1} of ${task.views}, ` : '';
-  const capture = task.captures > 1 ? `capture ${task.capture + 1} of ${task.captures}: ` : '';
-  const turning = task.approach === 0 ? 'turning the camera' : `turning the camera closer to the baseline (approach ${task.approach + 1} of up to ${task.approaches})`;
-  const doing = task.frame === 0 ? turning : `${task.frame} of ${task.frames} frames`;
-  const text = `${view}${capture}${doing}`;
-  return text.charAt(0).toUpperCase() + text.slice(1);
+  const { capture, comparingNow, frames, turning, turningCloser, viewOf, waiting } = words.inspection;
+  if (task.waiting) return waiting(task.waiting);
+  if (task.kind === 'comparison') return comparingNow;
+  const view = task.views > 1 ? `${viewOf(task.view + 1, task.views)}, ` : '';
+  const number = task.captures > 1 ? `${capture(task.capture + 1, task.captures)}: ` : '';
+  const turn = task.approach === 0 ? turning : turningCloser(task.approach + 1, task.approaches);
+  return sentence(`${view}${number}${task.frame === 0 ? turn : frames(task.frame, task.frames)}`);
 }
 
 /** The least height of an object that would be found, by distance. */
@@ -34,16 +35,16 @@ export function FindableTable({ levels, caption }: { levels: Levels; caption: st
       <caption>{caption}</caption>
       <thead>
         <tr>
-          <th scope="col">Distance</th>
-          <th scope="col">in the better half</th>
-          <th scope="col">nearly everywhere</th>
+          <th scope="col">{words.inspection.distance}</th>
+          <th scope="col">{words.inspection.betterHalf}</th>
+          <th scope="col">{words.inspection.nearlyEverywhere}</th>
         </tr>
       </thead>
       <tbody>
         {rows.map((level) => (
           <tr key={level.from_m}>
             <th scope="row">
-              {level.from_m.toFixed(1)}–{level.to_m.toFixed(1)} m
+              {decimal(level.from_m, 1)}–{decimal(level.to_m, 1)} m
             </th>
             <td>{millimetres(level.median_mm)}</td>
             <td>{millimetres(level.p90_mm)}</td>
@@ -60,17 +61,16 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
   if (!noise) return null;
   return (
     <div class="card" data-testid="noise">
-      <h2>How small an object would be found here</h2>
+      <h2>{words.inspection.howSmall}</h2>
       <p>
-        The camera measures <strong>{Math.round(100 * noise.measured)} %</strong> of this view; depth noise:{' '}
-        <strong>{noise.median_std_mm.toFixed(2)} mm</strong>.
+        <Rich text={words.inspection.measures(percentText(noise.measured), `${decimal(noise.median_std_mm, 2)} mm`)} />
       </p>
-      <FindableTable levels={noise.findable} caption="Height from which an object would be found, at best" />
-      <p class="hint">For an object {noise.findable.window_px + hiddenByDepth_px} pixels wide. After the final capture you see what was really possible.</p>
+      <FindableTable levels={noise.findable} caption={words.inspection.bestHeight} />
+      <p class="hint">{words.inspection.wideAfterwards(noise.findable.window_px + hiddenByDepth_px)}</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
-        {shown ? 'Hide the picture' : 'Show it as a picture'}
+        {shown ? words.inspection.hidePicture : words.inspection.showPicture}
       </button>
-      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${task.capture}-${noise.frames}`} alt="Smallest height that would be found at each pixel; blue is small, red large, black cannot be judged" />}
+      {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${task.capture}-${noise.frames}`} alt={words.inspection.findablePicture} />}
     </div>
   );
 }
@@ -79,16 +79,16 @@ export function CaptureProgress({ task, mayCancel }: { task: TaskStatus; mayCanc
   const share = doneShare(task);
   return (
     <div class="card" data-testid="progress">
-      <h2>{task.kind === 'comparison' ? 'Comparing' : task.side === 'initial' ? 'Capturing the baseline' : 'Capturing after the work'}</h2>
-      <div class="progress" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * share)} aria-label="Progress">
+      <h2>{task.kind === 'comparison' ? words.inspection.comparing : words.inspection.capturing[task.side === 'initial' ? 'initial' : 'final']}</h2>
+      <div class="progress" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * share)} aria-label={words.inspection.progress}>
         <span style={{ width: `${100 * share}%` }} />
       </div>
       <p role="status" class={task.waiting ? 'bad' : ''}>
         {description(task)}
       </p>
-      <p class="hint">Keep hands and hoses still.</p>
+      <p class="hint">{words.inspection.keepStill}</p>
       <button type="button" data-testid="cancel" disabled={!mayCancel} onClick={() => void attempt(() => api.cancel())}>
-        Cancel
+        {words.page.cancel}
       </button>
     </div>
   );

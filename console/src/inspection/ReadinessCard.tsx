@@ -4,6 +4,7 @@ import { api } from '../link/api';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import { attempt } from './inspections';
+import { words } from '../words/words';
 
 const old_ms = 10 * 60 * 1000;
 
@@ -21,7 +22,7 @@ export function ReadinessCard({ mayCapture }: { mayCapture: boolean }) {
 
   return (
     <div class="card" data-testid="readiness">
-      <h2>Ready?</h2>
+      <h2>{words.inspection.readyQuestion}</h2>
       <ul class="checks">
         {readiness?.items.map((item) => (
           <li key={item.name} class={item.ready ? 'good' : 'bad'}>
@@ -30,7 +31,7 @@ export function ReadinessCard({ mayCapture }: { mayCapture: boolean }) {
             </span>
             <span>
               <strong>
-                {item.name}: {item.ready ? 'ready' : 'not ready'}
+                {item.name}: {item.ready ? words.inspection.ready : words.inspection.notReady}
               </strong>
               <br />
               {item.says}
@@ -40,11 +41,11 @@ export function ReadinessCard({ mayCapture }: { mayCapture: boolean }) {
       </ul>
       {checking && (
         <p class="hint" role="status">
-          Checking the camera: {status.task.done} of {status.task.total || '…'} frames
+          {words.inspection.checkingCamera(status.task.done, status.task.total)}
         </p>
       )}
       <button type="button" data-testid="check" disabled={busy || !mayCapture} onClick={() => void attempt(() => api.checkReadiness())}>
-        Check {readiness ? 'again' : ''}
+        {readiness ? words.inspection.checkAgain : words.inspection.check}
       </button>
     </div>
   );

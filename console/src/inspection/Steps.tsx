@@ -13,21 +13,22 @@ import { RegionsCard } from '../regions/RegionsCard';
 import { ReadinessCard } from './ReadinessCard';
 import { ViewsCard } from './ViewsCard';
 import { timeOf } from './words';
+import { Rich } from '../words/Rich';
+import { words } from '../words/words';
 
 const order: Stage[] = ['baseline', 'work', 'review', 'done'];
-const labels: Record<Stage, string> = { baseline: 'Baseline', work: 'After the work', review: 'Review', done: 'Closed' };
 
 export function StepBar({ stage }: { stage: Stage }) {
   const now = order.indexOf(stage);
   return (
-    <ol class="steps" aria-label="Steps">
+    <ol class="steps" aria-label={words.inspection.steps}>
       {order.map((step, i) => (
         <li key={step} class={i < now ? 'past' : i === now ? 'now' : ''} aria-current={i === now ? 'step' : undefined}>
           <span class="step-number" aria-hidden="true">
             {i < now ? '✓' : i + 1}
           </span>
-          {labels[step]}
-          {i < now && <span class="unseen"> (done)</span>}
+          {words.inspection.stepNames[step]}
+          {i < now && <span class="unseen"> {words.inspection.done}</span>}
         </li>
       ))}
     </ol>
@@ -55,12 +56,12 @@ function CaptureButton({ inspection, session, side, replaced, label }: Omit<Step
   const lease = useStore(link.lease);
   const notReady = status?.readiness?.ready === false;
   const others = lease.holder !== undefined && !lease.yours;
-  const why = session.role === 'viewer' ? 'You have view access only. An operator takes captures.' : others ? `${lease.holder} is driving. Ask them to hand back the controls.` : '';
+  const why = session.role === 'viewer' ? words.inspection.viewer : others ? words.inspection.askToHandBack(lease.holder || words.page.somebody) : '';
   const take = () =>
     void attempt(() => api.capture(inspection.id, side, session.name || person.name || inspection.person, replaced));
   return (
     <>
-      {notReady && <p class="bad">Not everything is ready: see above. You can capture anyway.</p>}
+      {notReady && <p class="bad">{words.inspection.notReadyAnyway}</p>}
       {why && <p class="hint">{why}</p>}
       <button type="button" class="primary big" data-testid={`capture-${side}`} disabled={why !== '' || !status} onClick={take}>
         {label}
@@ -79,7 +80,7 @@ function BaselineStep({ inspection, session }: Omit<StepProps, 'task'>) {
       </div>
       <div class="panel-action">
         <Failure inspection={inspection} />
-        <CaptureButton inspection={inspection} session={session} side="initial" replaced={false} label="Capture the baseline" />
+        <CaptureButton inspection={inspection} session={session} side="initial" replaced={false} label={words.inspection.captureBaseline} />
       </div>
     </>
   );
@@ -100,19 +101,19 @@ function WorkStep({ inspection, session, task }: StepProps) {
     <>
       <div class="panel-body">
         <div class="card" data-testid="work">
-          <h2>The baseline is saved</h2>
+          <h2>{words.inspection.saved}</h2>
           <p>
-            Taken {inspection.initial && timeOf(inspection.initial.taken_at)} by {inspection.initial?.person}. It survives a restart, a power cut and a change of shift: you can switch everything off.
+            {inspection.initial && words.inspection.savedBy(timeOf(inspection.initial.taken_at), inspection.initial.person)}
           </p>
           <p>
-            <strong>Now do the work in the bay.</strong> Come back here when it is done.
+            <Rich text={words.inspection.nowWork} />
           </p>
-          {inspection.final && <p>The captures after the work are saved, too: they can be compared without capturing again.</p>}
+          {inspection.final && <p>{words.inspection.capturedToo}</p>}
           {simulation && (
             <div class="note">
-              <p>This bay is simulated: press the button to have the work done.</p>
+              <p>{words.inspection.simulated}</p>
               <button type="button" data-testid="simulate-work" onClick={simulate}>
-                {worked ? '✓ Work has been done' : 'Simulate the work'}
+                {worked ? words.inspection.simulationDone : words.inspection.simulate}
               </button>
             </div>
           )}
@@ -125,22 +126,22 @@ function WorkStep({ inspection, session, task }: StepProps) {
         {robot && (
           <label class="tick">
             <input type="checkbox" checked={replaced} onChange={(event) => setReplaced(event.currentTarget.checked)} />
-            The robot was taken out and put back
+            {words.inspection.putBack}
           </label>
         )}
         {begun && (
           <p class="warn" role="status" data-testid="begins-anew">
-            The capture after the work was interrupted. All views are captured again: somebody may have worked in the bay in the meantime.
+            {words.inspection.begunAnew}
           </p>
         )}
         <Failure inspection={inspection} />
         <div class="panel-pair">
           <div class="stack">
-            <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label="Capture and compare" />
+            <CaptureButton inspection={inspection} session={session} side="final" replaced={replaced} label={words.inspection.captureAndCompare} />
           </div>
           {inspection.final && (
             <button type="button" data-testid="compare" disabled={session.role === 'viewer'} onClick={() => void attempt(() => api.compare(inspection.id))}>
-              Compare what was captured
+              {words.inspection.compareCaptured}
             </button>
           )}
         </div>
@@ -152,10 +153,10 @@ function WorkStep({ inspection, session, task }: StepProps) {
 export function Steps({ session }: { session: Session }) {
   const inspection = useStore(openInspection);
   const task = useStore(link.status)?.task;
-  if (!inspection || !task) return <p class="hint">Loading…</p>;
+  if (!inspection || !task) return <p class="hint">{words.page.loading}</p>;
   const running = isBusy(task);
   if (running && task.inspection !== inspection.id) {
-    return <p class="hint">Another inspection is being captured or compared.</p>;
+    return <p class="hint">{words.inspection.anotherBusy}</p>;
   }
   if (running) {
     return (

@@ -4,6 +4,8 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Joints } from '../types';
 import { attempt, openInspection } from './inspections';
+import { Rich } from '../words/Rich';
+import { decimal, words } from '../words/words';
 
 export function ViewsCard({ inspection, enabled }: { inspection: Inspection; enabled: boolean }) {
   const robot = useStore(link.status)?.robot;
@@ -23,17 +25,17 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
     : -1;
   return (
     <div class="card" data-testid="views">
-      <h2>Views</h2>
-      <p class="hint">Turn the camera to where the work will be, and add the view. Several views may overlap.</p>
+      <h2>{words.inspection.views}</h2>
+      <p class="hint">{words.inspection.turnThenAdd}</p>
       <ul class="list">
         {views.map((view, i) => (
           <li key={`${view.pan_deg} ${view.tilt_deg} ${i}`} class="view-row">
             <span>
-              <strong>View {i + 1}</strong> pan {view.pan_deg.toFixed(1)}°, tilt {view.tilt_deg.toFixed(1)}°
+              <Rich text={words.inspection.panAndTilt(i + 1, decimal(view.pan_deg, 1), decimal(view.tilt_deg, 1))} />
             </span>
             <button
               type="button"
-              aria-label={`Remove view ${i + 1}`}
+              aria-label={words.inspection.removeView(i + 1)}
               disabled={!enabled || views.length === 1}
               onClick={() => set(views.filter((_, k) => k !== i))}
             >
@@ -42,12 +44,12 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
           </li>
         ))}
       </ul>
-      {known >= 0 && <p class="hint">This is view {known + 1}. Turn the camera to add another one.</p>}
+      {known >= 0 && <p class="hint">{words.inspection.thisIsView(known + 1)}</p>}
       <button type="button" data-testid="add-view" disabled={!enabled || !here || known >= 0} onClick={() => here && set([...views, here])}>
-        Add the current view
+        {words.inspection.addView}
       </button>
       <button type="button" data-testid="only-view" disabled={!enabled || !here} onClick={() => here && set([here])}>
-        Use only the current view
+        {words.inspection.onlyView}
       </button>
     </div>
   );

@@ -3,6 +3,7 @@ import { api, Refusal } from '../link/api';
 import { link } from '../link/live_link';
 import { Store } from '../store';
 import type { Inspection, InspectionSummary, Stage, TaskStatus } from '../types';
+import { words } from '../words/words';
 
 export const openInspection = new Store<Inspection | null>(null);
 export const inspectionList = new Store<InspectionSummary[] | null>(null);
@@ -87,9 +88,9 @@ function noteEnd(task: TaskStatus): void {
   if (isCheck(task) || task.inspection === undefined) return;
   const reason =
     task.end === 'cancelled'
-      ? 'Cancelled. What was complete is kept: start again to continue.'
+      ? words.inspection.cancelled
       : task.end === 'failed'
-        ? (task.problem ?? 'The task failed.')
+        ? (task.problem ?? words.inspection.failed)
         : '';
   lastFailure.value = reason === '' ? null : { inspection: task.inspection, reason };
 }

@@ -1,52 +1,37 @@
 // Names and phrases that the console uses.
-import type { ComparedView, FindableShare, Finding, FindingKind, InspectionSummary, Stage, Verdict } from '../types';
-
-export const stageNames: Record<Stage, string> = {
-  baseline: 'Before the work',
-  work: 'Work',
-  review: 'Review',
-  done: 'Closed',
-};
-
-export const verdictNames: Record<Verdict, string> = {
-  debris: 'Debris, still there',
-  'debris-removed': 'Debris, removed',
-  'debris-unreachable': 'Debris, cannot be reached',
-  'installed-work': 'Installed work',
-  'false-alarm': 'False alarm',
-  'second-look': 'Needs a second look',
-};
+import type { ComparedView, FindableShare, Finding, FindingKind, InspectionSummary } from '../types';
+import { decimal, percentText, timeText, words } from '../words/words';
 
 /** By how much narrower than it is an object appears in the depth image (docs/calibrated.md); levels refer to its width in that image. */
 export const hiddenByDepth_px = 8;
 
 export function titleOf(inspection: InspectionSummary): string {
   const parts = [inspection.aircraft, inspection.zone, inspection.work_order].filter((part) => part !== '');
-  return parts.length > 0 ? parts.join(' · ') : `Inspection ${inspection.id}`;
+  return parts.length > 0 ? parts.join(' · ') : words.page.inspection(inspection.id);
 }
 
 export function timeOf(iso: string): string {
-  return new Date(iso).toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' });
+  return timeText(iso);
 }
 
 export function millimetres(value: number): string {
-  return value < 10 ? `${value.toFixed(1)} mm` : `${Math.round(value)} mm`;
+  return `${decimal(value, value < 10 ? 1 : 0)} mm`;
 }
 
 /** How significant a change is: the p-value is how often an unchanged bay would show as much. */
 export function suspicion(finding: Finding): { level: 1 | 2 | 3; name: string } {
   const certain = 1e-6;
   const likely = 1e-3;
+  const [possibly, veryLikely, certainly] = words.finding.suspicions;
   const p = finding.p_value;
-  if (p === undefined) return { level: 2, name: 'Changed' };
-  if (p < certain) return { level: 3, name: 'Certainly changed' };
-  if (p < likely) return { level: 2, name: 'Very likely changed' };
-  return { level: 1, name: 'Possibly changed' };
+  if (p === undefined) return { level: 2, name: words.finding.changed };
+  if (p < certain) return { level: 3, name: certainly };
+  if (p < likely) return { level: 2, name: veryLikely };
+  return { level: 1, name: possibly };
 }
 
 export function whatChanged(finding: Finding): string {
-  const names = { added: 'Something new', removed: 'Something gone', appearance: 'Looks different' };
-  return names[finding.kind];
+  return words.finding.kinds[finding.kind];
 }
 
 /** The character that stands for a kind, beside the finding's number. */
@@ -61,8 +46,8 @@ export function signOf(kind: FindingKind): string {
 export function whereAndHow(finding: Finding, marked = false): string {
   const parts: string[] = [];
   if (finding.size_mm) parts.push(`${millimetres(finding.size_mm[0])} × ${millimetres(finding.size_mm[1])}`);
-  if (finding.position_m) parts.push(`${finding.position_m[2].toFixed(2)} m away`);
-  if (finding.kind === 'appearance' && !marked) parts.push('brighter or darker than before; not visible in depth');
+  if (finding.position_m) parts.push(words.finding.away(decimal(finding.position_m[2], 2)));
+  if (finding.kind === 'appearance' && !marked) parts.push(words.finding.appearance);
   const change = finding.height_mm;
   const height = finding.above_surroundings_mm;
   const top = finding.top_above_surroundings_mm;
@@ -71,7 +56,7 @@ export function whereAndHow(finding: Finding, marked = false): string {
   else if (height !== undefined) parts.push(`${millimetres(height)} above its surroundings${before}`);
   if (finding.background_jump) parts.push('at an edge, where the background jumps');
   else if (change !== undefined && height === undefined)
-    parts.push(`surface ${millimetres(Math.abs(change))} ${finding.kind === 'added' ? 'nearer' : 'farther'} than before`);
+    parts.push(finding.kind === 'added' ? words.finding.nearer(millimetres(Math.abs(change))) : words.finding.farther(millimetres(Math.abs(change))));
   return parts.join(', ');
 }
 

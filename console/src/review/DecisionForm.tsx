@@ -1,11 +1,12 @@
 // The decision on a finding.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { timeOf, verdictNames } from '../inspection/words';
+import { timeOf } from '../inspection/words';
 import type { Inspection, Session } from '../types';
 import { decide } from './decisions';
 import { decisionOf, type Group } from './groups';
 import { Verdicts } from './Verdicts';
+import { words } from '../words/words';
 
 /** @param children pictures, between the verdicts, which are in reach at once, and the note */
 export function DecisionForm({ inspection, group, session, children }: { inspection: Inspection; group: Group; session: Session; children: ComponentChildren }) {
@@ -27,7 +28,7 @@ export function DecisionForm({ inspection, group, session, children }: { inspect
       {!mayDecide && !closed && <p class="hint">Only an inspector can decide.</p>}
       {before && (
         <p class="hint">
-          {verdictNames[before.verdict]}: {before.person}, {timeOf(before.decided_at)}
+          {words.finding.verdicts[before.verdict]}: {before.person}, {timeOf(before.decided_at)}
         </p>
       )}
     </div>

@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { markedAddress, pictureAddress } from '../link/api';
 import { CloseUp } from '../picture/CloseUp';
 import { percent } from '../regions/region_words';
-import { findableText, leastFindable, signOf, suspicion, timeOf, verdictNames, whatChanged, whereAndHow } from '../inspection/words';
+import { findableText, leastFindable, signOf, suspicion, timeOf, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
 import type { Inspection, Session, Verdict } from '../types';
 import { ClosingCard } from './ClosingCard';
@@ -17,6 +17,7 @@ import { RoundsCard } from './RoundsCard';
 import { SeveralForm, toggleSeveral } from './SeveralForm';
 import { useSwipe, type Direction } from './swipe';
 import { UndoBar } from './UndoBar';
+import { words } from '../words/words';
 
 function SuspicionBar({ level, name }: { level: number; name: string }) {
   return (
@@ -32,7 +33,7 @@ function DecisionText({ group }: { group: Group }) {
   const settled = isSettled(group);
   return (
     <small class={settled ? 'said' : 'open'}>
-      {settled ? '✓' : '…'} {verdictNames[decision.verdict]}
+      {settled ? '✓' : '…'} {words.finding.verdicts[decision.verdict]}
       {decision.note && <q>{decision.note}</q>}
     </small>
   );
@@ -76,7 +77,7 @@ function FindingCard({ inspection, groups, group, session, past, selected, ticke
     >
       {swipe.offset_px !== 0 && (
         <p class={`swipe-verdict ${swipe.offset_px > 0 ? 'right' : 'left'} ${swipe.direction ? 'far' : ''}`} data-testid="swipe-verdict">
-          {verdictNames[swiped[swipe.offset_px > 0 ? 'right' : 'left']]}
+          {words.finding.verdicts[swiped[swipe.offset_px > 0 ? 'right' : 'left']]}
         </p>
       )}
       <button type="button" class="row" {...picked} onClick={pick}>

@@ -1,9 +1,9 @@
 // What was decided last, with the way back; for a few keys as well.
 import { useEffect } from 'preact/hooks';
-import { verdictNames } from '../inspection/words';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { canUndo, goOn, isWriting, lastDecision, undo } from './decisions';
+import { words } from '../words/words';
 
 export function UndoBar({ inspection, session }: { inspection: Inspection; session: Session }) {
   const last = useStore(lastDecision);
@@ -25,7 +25,7 @@ export function UndoBar({ inspection, session }: { inspection: Inspection; sessi
   return (
     <div class="undo" role="status" data-testid="undo-bar">
       <span>
-        {last.groups.length === 1 ? `Finding ${labels}` : `Findings ${labels}`}: {verdictNames[last.verdict]}
+        {last.groups.length === 1 ? `Finding ${labels}` : `Findings ${labels}`}: {words.finding.verdicts[last.verdict]}
       </span>
       <button type="button" aria-keyshortcuts="Control+Z" data-testid="undo" onClick={() => void undo(inspection, last, session)}>
         ↶ Undo

@@ -1,8 +1,8 @@
 // One button for each verdict; the digits 1 to 6 press them.
 import { useEffect } from 'preact/hooks';
-import { verdictNames } from '../inspection/words';
 import type { Verdict } from '../types';
 import { isWriting, verdicts } from './decisions';
+import { words } from '../words/words';
 
 interface Props {
   chosen: Verdict | undefined;
@@ -33,7 +33,7 @@ export function Verdicts({ chosen, enabled, onPick }: Props) {
           data-testid={`verdict-${verdict}`}
           onClick={() => onPick(verdict)}
         >
-          <kbd aria-hidden="true">{i + 1}</kbd> {verdictNames[verdict]}
+          <kbd aria-hidden="true">{i + 1}</kbd> {words.finding.verdicts[verdict]}
         </button>
       ))}
     </div>

@@ -229,7 +229,7 @@ export const en = {
     findableToo: (size_mm: number, share: string) => `, of ${size_mm} mm in ${share}`,
     kinds: { added: 'Something new', removed: 'Something gone', appearance: 'Looks different' },
     nearer: (height: string) => `surface ${height} nearer than before`,
-    suspicions: ['Possibly changed', 'Very likely changed', 'Certainly changed'],
+    suspicions: ['Possibly changed', 'Very likely changed', 'Certainly changed'] as [string, string, string],
     verdicts: {
       debris: 'Debris, still there',
       'debris-removed': 'Debris, removed',
