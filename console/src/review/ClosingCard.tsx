@@ -8,6 +8,7 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { groupsOf, isSettled } from './groups';
+import { words } from '../words/words';
 
 function CaptureAgain({ inspection, session, first }: { inspection: Inspection; session: Session; first: boolean }) {
   const simulation = useStore(link.status)?.simulation ?? false;
@@ -19,7 +20,7 @@ function CaptureAgain({ inspection, session, first }: { inspection: Inspection; 
     });
   return (
     <button type="button" class={first ? 'primary' : ''} data-testid="capture-again" disabled={session.role === 'viewer'} onClick={again}>
-      Capture again{simulation && removed ? ' (the simulated bay is tidied up)' : ''}
+      {simulation && removed ? words.review.captureAgainTidied : words.review.captureAgain}
     </button>
   );
 }
@@ -34,26 +35,26 @@ function CloseForm({ inspection, session, needsNote, onLeave }: { inspection: In
     });
   };
   return (
-    <form class="stack" onSubmit={close} aria-label="Close the inspection" data-testid="close-form">
-      <p>I have reviewed the pictures of every view. Nothing can be changed after the inspection is closed.</p>
+    <form class="stack" onSubmit={close} aria-label={words.review.closeTheInspection} data-testid="close-form">
+      <p>{words.review.reviewed}</p>
       {!session.name && (
         <label class="field">
-          <span>Your name</span>
+          <span>{words.page.yourName}</span>
           <input value={name} maxLength={100} required onInput={(event) => setName(event.currentTarget.value)} />
         </label>
       )}
       <label class="field">
         <span>
-          Note{needsNote && <em> (required: debris was removed after these pictures, or cannot be reached)</em>}
+          {words.review.note}{needsNote && <em> {words.review.noteRequired}</em>}
         </span>
         <textarea rows={2} maxLength={1000} value={note} required={needsNote} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
       <div class="panel-pair">
         <button type="submit" class="primary" data-testid="close-confirm" disabled={name.trim() === '' || (needsNote && note.trim() === '')}>
-          Close by name
+          {words.review.closeByName}
         </button>
         <button type="button" onClick={onLeave}>
-          Not yet
+          {words.review.notYet}
         </button>
       </div>
     </form>
@@ -65,9 +66,7 @@ function Closed({ inspection }: { inspection: Inspection }) {
   if (!closing) return null;
   return (
     <div class="panel-action" data-testid="closed" role="status">
-      <p class="good">
-        ✓ Closed by {closing.person}, {timeOf(closing.closed_at)}.
-      </p>
+      <p class="good">{words.review.closed(closing.person, timeOf(closing.closed_at))}</p>
       {closing.note && <q>{closing.note}</q>}
     </div>
   );
@@ -80,9 +79,9 @@ function remainder(inspection: Inspection): string {
   const looks = open.filter((group) => group.lead.decision?.verdict === 'second-look').length;
   const undecided = open.length - debris - looks;
   const parts = [
-    undecided > 0 ? `${undecided} to be decided` : '',
-    debris > 0 ? `${debris} to be removed` : '',
-    looks > 0 ? `${looks} to be looked at again` : '',
+    undecided > 0 ? words.review.toDecide(undecided) : '',
+    debris > 0 ? words.review.toRemove(debris) : '',
+    looks > 0 ? words.review.toLookAtAgain(looks) : '',
   ];
   return parts.filter((part) => part !== '').join(', ');
 }
@@ -102,12 +101,12 @@ export function ClosingCard({ inspection, session }: { inspection: Inspection; s
   return (
     <div class="panel-action">
       <p data-testid="all-decided" class={left === '' && !needsNote ? 'good' : 'open'}>
-        {left !== '' ? `Before closing: ${left}.` : needsNote ? 'Debris was removed after these pictures, or cannot be reached: capture again to see that it is gone.' : '✓ Nothing remains to be decided.'}
+        {left !== '' ? words.review.remains(left) : needsNote ? words.review.captureToSee : words.review.nothingLeft}
       </p>
       <div class="panel-pair narrow">
         <CaptureAgain inspection={inspection} session={session} first={left === '' && needsNote} />
         <button type="button" class={left === '' && !needsNote ? 'primary' : ''} data-testid="close" disabled={left !== '' || session.role !== 'inspector'} onClick={() => setClosing(true)}>
-          Close inspection
+          {words.review.close}
         </button>
       </div>
     </div>

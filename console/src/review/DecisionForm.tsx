@@ -18,14 +18,14 @@ export function DecisionForm({ inspection, group, session, children }: { inspect
   return (
     <div class="decision" data-testid="decision">
       <Verdicts chosen={before?.verdict} enabled={mayDecide} onPick={(verdict) => void decide(inspection, [group], verdict, note, session)} />
-      {mayDecide && <p class="hint swipe-help">Or swipe the card: right for debris, left for a false alarm.</p>}
-      {mayDecide && <p class="hint key-help">Keys: 1 to 6 decide, N goes to the next undecided finding, Ctrl+Z takes the last decision back.</p>}
+      {mayDecide && <p class="hint swipe-help">{words.review.swipe}</p>}
+      {mayDecide && <p class="hint key-help">{words.review.keys}</p>}
       {children}
       <label class="field">
-        <span>Note</span>
+        <span>{words.review.note}</span>
         <textarea rows={2} maxLength={1000} value={note} disabled={!mayDecide} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
-      {!mayDecide && !closed && <p class="hint">Only an inspector can decide.</p>}
+      {!mayDecide && !closed && <p class="hint">{words.review.onlyInspector}</p>}
       {before && (
         <p class="hint">
           {words.finding.verdicts[before.verdict]}: {before.person}, {timeOf(before.decided_at)}

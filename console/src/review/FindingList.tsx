@@ -17,7 +17,8 @@ import { RoundsCard } from './RoundsCard';
 import { SeveralForm, toggleSeveral } from './SeveralForm';
 import { useSwipe, type Direction } from './swipe';
 import { UndoBar } from './UndoBar';
-import { words } from '../words/words';
+import { percentText, words } from '../words/words';
+import { Rich } from '../words/Rich';
 
 function SuspicionBar({ level, name }: { level: number; name: string }) {
   return (
@@ -29,7 +30,7 @@ function SuspicionBar({ level, name }: { level: number; name: string }) {
 
 function DecisionText({ group }: { group: Group }) {
   const decision = decisionOf(group);
-  if (!decision) return <small class="open">To be decided</small>;
+  if (!decision) return <small class="open">{words.review.toBeDecided}</small>;
   const settled = isSettled(group);
   return (
     <small class={settled ? 'said' : 'open'}>
@@ -91,11 +92,11 @@ function FindingCard({ inspection, groups, group, session, past, selected, ticke
           <span aria-hidden="true">{marked ? '✎' : signOf(lead.kind)}</span>
         </span>
         <span>
-          <strong>{marked ? marked.note || 'Marked by a person' : whatChanged(lead)}</strong>
-          {marked ? <small>{`Marked by ${marked.person}, ${timeOf(marked.marked_at)}`}</small> : <SuspicionBar level={level} name={name} />}
+          <strong>{marked ? marked.note || words.review.markedByPerson : whatChanged(lead)}</strong>
+          {marked ? <small>{words.review.markedBy(marked.person, timeOf(marked.marked_at))}</small> : <SuspicionBar level={level} name={name} />}
           <small>
             {whereAndHow(lead, marked !== undefined)}
-            {all.length > 1 && `, seen in ${all.length} views`}
+            {all.length > 1 && words.review.inViews(all.length)}
           </small>
           <DecisionText group={group} />
         </span>
@@ -125,11 +126,10 @@ function Extent({ inspection, nothing }: { inspection: Inspection; nothing: bool
   return (
     <p class={few ? 'bad' : ''} data-testid="extent">
       {few ? '✗ ' : ''}
-      {nothing ? 'Nothing was found in what could be inspected: ' : 'Inspected: '}
-      <strong>{Math.round(100 * judged)} %</strong> of the {inspection.compared.length > 1 ? 'view with the least coverage' : 'view'}
-      {left_out > 0 && `; ${percent(left_out)} was left out as asked`}
+      <Rich text={(nothing ? words.review.nothing : words.review.inspected)(percentText(judged))} /> {inspection.compared.length > 1 ? words.review.ofWorstView : words.review.ofOneView}
+      {left_out > 0 && words.review.leftOutAsAsked(percent(left_out))}
       {sizes && `; ${sizes}`}.{' '}
-      {blind ? 'Most of it could not be inspected, so this result means little. Check the camera and its view, and capture again.' : 'Inspect the rest (striped) by eye.'}
+      {blind ? words.review.blind : words.review.byEye}
     </p>
   );
 }
@@ -155,10 +155,10 @@ function FirstLook({ groups }: { groups: Group[] }) {
   return (
     <div class="panel-body">
       <div class="card" data-testid="first-look">
-        <h2>First look</h2>
-        <p>First compare before and after by eye: blink between them. Mark what you find. Then let the program show its findings.</p>
+        <h2>{words.review.firstLook}</h2>
+        <p>{words.review.firstLookHelp}</p>
         <button type="button" class="primary big" data-testid="reveal" onClick={reveal}>
-          Show the findings
+          {words.review.showFindings}
         </button>
       </div>
     </div>
@@ -177,11 +177,11 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
     <>
       <div class="panel-body">
         <div class="card" data-testid="finding-summary">
-          <h2>{groups.length === 0 ? 'Nothing found' : groups.length === 1 ? '1 finding' : `${groups.length} findings`}</h2>
+          <h2>{words.review.all(groups.length)}</h2>
           <Extent inspection={inspection} nothing={groups.length === 0} />
           {mayChoose && groups.length > 1 && !ticks && (
             <button type="button" data-testid="several" onClick={() => (several.value = [])}>
-              Select several
+              {words.review.selectSeveral}
             </button>
           )}
         </div>

@@ -4,6 +4,7 @@ import { person } from '../link/client';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { newMark, saveMark } from './marks';
+import { words } from '../words/words';
 
 export function MarkForm({ inspection, session }: { inspection: Inspection; session: Session }) {
   const mark = useStore(newMark);
@@ -14,17 +15,17 @@ export function MarkForm({ inspection, session }: { inspection: Inspection; sess
     void saveMark(inspection, mark, note, session.name || person.name || inspection.person).then(() => setNote(''));
   };
   return (
-    <form class="panel-action" onSubmit={save} data-testid="mark-form" aria-label="Marked finding">
+    <form class="panel-action" onSubmit={save} data-testid="mark-form" aria-label={words.review.markedFinding}>
       <label class="field">
-        <span>What did you mark?</span>
+        <span>{words.review.whatIsMarked}</span>
         <input value={note} maxLength={1000} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
       <div class="panel-pair">
         <button type="submit" class="primary" data-testid="mark-save">
-          Save as a finding
+          {words.review.saveAsFinding}
         </button>
         <button type="button" data-testid="mark-discard" onClick={() => (newMark.value = null)}>
-          Discard
+          {words.page.discard}
         </button>
       </div>
     </form>

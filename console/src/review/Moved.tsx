@@ -2,6 +2,7 @@
 import type { Group } from './groups';
 import { movedFrom, movedTo } from './moves';
 import { show } from './review_state';
+import { words } from '../words/words';
 
 function Other({ group, note }: { group: Group; note: string }) {
   const { lead, label } = group;
@@ -9,7 +10,7 @@ function Other({ group, note }: { group: Group; note: string }) {
     <div class="moved" data-testid="moved">
       <p>{note}</p>
       <button type="button" onClick={() => show({ group: lead.number, view: lead.view, findings: true })}>
-        Show finding {label}
+        {words.review.showFinding(label)}
       </button>
     </div>
   );
@@ -19,9 +20,9 @@ export function Moved({ groups, group }: { groups: Group[]; group: Group }) {
   const from = movedFrom(groups, group);
   return (
     <>
-      {from && <Other group={from} note={`About the size of finding ${from.label}, which was removed: it may have been moved.`} />}
+      {from && <Other group={from} note={words.review.mayBeMovedFrom(from.label)} />}
       {movedTo(groups, group).map((to) => (
-        <Other key={to.label} group={to} note={`Finding ${to.label} has about the same size: it may have been moved there.`} />
+        <Other key={to.label} group={to} note={words.review.mayBeMovedTo(to.label)} />
       ))}
     </>
   );

@@ -18,12 +18,15 @@ import { FindingBoxes, findingAt, type Marked } from './FindingBoxes';
 import { groupsOf, isSettled } from './groups';
 import { review, reviewSize, reviewZoom, show, type Moment } from './review_state';
 import { ShowMenu, Toggle } from './ShowMenu';
+import { words } from '../words/words';
 
-const moments: [Moment, string][] = [
-  ['before', 'Before'],
-  ['after', 'After'],
-  ['blink', 'Blink'],
-];
+function moments(): [Moment, string][] {
+  return [
+    ['before', words.picture.before],
+    ['after', words.picture.after],
+    ['blink', words.review.blink],
+  ];
+}
 const blink_ms = 700;
 
 // Whether to show the picture before the work; alternates while blinking.
@@ -41,10 +44,10 @@ function ViewTabs({ inspection, view }: { inspection: Inspection; view: number }
   if (inspection.views.length < 2) return null;
   const few = inspection.views.length === 2;
   return (
-    <div class="switch views" role="radiogroup" aria-label="View">
+    <div class="switch views" role="radiogroup" aria-label={words.page.viewLabel}>
       {inspection.views.map((_, i) => (
-        <button key={i} type="button" role="radio" aria-checked={i === view} aria-label={`View ${i + 1}`} data-testid={`review-view-${i}`} onClick={() => show({ view: i })}>
-          {few ? `View ${i + 1}` : i + 1}
+        <button key={i} type="button" role="radio" aria-checked={i === view} aria-label={words.page.view(i + 1)} data-testid={`review-view-${i}`} onClick={() => show({ view: i })}>
+          {few ? words.page.view(i + 1) : i + 1}
         </button>
       ))}
     </div>
@@ -72,21 +75,21 @@ function Layers({ inspection, view, before, found }: { inspection: Inspection; v
   return (
     <>
       {layer === 'binary' ? (
-        <img src={address('changes')} alt="White: changed" draggable={false} />
+        <img src={address('changes')} alt={words.review.changesPicture} draggable={false} />
       ) : (
         <>
           <img
             src={address(`final_${kind}`)}
-            alt="After the work"
+            alt={words.review.after}
             draggable={false}
             data-testid="picture-after"
             onLoad={(event) => keepSize(event.currentTarget)}
           />
-          <img src={address(`initial_${kind}`)} alt="Before the work" draggable={false} data-testid="picture-before" class={before ? '' : 'hidden'} />
+          <img src={address(`initial_${kind}`)} alt={words.review.before} draggable={false} data-testid="picture-before" class={before ? '' : 'hidden'} />
           {findings && glow && !before && <img src={address('changed')} alt="" draggable={false} class="glow" data-testid="picture-changed" />}
         </>
       )}
-      {uninspected && <img src={address('not_inspected')} alt="Striped: could not be inspected" draggable={false} class="glow striped" data-testid="picture-uninspected" />}
+      {uninspected && <img src={address('not_inspected')} alt={words.review.uninspectedPicture} draggable={false} class="glow striped" data-testid="picture-uninspected" />}
       {found && <FindablePicture layer={found} />}
     </>
   );
@@ -109,9 +112,9 @@ function ReviewBar({ inspection, view, marking, mayMark, measuring }: BarProps) 
   return (
     <div class="view-bar">
       <ViewTabs inspection={inspection} view={view} />
-      {state.layer !== 'binary' && <Choice label="Moment" options={moments} value={state.moment} onPick={(moment) => show({ moment })} />}
+      {state.layer !== 'binary' && <Choice label={words.review.moment} name="moment" options={moments()} value={state.moment} onPick={(moment) => show({ moment })} />}
       <ZoomButtons zoom={reviewZoom} onFit={() => show({ closer: false })} />
-      <Toggle label="Closer" testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
+      <Toggle label={words.review.closer} testId="closer" on={state.closer} onChange={(closer) => show({ closer })} />
       {state.layer !== 'binary' && <MeasureButton measuring={measuring} />}
       <MarkButton marking={marking} shown={mayMark} />
       <ShowMenu findable={findableOf(inspection, view)} />
@@ -158,7 +161,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
     if (hit) show({ group: hit.finding.same_as });
   };
   return (
-    <section class="view" aria-label="Before and after">
+    <section class="view" aria-label={words.review.beforeAfter}>
       {marking.active ? (
         <MarkBar marking={marking} size={size} zoom={reviewZoom} />
       ) : measuring.active ? (
@@ -169,7 +172,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
       <ZoomPicture
         size={size}
         zoom={reviewZoom}
-        label="Pictures before and after the work"
+        label={words.review.pictures}
         overlay={(frame) => (
           <>
             {state.findings && <FindingBoxes marked={marked} frame={frame} />}
@@ -178,7 +181,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
         )}
         fixed={
           <>
-            <span class="picture-label">{state.layer === 'binary' ? 'Changed' : before ? 'Before' : 'After'}</span>
+            <span class="picture-label">{state.layer === 'binary' ? words.review.changed : before ? words.picture.before : words.picture.after}</span>
             {found && <FindableLegend layer={found} />}
           </>
         }

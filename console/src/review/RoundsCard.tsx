@@ -6,21 +6,22 @@ import { useStore } from '../store';
 import type { Inspection, Round } from '../types';
 import { groupsOf } from './groups';
 import { asItWas, earlierRound, showRound } from './rounds';
+import { words } from '../words/words';
 
 /** "3 findings: 2 debris removed, 1 false alarm". */
 export function outcomeOf(inspection: Inspection, round: Round): string {
   const groups = groupsOf(asItWas(inspection, round));
-  if (groups.length === 0) return 'nothing found';
+  if (groups.length === 0) return words.review.nothingFound;
   const count = (...verdicts: string[]) => groups.filter((group) => verdicts.includes(group.lead.decision?.verdict ?? '')).length;
   const parts = [
-    [count('debris-removed'), 'debris removed'],
-    [count('debris', 'debris-unreachable'), 'debris left'],
-    [count('installed-work'), 'installed work'],
-    [count('false-alarm'), groups.length === 1 ? 'false alarm' : 'false alarms'],
-    [count('second-look', ''), 'undecided'],
+    [count('debris-removed'), words.review.outcome.removed],
+    [count('debris', 'debris-unreachable'), words.review.outcome.left],
+    [count('installed-work'), words.review.outcome.installed],
+    [count('false-alarm'), words.review.outcome.falseAlarms],
+    [count('second-look', ''), words.review.outcome.undecided],
   ] as const;
-  const named = parts.filter(([number]) => number > 0).map(([number, name]) => `${number} ${name}`);
-  return `${groups.length === 1 ? '1 finding' : `${groups.length} findings`}: ${named.join(', ')}`;
+  const named = parts.filter(([number]) => number > 0).map(([number, name]) => name(number));
+  return `${words.review.all(groups.length)}: ${named.join(', ')}`;
 }
 
 export function RoundsCard({ inspection }: { inspection: Inspection }) {
@@ -39,7 +40,7 @@ export function RoundsCard({ inspection }: { inspection: Inspection }) {
   if (rounds.length < 2) return null;
   return (
     <div class="card" data-testid="rounds">
-      <h2>Rounds</h2>
+      <h2>{words.review.rounds}</h2>
       <ul class="list">
         {rounds.map((round, i) => {
           const isCurrent = round.comparison === inspection.comparison;
@@ -48,8 +49,8 @@ export function RoundsCard({ inspection }: { inspection: Inspection }) {
             <li key={round.comparison}>
               <button type="button" class="row" aria-pressed={isShown} data-testid={`round-${rounds.length - i}`} onClick={() => showRound(isCurrent ? null : round)}>
                 <strong>
-                  Round {rounds.length - i}
-                  {isCurrent && ' (now)'}
+                  {words.review.round(rounds.length - i)}
+                  {isCurrent && ` ${words.review.roundNow}`}
                 </strong>
                 <span>{outcomeOf(inspection, round)}</span>
                 <small>

@@ -6,6 +6,8 @@ import { decide } from './decisions';
 import { decisionOf, type Group } from './groups';
 import { several } from './review_state';
 import { Verdicts } from './Verdicts';
+import { Rich } from '../words/Rich';
+import { words } from '../words/words';
 
 export function toggleSeveral(number: number): void {
   const now = several.value ?? [];
@@ -22,21 +24,21 @@ export function SeveralForm({ inspection, groups, session }: { inspection: Inspe
       if (done) several.value = null;
     });
   return (
-    <div class="panel-action" role="group" aria-label="Decide on several findings" data-testid="several-form">
+    <div class="panel-action" role="group" aria-label={words.review.decideSeveral} data-testid="several-form">
       <p role="status">
-        <strong>{chosen.length}</strong> of {groups.length} selected
+        <Rich text={words.review.selected(chosen.length, groups.length)} />
       </p>
       <Verdicts chosen={undefined} enabled={chosen.length > 0} onPick={pick} />
       <label class="field">
-        <span>Note for all of them</span>
+        <span>{words.review.noteForAll}</span>
         <input value={note} maxLength={1000} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
       <div class="panel-pair narrow">
         <button type="button" data-testid="several-undecided" disabled={undecided.length === 0} onClick={() => (several.value = undecided)}>
-          Select all undecided
+          {words.review.selectAllUndecided}
         </button>
         <button type="button" data-testid="several-cancel" onClick={() => (several.value = null)}>
-          Cancel
+          {words.page.cancel}
         </button>
       </div>
     </div>

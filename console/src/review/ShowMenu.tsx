@@ -5,12 +5,9 @@ import { useStore } from '../store';
 import type { FindableShare } from '../types';
 import { FindableChoice } from './Findable';
 import { review, show, type Layer } from './review_state';
+import { words } from '../words/words';
 
-const layers: [Layer, string][] = [
-  ['color', 'Colour'],
-  ['depth', 'Depth'],
-  ['binary', 'Changes only'],
-];
+const layers: Layer[] = ['color', 'depth', 'binary'];
 
 export function Toggle({ label, on, testId, onChange }: { label: string; on: boolean; testId: string; onChange: (on: boolean) => void }) {
   return (
@@ -27,14 +24,14 @@ export function ShowMenu({ findable }: { findable: FindableShare[] }) {
   return (
     <div class="show-menu">
       <button type="button" aria-expanded={open} aria-controls="show-menu" data-testid="show-menu" onClick={() => setOpen(!open)}>
-        Show <span aria-hidden="true">{open ? '▴' : '▾'}</span>
+        {words.review.show} <span aria-hidden="true">{open ? '▴' : '▾'}</span>
       </button>
       {open && (
-        <div class="card" id="show-menu" role="group" aria-label="What the picture shows">
-          <Choice label="Picture" options={layers} value={state.layer} onPick={(layer) => show({ layer })} />
-          <Toggle label="Findings" testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
-          <Toggle label="Changes" testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
-          <Toggle label="Not inspected" testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
+        <div class="card" id="show-menu" role="group" aria-label={words.review.whatPictureShows}>
+          <Choice label={words.live.pictures} name="picture" options={layers.map((layer) => [layer, words.review.layers[layer]])} value={state.layer} onPick={(layer) => show({ layer })} />
+          <Toggle label={words.review.findings} testId="show-findings" on={state.findings} onChange={(findings) => show({ findings })} />
+          <Toggle label={words.review.changes} testId="show-glow" on={state.glow} onChange={(glow) => show({ glow })} />
+          <Toggle label={words.review.notInspected} testId="show-uninspected" on={state.uninspected} onChange={(uninspected) => show({ uninspected })} />
           {findable.length > 0 && <FindableChoice findable={findable} />}
         </div>
       )}

@@ -21,14 +21,12 @@ export function UndoBar({ inspection, session }: { inspection: Inspection; sessi
     return () => removeEventListener('keydown', press);
   });
   if (!possible) return null;
-  const labels = last.groups.map(({ label }) => label).join(', ');
+  const labels = last.groups.map(({ label }) => label);
   return (
     <div class="undo" role="status" data-testid="undo-bar">
-      <span>
-        {last.groups.length === 1 ? `Finding ${labels}` : `Findings ${labels}`}: {words.finding.verdicts[last.verdict]}
-      </span>
+      <span>{words.review.undone(labels, words.finding.verdicts[last.verdict])}</span>
       <button type="button" aria-keyshortcuts="Control+Z" data-testid="undo" onClick={() => void undo(inspection, last, session)}>
-        ↶ Undo
+        {words.review.undo}
       </button>
     </div>
   );

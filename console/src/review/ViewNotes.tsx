@@ -6,14 +6,11 @@ import type { Inspection } from '../types';
 import { CoverageText } from './CoverageText';
 import { groupsOf, type Group } from './groups';
 import { review } from './review_state';
+import { Rich } from '../words/Rich';
+import { percentText, words } from '../words/words';
 
-function viewsOf(group: Group): string {
-  const views = [...new Set(group.all.map((finding) => finding.view + 1))];
-  return `view ${views.join(' and ')}`;
-}
-
-function warningsOf(count: number): string {
-  return count === 1 ? '⚠ 1 warning' : `⚠ ${count} warnings`;
+function viewsOf(group: Group): number[] {
+  return [...new Set(group.all.map((finding) => finding.view + 1))];
 }
 
 export function ViewNotes({ inspection }: { inspection: Inspection }) {
@@ -25,19 +22,20 @@ export function ViewNotes({ inspection }: { inspection: Inspection }) {
     <div class="view-notes">
       {chosen && chosen.lead.view >= 0 && !chosen.all.some((finding) => finding.view === view) && (
         <p class="coverage" data-testid="not-here">
-          Finding {chosen.label} was found in {viewsOf(chosen)} only. That it is not marked here is no evidence against it.
+          {words.review.notHere(chosen.label, viewsOf(chosen))}
         </p>
       )}
       {compared && (
         <details data-testid="view-notes">
           <summary>
             <span>
-              <strong>{Math.round(100 * compared.judged)} %</strong> of {inspection.views.length > 1 ? `view ${view + 1}` : 'this view'} inspected{compared.findable.length > 0 && `; ${findableText(compared.findable)}`}
+              <Rich text={words.review.ofView(percentText(compared.judged), inspection.views.length > 1 ? words.review.viewNumber(view + 1) : words.review.thisView)} />
+              {compared.findable.length > 0 && `; ${findableText(compared.findable)}`}
             </span>
-            {compared.warnings.length > 0 && <span class="warn">{warningsOf(compared.warnings.length)}</span>}
+            {compared.warnings.length > 0 && <span class="warn">{words.review.warnings(compared.warnings.length)}</span>}
           </summary>
           <CoverageText compared={compared} marked={state.findings && state.glow} />
-          <img class="wide" loading="lazy" src={pictureAddress(inspection, view, 'level_of_detection')} alt="Smallest height of an object that would have been found at each pixel, with its scale; black could not be judged" />
+          <img class="wide" loading="lazy" src={pictureAddress(inspection, view, 'level_of_detection')} alt={words.review.levelPicture} />
         </details>
       )}
     </div>
