@@ -7,6 +7,7 @@ import { Hatching, RegionShape, viewBoxOf } from './RegionShapes';
 import { isNear, moved, rectangle, regionAt, within, type Size } from './shapes';
 import { UnfinishedRegion } from './UnfinishedRegion';
 import { useStore } from '../store';
+import { words } from '../words/words';
 
 interface Drag {
   from: Corner;
@@ -80,7 +81,7 @@ export function RegionCanvas({ inspection, size, mayChange }: { inspection: Insp
       class={`overlay regions ${mayChange ? 'drawable' : ''}`}
       viewBox={viewBoxOf(size)}
       role="group"
-      aria-label="Regions that are left out"
+      aria-label={words.regions.regions}
       tabindex={-1}
       data-testid="regions"
       onPointerDown={press}
@@ -95,7 +96,7 @@ export function RegionCanvas({ inspection, size, mayChange }: { inspection: Insp
           class={`region ${i === state.selected ? 'selected' : ''}`}
           role="button"
           tabindex={0}
-          aria-label={`Region ${i + 1}`}
+          aria-label={words.regions.region(i + 1)}
           aria-pressed={i === state.selected}
           data-testid={`region-${i}`}
           onFocus={() => change({ selected: i })}

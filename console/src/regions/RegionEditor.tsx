@@ -10,11 +10,14 @@ import type { Inspection, Session } from '../types';
 import { RegionCanvas } from './RegionCanvas';
 import { change, regionState, showView } from './region_state';
 import { RegionTools } from './RegionTools';
+import { words } from '../words/words';
 
-const layers: ['color' | 'depth', string][] = [
-  ['color', 'Colour'],
-  ['depth', 'Depth'],
-];
+function layers(): ['color' | 'depth', string][] {
+  return [
+    ['color', words.live.streams.color],
+    ['depth', words.live.streams.depth],
+  ];
+}
 
 export function RegionEditor({ inspection, session }: { inspection: Inspection; session: Session }) {
   const state = useStore(regionState);
@@ -25,12 +28,12 @@ export function RegionEditor({ inspection, session }: { inspection: Inspection; 
   const layer = hasColor ? state.layer : 'depth';
   const address = baselineAddress(inspection, view, layer);
   const mayChange = session.role !== 'viewer' && !busy;
-  const views: [string, string][] = inspection.views.map((_, i) => [String(i), `View ${i + 1}`]);
+  const views: [string, string][] = inspection.views.map((_, i) => [String(i), words.page.view(i + 1)]);
   return (
-    <section class="view" aria-label="Leave out parts of the view">
+    <section class="view" aria-label={words.regions.leaveOut}>
       <div class="view-bar">
-        {views.length > 1 && <Choice label="View" name="regions-view" options={views} value={String(view)} onPick={(next) => showView(Number(next))} />}
-        <Choice label="Picture" name="regions-picture" options={hasColor ? layers : layers.slice(1)} value={layer} onPick={(next) => change({ layer: next })} />
+        {views.length > 1 && <Choice label={words.page.viewLabel} name="regions-view" options={views} value={String(view)} onPick={(next) => showView(Number(next))} />}
+        <Choice label={words.live.pictures} name="regions-picture" options={hasColor ? layers() : layers().slice(1)} value={layer} onPick={(next) => change({ layer: next })} />
         {mayChange && size && <RegionTools inspection={inspection} size={size} />}
       </div>
       <div class="picture">
@@ -38,7 +41,7 @@ export function RegionEditor({ inspection, session }: { inspection: Inspection; 
           <img
             class="picture-whole"
             src={address}
-            alt={`View ${view + 1} before the work`}
+            alt={words.regions.pictureOfView(view + 1)}
             data-testid="regions-image"
             onLoad={(event) => change({ size: { width: event.currentTarget.naturalWidth, height: event.currentTarget.naturalHeight } })}
             onError={() => setMissing([...missing, address])}
@@ -46,7 +49,7 @@ export function RegionEditor({ inspection, session }: { inspection: Inspection; 
           {size && <RegionCanvas inspection={inspection} size={size} mayChange={mayChange} />}
           {missing.includes(address) && (
             <p class="picture-problem" role="alert">
-              The baseline’s picture cannot be shown.
+              {words.regions.noPicture}
             </p>
           )}
         </div>

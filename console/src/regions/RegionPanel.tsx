@@ -6,9 +6,11 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { change, regionsOf, regionState, removeRegion, unsavedViews } from './region_state';
-import { comparedAlready, percent, purpose } from './region_words';
+import { percent } from './region_words';
 import { saveRegions } from './save_regions';
 import { coveredShare } from './shapes';
+import { Rich } from '../words/Rich';
+import { words } from '../words/words';
 
 function RegionList({ inspection, mayChange }: { inspection: Inspection; mayChange: boolean }) {
   const state = useStore(regionState);
@@ -16,14 +18,15 @@ function RegionList({ inspection, mayChange }: { inspection: Inspection; mayChan
   if (regions.length === 0) return null;
   return (
     <div class="card">
-      <h2>View {state.view + 1}</h2>
+      <h2>{words.page.view(state.view + 1)}</h2>
       <ul class="list">
         {regions.map((_, i) => (
           <li key={i} class="view-row">
             <button type="button" class="wide" aria-pressed={i === state.selected} onClick={() => change({ selected: i, corners: null })}>
-              {i === state.selected ? '● ' : ''}Region {i + 1}
+              {i === state.selected ? '● ' : ''}
+              {words.regions.region(i + 1)}
             </button>
-            <button type="button" aria-label={`Remove region ${i + 1}`} disabled={!mayChange} onClick={() => removeRegion(inspection, i)}>
+            <button type="button" aria-label={words.regions.removeIt(i + 1)} disabled={!mayChange} onClick={() => removeRegion(inspection, i)}>
               ✕
             </button>
           </li>
@@ -39,18 +42,14 @@ function LeftOutShare({ inspection }: { inspection: Inspection }) {
   const share = useMemo(() => (state.size ? coveredShare(regions, state.size) : null), [regions, state.size]);
   return (
     <p role="status" data-testid="left-out-share">
-      Left out of view {state.view + 1}: <strong>{regions.length === 0 ? 'nothing' : share === null ? '…' : `${percent(share)} of the picture`}</strong>
+      <Rich text={words.regions.leftOutOf(state.view + 1, regions.length === 0 ? words.regions.nothing : share === null ? '…' : words.regions.ofPicture(percent(share)))} />
     </p>
   );
 }
 
 function Guide({ drawingCorners }: { drawingCorners: boolean }) {
-  if (drawingCorners) return <p class="hint">Tap the corners one after the other. Tap the first one again to close the region.</p>;
-  return (
-    <p class="hint">
-      Drag over the picture to draw a rectangle; drag a region to move it. By keyboard: arrow keys move the selected region, with Shift they resize it, Delete removes it.
-    </p>
-  );
+  if (drawingCorners) return <p class="hint">{words.regions.guideCorners}</p>;
+  return <p class="hint">{words.regions.guide}</p>;
 }
 
 export function RegionPanel({ inspection, session }: { inspection: Inspection; session: Session }) {
@@ -64,9 +63,9 @@ export function RegionPanel({ inspection, session }: { inspection: Inspection; s
       <div class="panel-body">
         {task && busy && <CaptureProgress task={task} mayCancel={operates} />}
         <div class="card" data-testid="region-panel">
-          <h2>Leave out parts of the view</h2>
-          <p>{purpose}</p>
-          {operates ? <Guide drawingCorners={state.corners !== null} /> : <p class="hint">You have view access only. An operator changes what is left out.</p>}
+          <h2>{words.regions.leaveOut}</h2>
+          <p>{words.regions.purpose}</p>
+          {operates ? <Guide drawingCorners={state.corners !== null} /> : <p class="hint">{words.regions.viewer}</p>}
         </div>
         <RegionList inspection={inspection} mayChange={operates && !busy} />
       </div>
@@ -76,15 +75,15 @@ export function RegionPanel({ inspection, session }: { inspection: Inspection; s
           <>
             {unsaved && inspection.compared_at && (
               <p class="warn" role="status" data-testid="compared-already">
-                {comparedAlready}
+                {words.regions.compared}
               </p>
             )}
             <div class="region-actions">
               <button type="button" class="primary" data-testid="save-regions" disabled={!unsaved || busy || state.corners !== null} onClick={() => void saveRegions(inspection)}>
-                Save
+                {words.regions.save}
               </button>
               <button type="button" data-testid="discard-regions" disabled={!unsaved} onClick={() => change({ drafts: {}, selected: -1, corners: null })}>
-                Discard changes
+                {words.regions.discard}
               </button>
             </div>
           </>

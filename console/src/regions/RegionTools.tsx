@@ -3,6 +3,7 @@ import { useStore } from '../store';
 import type { Inspection } from '../types';
 import { addRegion, change, regionState, removeRegion } from './region_state';
 import { middleRectangle, type Size } from './shapes';
+import { words } from '../words/words';
 
 export function RegionTools({ inspection, size }: { inspection: Inspection; size: Size }) {
   const { corners, selected } = useStore(regionState);
@@ -10,13 +11,13 @@ export function RegionTools({ inspection, size }: { inspection: Inspection; size
     return (
       <div class="region-tools">
         <button type="button" data-testid="add-rectangle" onClick={() => addRegion(inspection, middleRectangle(size))}>
-          Add a rectangle
+          {words.regions.addRectangle}
         </button>
         <button type="button" data-testid="draw-corners" onClick={() => change({ corners: [], selected: -1 })}>
-          Draw by corners
+          {words.regions.drawByCorners}
         </button>
         <button type="button" data-testid="remove-selected" disabled={selected < 0} onClick={() => removeRegion(inspection, selected)}>
-          Remove region
+          {words.regions.remove}
         </button>
       </div>
     );
@@ -24,13 +25,13 @@ export function RegionTools({ inspection, size }: { inspection: Inspection; size
   return (
     <div class="region-tools">
       <button type="button" class="primary" data-testid="close-region" disabled={corners.length < 3} onClick={() => addRegion(inspection, corners)}>
-        Close region
+        {words.regions.closeRegion}
       </button>
       <button type="button" data-testid="undo-corner" disabled={corners.length === 0} onClick={() => change({ corners: corners.slice(0, -1) })}>
-        Undo corner
+        {words.regions.undoCorner}
       </button>
       <button type="button" data-testid="cancel-region" onClick={() => change({ corners: null })}>
-        Cancel
+        {words.page.cancel}
       </button>
     </div>
   );

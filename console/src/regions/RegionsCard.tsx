@@ -6,9 +6,10 @@ import { page } from '../pages';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { regionState, savedRegions, showView, unsavedViews } from './region_state';
-import { percent, purpose, regionCount } from './region_words';
+import { percent } from './region_words';
 import { StillRegions } from './RegionShapes';
 import { coveredShare, type Size } from './shapes';
+import { words } from '../words/words';
 
 function LeftOut({ inspection, view }: { inspection: Inspection; view: number }) {
   const [size, setSize] = useState<Size | null>(null);
@@ -28,8 +29,8 @@ function LeftOut({ inspection, view }: { inspection: Inspection; view: number })
         {size && <StillRegions regions={regions} size={size} />}
       </div>
       <figcaption>
-        View {view + 1}: {regionCount(regions.length)}
-        {size && `, ${percent(coveredShare(regions, size))} of the picture`}
+        {words.page.view(view + 1)}: {words.regions.count(regions.length)}
+        {size && `, ${words.regions.ofPicture(percent(coveredShare(regions, size)))}`}
       </figcaption>
     </figure>
   );
@@ -45,19 +46,19 @@ export function RegionsCard({ inspection, session }: { inspection: Inspection; s
   };
   return (
     <div class="card" data-testid="regions-card">
-      <h2>Leave out parts of the view</h2>
-      <p>{purpose}</p>
-      {nothing && <p class="hint">Nothing is left out.</p>}
+      <h2>{words.regions.leaveOut}</h2>
+      <p>{words.regions.purpose}</p>
+      {nothing && <p class="hint">{words.regions.nothingIs}</p>}
       {inspection.views.map((_, view) => (
         <LeftOut key={view} inspection={inspection} view={view} />
       ))}
       {unsaved && (
         <p class="warn" role="status">
-          Your changes are not saved yet.
+          {words.regions.unsaved}
         </p>
       )}
       <button type="button" data-testid="open-regions" onClick={open}>
-        {session.role === 'viewer' ? 'Show the regions' : 'Draw regions'}
+        {session.role === 'viewer' ? words.regions.show : words.regions.draw}
       </button>
     </div>
   );
