@@ -12,12 +12,9 @@ import { FindingLayer } from './FindingLayer';
 import { MeasureLayer } from './MeasureLayer';
 import { PointLayer, type Coloring } from './PointLayer';
 import { Scene3d } from './Scene3d';
+import { words } from '../words/words';
 
-const colorings: [Coloring, string][] = [
-  ['color', 'Colour'],
-  ['height', 'Height'],
-  ['change', 'Change'],
-];
+const colorings: Coloring[] = ['color', 'height', 'change'];
 
 interface Stage {
   scene: Scene3d;
@@ -29,7 +26,7 @@ interface Stage {
 
 async function load(inspection: Inspection, name: 'map' | 'changes', signal: AbortSignal): Promise<ArrayBuffer> {
   const response = await fetch(`/api/inspections/${inspection.id}/${name}?v=${inspection.comparison ?? 0}`, { signal });
-  if (!response.ok) throw new Error('There is no map of this inspection.');
+  if (!response.ok) throw new Error(words.space.noMap);
   return response.arrayBuffer();
 }
 
@@ -37,7 +34,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
   const box = useRef<HTMLDivElement>(null);
   const stage = useRef<Stage | null>(null);
   const [coloring, setColoring] = useState<Coloring>('color');
-  const [hint, setHint] = useState('Loading the map…');
+  const [hint, setHint] = useState(words.space.loading);
   const selected = useStore(review).group;
 
   useEffect(() => {
@@ -46,7 +43,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     try {
       scene = new Scene3d(box.current);
     } catch {
-      setHint('This browser cannot draw in 3D (WebGL is off). Everything else works without it.');
+      setHint(words.space.noWebGl);
       return;
     }
     const findings = new FindingLayer();
@@ -65,7 +62,7 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
         now.changes = new PointLayer(changes, largerThanOthers_m);
         scene.add(now.changes.points);
         scene.lookAt(now.points.center, now.points.radius_m);
-        setHint('Drag to turn, pinch or use the wheel to zoom, drag with the right button to pan.');
+        setHint(words.space.help);
       })
       .catch((error: Error) => {
         if (!loading.signal.aborted) setHint(error.message);
@@ -121,25 +118,25 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
   };
 
   return (
-    <section class="view" aria-label="3D view">
+    <section class="view" aria-label={words.space.view}>
       {measuring.active ? (
         <MeasureBar measuring={measuring} onMiddle={() => pickPoint()} />
       ) : (
         <div class="view-bar">
-          <div class="switch" role="radiogroup" aria-label="Colouring">
-            {colorings.map(([name, label]) => (
+          <div class="switch" role="radiogroup" aria-label={words.space.coloring}>
+            {colorings.map((name) => (
               <button key={name} type="button" role="radio" aria-checked={coloring === name} data-testid={`coloring-${name}`} onClick={() => setColoring(name)}>
-                {label}
+                {words.space.colorings[name]}
               </button>
             ))}
           </div>
           <button type="button" data-testid="whole-map" onClick={() => stage.current?.points && stage.current.scene.lookAt(stage.current.points.center, stage.current.points.radius_m)}>
-            Show all
+            {words.space.all}
           </button>
           <MeasureButton measuring={measuring} />
           {coloring === 'change' && (
             <span>
-              <span class="changed-mark" aria-hidden="true" /> Changed
+              <span class="changed-mark" aria-hidden="true" /> {words.review.changed}
             </span>
           )}
           <span class="hint" role="status" data-testid="map-status">
