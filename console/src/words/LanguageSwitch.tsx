@@ -6,7 +6,7 @@ import { chooseLanguage, language, otherLanguage } from './language';
 export function LanguageSwitch() {
   const { code, name } = otherLanguage(useStore(language));
   return (
-    <button type="button" class="quiet language-switch" lang={code} aria-label={name} data-testid="language" onClick={() => void attempt(() => chooseLanguage(code))}>
+    <button type="button" class="quiet language-switch" lang={code} aria-label={`${code.toUpperCase()}: ${name}`} data-testid="language" onClick={() => void attempt(() => chooseLanguage(code))}>
       {code.toUpperCase()}
     </button>
   );
