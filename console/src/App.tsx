@@ -25,6 +25,7 @@ import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
 import { ThemeSwitch } from './ThemeSwitch';
 import type { Inspection, Session } from './types';
+import { Glossary } from './words/Glossary';
 import { LanguageSwitch } from './words/LanguageSwitch';
 import { decimal, words } from './words/words';
 
@@ -135,6 +136,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           )}
         </button>
         <h1>{inspection ? titleOf(inspection) : words.page.title}</h1>
+        <Glossary page={inspection ? page : 'list'} />
         <LanguageSwitch />
         <ThemeSwitch />
         <Chips session={session} onSignedOut={onSignedOut} />

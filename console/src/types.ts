@@ -285,6 +285,8 @@ export interface LevelsAtDistance {
   p90_mm: number;
   /** In a baseline check only. */
   pixels?: number;
+  /** What is `window_px` wide in the image is as wide as this at `to_m`. Missing in records of earlier versions. */
+  width_mm?: number;
 }
 
 /** Levels of detection, docs/calibrated.md. */

@@ -3,7 +3,6 @@ import { useEffect, useState } from 'preact/hooks';
 import { api, baselineAddress } from '../link/api';
 import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
 import { FindableTable, NoiseReport } from './CaptureProgress';
-import { hiddenByDepth_px } from './words';
 import { words } from '../words/words';
 
 /** The largest levels that any view has at each distance. */
@@ -17,6 +16,7 @@ function worstOf(levels: Levels[]): Levels | null {
       ...row,
       median_mm: Math.max(row.median_mm, known?.median_mm ?? 0),
       p90_mm: Math.max(row.p90_mm, known?.p90_mm ?? 0),
+      ...(row.width_mm !== undefined && { width_mm: Math.max(row.width_mm, known?.width_mm ?? 0) }),
     });
   }
   return { ...first, by_distance: [...rows.values()].sort((a, b) => a.from_m - b.from_m) };
@@ -88,9 +88,7 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
       {levels && <FindableTable levels={levels} caption={words.inspection.findableHeight} />}
       {levels && (
         <p class="hint">
-          {words.inspection.wide(levels.window_px + hiddenByDepth_px)}
-          {check.views.length > 1 ? words.inspection.leastFavourable : ''}
-          {words.inspection.checked}
+          {check.views.length > 1 ? words.inspection.checkedLeast : words.inspection.checked}
         </p>
       )}
       {notes.map((note) => (

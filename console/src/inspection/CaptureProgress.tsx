@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { api } from '../link/api';
 import type { Levels, TaskStatus } from '../types';
 import { attempt } from './inspections';
-import { hiddenByDepth_px, millimetres } from './words';
+import { millimetres, objectWidth_mm } from './words';
 import { Rich } from '../words/Rich';
 import { decimal, percentText, sentence, words } from '../words/words';
 
@@ -26,18 +26,23 @@ function description(task: TaskStatus): string {
   return sentence(`${view}${number}${task.frame === 0 ? turn : frames(task.frame, task.frames)}`);
 }
 
-/** The least height of an object that would be found, by distance. */
+/** The least height of an object that would be found, by distance, and the width that it must have. */
 export function FindableTable({ levels, caption }: { levels: Levels; caption: string }) {
   const sure_mm = 100;
   const rows = levels.by_distance.filter((level) => level.median_mm < sure_mm);
+  const hasWidths = rows.every((level) => level.width_mm !== undefined);
   return (
     <table class="findable">
-      <caption>{caption}</caption>
+      <caption>
+        {caption}
+        {hasWidths && <small>{words.inspection.widthHelp}</small>}
+      </caption>
       <thead>
         <tr>
           <th scope="col">{words.inspection.distance}</th>
           <th scope="col">{words.inspection.betterHalf}</th>
           <th scope="col">{words.inspection.nearlyEverywhere}</th>
+          {hasWidths && <th scope="col">{words.inspection.width}</th>}
         </tr>
       </thead>
       <tbody>
@@ -48,6 +53,7 @@ export function FindableTable({ levels, caption }: { levels: Levels; caption: st
             </th>
             <td>{millimetres(level.median_mm)}</td>
             <td>{millimetres(level.p90_mm)}</td>
+            {hasWidths && <td>{millimetres(objectWidth_mm(levels, level) ?? 0)}</td>}
           </tr>
         ))}
       </tbody>
@@ -66,7 +72,7 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
         <Rich text={words.inspection.measures(percentText(noise.measured), `${decimal(noise.median_std_mm, 2)} mm`)} />
       </p>
       <FindableTable levels={noise.findable} caption={words.inspection.bestHeight} />
-      <p class="hint">{words.inspection.wideAfterwards(noise.findable.window_px + hiddenByDepth_px)}</p>
+      <p class="hint">{words.inspection.afterwards}</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>
         {shown ? words.inspection.hidePicture : words.inspection.showPicture}
       </button>

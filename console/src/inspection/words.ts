@@ -1,9 +1,14 @@
 // Names and phrases that the console uses.
-import type { ComparedView, FindableShare, Finding, FindingKind, InspectionSummary } from '../types';
+import type { ComparedView, FindableShare, Finding, FindingKind, InspectionSummary, Levels, LevelsAtDistance } from '../types';
 import { decimal, percentText, timeText, words } from '../words/words';
 
 /** By how much narrower than it is an object appears in the depth image (docs/calibrated.md); levels refer to its width in that image. */
-export const hiddenByDepth_px = 8;
+const hiddenByDepth_px = 8;
+
+/** The width of the smallest object to which a level applies; undefined if it is not known. */
+export function objectWidth_mm({ window_px }: Levels, { width_mm }: LevelsAtDistance): number | undefined {
+  return width_mm === undefined ? undefined : (width_mm * (window_px + hiddenByDepth_px)) / window_px;
+}
 
 export function titleOf(inspection: InspectionSummary): string {
   const parts = [inspection.aircraft, inspection.zone, inspection.work_order].filter((part) => part !== '');

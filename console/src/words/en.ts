@@ -38,6 +38,39 @@ export const en = {
     yourName: 'Your name',
   },
 
+  glossary: {
+    here: 'On this page',
+    more: 'Further terms',
+    open: 'What the terms mean',
+    terms: {
+      approach: ['Approach', 'After the work, the robot turns the camera to each pose of the baseline again, several times where needed, until the pictures show that it is close to it.'],
+      baseline: ['Baseline', 'The captures before the work. What you capture after the work is compared with them.'],
+      baselineCheck: ['Baseline check', 'One half of the baseline’s captures is compared with the other half. It shows how small an object would be found here, and what would be found although nothing changed.'],
+      capture: ['Capture', 'Pictures of depth, colour and infrared that the camera takes from one pose, many of each, so that noise averages out.'],
+      close: ['Close', 'To state by name that the inspection is complete. Nothing of it can be changed afterwards.'],
+      comparison: ['Comparison', 'The program compares the captures before and after the work and reports where they differ by more than noise.'],
+      coverage: ['Coverage', 'How much of the view was inspected. The rest has no measured depth, was hidden in the baseline, is an edge or too noisy, or was left out: inspect it by eye.'],
+      deadZone: ['Dead zone', 'How far a stick can be pushed before the camera turns.'],
+      debris: ['Debris', 'An object that was left behind: a tool, a rivet, a rag.'],
+      decision: ['Decision', 'What you state about a finding, with your name and the time. All decisions stay in the record.'],
+      depth: ['Depth', 'The distance from the camera, measured at each pixel. Black: none was measured there.'],
+      falseAlarm: ['False alarm', 'A finding where nothing changed: noise, a reflection, a hose that moved.'],
+      finding: ['Finding', 'A region in which the bay differs from the baseline: added (nearer than before), removed (farther), or of another appearance (brighter or darker).'],
+      height: ['Height', 'How far an object stands out from the surface around it, towards the camera.'],
+      installed: ['Installed work', 'A change that belongs to the work: a new bracket, a cable that was fitted.'],
+      lease: ['Controls', 'One person at a time turns the camera. Everybody can stop it.'],
+      leftOut: ['Region left out', 'A part of a view that is not compared, since it moves or changes by itself. It counts as not inspected.'],
+      level: ['Level of detection', 'The least height from which an object would be found in nine of ten inspections.'],
+      marked: ['Marked finding', 'What a person saw in a picture and marked. It is decided on like any other finding.'],
+      noise: ['Noise', 'How much the measured depth varies although nothing moves. Less noise, smaller objects.'],
+      panTilt: ['Pan and tilt', 'The two angles of the robot: to the left and right, up and down.'],
+      round: ['Round', 'One set of captures after the work. After debris was removed, another round shows that it is gone.'],
+      suspicion: ['Suspicion', 'How unlikely it is that noise alone shows such a finding: three dots are the most suspicious.'],
+      view: ['View', 'A pose of the camera from which the inspection captures, and what it sees from there.'],
+    } satisfies Record<string, [string, string]>,
+    title: 'Terms',
+  },
+
   signIn: {
     name: 'Name',
     password: 'Password',
@@ -131,6 +164,7 @@ export const en = {
   inspection: {
     addView: 'Add the current view',
     aircraft: 'Aircraft',
+    afterwards: 'After the final capture you see what was really possible.',
     any: 'Any',
     anotherBusy: 'Another inspection is being captured or compared.',
     askToHandBack: (name: string) => `${name} is driving. Ask them to hand back the controls.`,
@@ -147,7 +181,8 @@ export const en = {
     capturing: { initial: 'Capturing the baseline', final: 'Capturing after the work' },
     check: 'Check',
     checkAgain: 'Check again',
-    checked: ', determined by comparing the baseline with itself.',
+    checked: 'Determined by comparing the baseline with itself.',
+    checkedLeast: 'Of the least favourable view, determined by comparing the baseline with itself.',
     checking: 'The baseline is compared with itself. You need not wait for it.',
     checkingCamera: (done: number, total: number) => `Checking the camera: ${done} of ${total || '…'} frames`,
     compareCaptured: 'Compare what was captured',
@@ -169,7 +204,6 @@ export const en = {
     howSmall: 'How small an object would be found here',
     inspections: 'Inspections',
     keepStill: 'Keep hands and hoses still.',
-    leastFavourable: ', in the least favourable view',
     measures: (share: string, noise: string) => `The camera measures *${share}* of this view; depth noise: *${noise}*.`,
     more: 'Show more',
     nearlyEverywhere: 'nearly everywhere',
@@ -211,8 +245,8 @@ export const en = {
     viewOf: (number: number, of: number) => `view ${number} of ${of}`,
     views: 'Views',
     waiting: (reason: string) => `Waiting: ${reason}`,
-    wide: (width_px: number) => `For an object ${width_px} pixels wide`,
-    wideAfterwards: (width_px: number) => `For an object ${width_px} pixels wide. After the final capture you see what was really possible.`,
+    width: 'width, at least',
+    widthHelp: 'Narrower objects may be missed.',
     workOrder: 'Work order',
     zone: 'Zone',
   },
@@ -227,7 +261,7 @@ export const en = {
     farther: (height: string) => `surface ${height} farther than before`,
     findable: (size_mm: number, share: string) => `objects of ${size_mm} mm would have been found in ${share} of it`,
     findableToo: (size_mm: number, share: string) => `, of ${size_mm} mm in ${share}`,
-    kinds: { added: 'Something new', removed: 'Something gone', appearance: 'Looks different' },
+    kinds: { added: 'Added', removed: 'Removed', appearance: 'Looks different' },
     nearer: (height: string) => `surface ${height} nearer than before`,
     suspicions: ['Possibly changed', 'Very likely changed', 'Certainly changed'] as [string, string, string],
     verdicts: {
@@ -373,6 +407,9 @@ export const en = {
     view: '3D view',
   },
 };
+
+/** The terms that the glossary explains. */
+export type Term = keyof typeof en.glossary.terms;
 
 /** The texts in any language. */
 export type Words = typeof en;
