@@ -1,34 +1,31 @@
 """Checks that all data that a server acknowledged is present after it was killed and started again."""
-import zlib
-
 from contents import check_ply, check_png, contents, few
 from killing import run
 from ledger import MORE_PICTURES, PICTURES, digest, is_remains, optional_picture
+from record_checks import check_closing, check_listed, check_marks, check_rounds
 from server import Refused
 from setting import LOST, STUCK, UNEXPLAINED, Problem
 from stored import integrity, notes_of_decisions
+from whole import unless_whole
 
 BEGUN_WITH = ('aircraft', 'zone', 'work_order', 'person', 'created_at')
 
 
 def check_restarted(setting, server, ledger, data):
     """Problems in the records that the server returns."""
-    problems = []
     listed = {entry['id'] for entry in server.ask('GET', 'inspections')['inspections']}
+    problems = check_listed(ledger, listed)
     for number, known in ledger.inspections.items():
         if number not in listed:
-            problems.append(Problem(LOST, f'inspection {number} is gone'))
             continue
         now = server.ask('GET', f'inspections/{number}')
         if number == ledger.current:
-            problems += check_inspection(ledger, known, now)
+            problems += check_inspection(ledger, known, now) + check_closing(ledger, known, now)
+            problems += check_marks(server, ledger, known, now) + check_rounds(server, ledger, number)
             problems += check_pictures(server, ledger, now)
         elif any(now.get(key) != known.get(key) for key in (*BEGUN_WITH, 'views', 'initial', 'final', 'findings')):
             problems.append(Problem(LOST, f'inspection {number} has changed, although nothing was done on it'))
-    unknown = listed - set(ledger.inspections)
-    if len(unknown) > (ledger.pending == 'begin'):
-        problems.append(Problem(UNEXPLAINED, f'there are inspections without a request: {sorted(unknown)}'))
-    for number in unknown:
+    for number in listed - set(ledger.inspections):
         if not server.ask('GET', f'inspections/{number}')['views']:
             problems.append(Problem(UNEXPLAINED, f'inspection {number} was created incompletely: it has no view'))
     return problems + check_accounts(setting, ledger, data)
@@ -110,14 +107,6 @@ def check_pictures(server, ledger, now):
             except Refused as refused:
                 problems.append(Problem(LOST, f'its baseline cannot be seen: {refused}'))
     return problems
-
-
-def unless_whole(check, data, what):
-    try:
-        check(data)
-    except (ValueError, KeyError, zlib.error) as error:
-        return [Problem(LOST, f'{what} {error}')]
-    return []
 
 
 def check_accounts(setting, ledger, data):

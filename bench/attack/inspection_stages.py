@@ -28,7 +28,9 @@ class Step:
 STORY = (Step('begin', 'begin', 1, 2), Step('views', 'views', 1, 0), Step('initial', 'initial', 2, 3),
          Step('regions', 'regions', 0, 2), Step('final', 'final', 2, 4), Step('compare', 'compare', 1, 4),
          Step('decide', 'decide', 1, 3), Step('retake', 'final', 3, 4), Step('decide-again', 'decide', 0, 1),
-         Step('retake-again', 'final', 2, 3), Step('accounts', 'accounts', 0, 2))
+         Step('retake-again', 'final', 2, 3), Step('mark', 'mark', 2, 3), Step('decide-last', 'decide', 0, 0),
+         Step('decide-marks', 'decide_marks', 1, 2), Step('close', 'close', 1, 3), Step('delete', 'delete', 1, 2),
+         Step('accounts', 'accounts', 0, 2))
 WORK_BEGINS = 'final'  # from this step on, the bay is in its state after the work
 
 
@@ -99,8 +101,7 @@ class Story:
         """Begins an inspection on which nothing is done, and which must not change."""
         server = start(setting, self.rig, self.data, setting.folder / 'story.log', False, self.ledger)
         try:
-            Steps(setting, server, self.ledger, self.data).begin()
-            self.ledger.current = None
+            Steps(setting, server, self.ledger, self.data).begin_another()
         finally:
             server.stop()
 
@@ -189,7 +190,7 @@ class InspectionStage:
         except (Refused, *BROKEN_OFF) as error:
             return [*problems, Problem(STUCK, f'cannot be carried to its end: {error!r}')]
         if ledger.known()['stage'] != 'done':
-            problems.append(Problem(STUCK, f'all is decided, but its stage is {ledger.known()["stage"]}'))
+            problems.append(Problem(STUCK, f'it was closed, but its stage is {ledger.known()["stage"]}'))
         said = ''.join(log.read_text(errors='replace') for log in logs)
         return problems + check_captures(ledger, data, 'at the end') + check_stopped(ledger, data, said)
 

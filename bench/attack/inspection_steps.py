@@ -1,5 +1,6 @@
 """The steps of an inspection as a user performs them. Every answer is noted in the ledger."""
 from killing import run
+from server import Refused
 from setting import Unusable
 
 PASSWORD = 'correct horse'
@@ -12,11 +13,15 @@ class Steps:
         self.setting, self.server, self.ledger, self.data = setting, server, ledger, data
 
     def begin(self):
+        self.ledger.current = self.begin_another()
+
+    def begin_another(self):
+        """Begins an inspection that is not the current one. Returns its number."""
         with self.ledger.asking('begin'):
             answer = self.server.ask('POST', 'inspections', {'aircraft': 'A1', 'zone': 'wing', 'work_order': '7',
                                                              'person': self.server.person})
             self.ledger.note(answer)
-            self.ledger.current = answer['id']
+        return answer['id']
 
     def views(self):
         with self.ledger.asking('views', VIEWS):
@@ -56,6 +61,35 @@ class Steps:
                 self.ledger.notes.append(note)
                 self.ledger.note(answer)
 
+    def mark(self):
+        """Marks a finding in the pictures of a view, and another one in the live picture, which is kept."""
+        box = {'bbox': [300, 200, 24, 24], 'person': self.server.person}
+        for where in ({'comparison': self.ledger.known()['comparison'], 'view': 0}, {'stream': 'depth'}):
+            with self.ledger.asking('mark'):
+                self.ledger.note(self.server.ask('POST', self._path('marked'), {**box, **where, 'note': 'a rag'}))
+
+    def decide_marks(self):
+        for mark in self.ledger.known()['marked']:
+            if 'decision' in mark:
+                continue
+            with self.ledger.asking('decide-mark'):
+                self.ledger.note(self.server.ask('POST', self._path(f'marked/{mark["number"]}/decision'),
+                                                 {'verdict': 'installed-work', 'note': '', 'person': self.server.person}))
+
+    def close(self):
+        with self.ledger.asking('close'):
+            self.ledger.note(self.server.ask('POST', self._path('close'),
+                                             {'comparison': self.ledger.known()['comparison'], 'note': 'seen',
+                                              'person': self.server.person}))
+
+    def delete(self):
+        """Deletes the inspections of which nothing was captured, and begins another one."""
+        for number in [number for number in self.ledger.inspections if number != self.ledger.current]:
+            with self.ledger.asking('delete'):
+                self.server.ask('DELETE', f'inspections/{number}', {})
+                self.ledger.note_deleted(number)
+        self.begin_another()
+
     def accounts(self):
         """Changes accounts by the command line while the server runs."""
         self._account('add', 'ann', '--role', 'inspector')
@@ -79,8 +113,12 @@ class Steps:
             self.look()
 
     def to_the_end(self):
-        """Performs the steps that are missing after a kill, then takes the final side once more and decides on all findings."""
+        """Performs the steps that are missing after a kill, takes the final side once more, decides on all findings, and
+        closes the inspection. One that is closed already must not change."""
         self._ask_again()
+        if 'closing' in self.ledger.known():
+            self._expect_refusal()
+            return
         if 'final' not in self.ledger.known():
             self.final()
         elif 'compared_at' not in self.ledger.known():
@@ -90,11 +128,25 @@ class Steps:
         self.final()
         self.look()
         self.decide()
+        self.mark()
+        self.decide_marks()
+        self.close()
         self.look()
+
+    def _expect_refusal(self):
+        try:
+            self._capture('final')
+        except Refused:
+            self.look()
+            return
+        raise Refused('a closed inspection was captured again')
 
     def _ask_again(self):
         """After a kill, accepts the current state of the inspection; nothing is pending any more."""
         self.ledger.note(self.server.ask('GET', f'inspections/{self.ledger.current}'))
+        listed = {entry['id'] for entry in self.server.ask('GET', 'inspections')['inspections']}
+        for number in set(self.ledger.inspections) - listed:
+            self.ledger.note_deleted(number)
         self.ledger.pending = self.ledger.wanted_views = None
         self.ledger.owed.clear()
 

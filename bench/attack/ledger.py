@@ -35,11 +35,15 @@ class Ledger:
     unfinished:  paths of captures of an interrupted side, which the program may keep or remove
     pictures:    digests of the pictures of the current inspection's comparison, by view and name
     accounts:    roles by name
+    marks:       digests of the pictures in which findings of the current inspection were marked, by number
+    rounds:      the comparisons of the current inspection when they were last read
+    deleted:     numbers of inspections that were deleted; greatest: the highest number that was ever given
     """
 
     def __init__(self):
         self.inspections, self.owed, self.notes = {}, set(), []
         self.captures, self.pictures, self.accounts = {}, {}, {}
+        self.marks, self.rounds, self.deleted, self.greatest = {}, [], set(), 0
         self.unfinished = set()
         self.pending, self.wanted_views = None, None
         self.current = None  # number of the current inspection
@@ -54,8 +58,16 @@ class Ledger:
     def may_have_come(self, what):
         return self.pending == what or what in self.owed
 
+    def may_be_deleted(self, number):
+        return self.pending == 'delete' and number != self.current
+
     def note(self, answer):
         self.inspections[answer['id']] = answer
+        self.greatest = max(self.greatest, answer['id'])
+
+    def note_deleted(self, number):
+        del self.inspections[number]
+        self.deleted.add(number)
 
     def known(self):
         return self.inspections[self.current]
@@ -66,6 +78,9 @@ class Ledger:
         self.note(answer)
         self.owed.clear()
         self.pictures.clear()
+        self.rounds = server.ask('GET', f'inspections/{self.current}/rounds')['rounds']
+        self.marks = {mark['number']: digest(server.download(f'inspections/{self.current}/marked/{mark["number"]}/picture.png'))
+                      for mark in answer['marked']}
         for compared in answer['compared']:
             for name in PICTURES + MORE_PICTURES:
                 picture = optional_picture(server, f'inspections/{self.current}/views/{compared["view"]}/{name}.png')
