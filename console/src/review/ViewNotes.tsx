@@ -29,7 +29,7 @@ export function ViewNotes({ inspection }: { inspection: Inspection }) {
         <details data-testid="view-notes">
           <summary>
             <span>
-              <Rich text={words.review.ofView(percentText(compared.judged), inspection.views.length > 1 ? words.review.viewNumber(view + 1) : words.review.thisView)} />
+              <Rich text={inspection.views.length > 1 ? words.review.ofView(percentText(compared.judged), view + 1) : words.review.ofThisView(percentText(compared.judged))} />
               {compared.findable.length > 0 && `; ${findableText(compared.findable)}`}
             </span>
             {compared.warnings.length > 0 && <span class="warn">{words.review.warnings(compared.warnings.length)}</span>}
