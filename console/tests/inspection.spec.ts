@@ -126,6 +126,7 @@ test('a baseline of four captures is compared with itself, and nobody has to wai
   const check = page.getByTestId('baseline-check');
   await expect(check.getByRole('row')).not.toHaveCount(0, { timeout: 60_000 });
   await expect(check.getByRole('row').nth(1)).toContainText(/\d mm/);
+  await expect(check.getByTestId('expected')).toHaveText(/objects of 5 mm are expected to be found in \d+ % of the view, of 10 mm in \d+ %, of 20 mm in \d+ %/);
   await check.getByRole('button').click();
   const picture = check.getByRole('img');
   await expect.poll(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(800);

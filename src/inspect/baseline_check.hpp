@@ -4,11 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "capture/capture.hpp"
 #include "core/progress.hpp"
+#include "detect/findings/detection.hpp"
 #include "inspect/inspection.hpp"
 #include "inspect/inspection_folder.hpp"
 
 namespace rva {
+
+/// Compares the first half of a view's baseline captures with the second half. The level of detection is that
+/// which a comparison of all of them with as many captures after the work is expected to reach: half of that
+/// of the halves, since those have half as many captures, from other poses than each other.
+/// @param baseline at least two captures
+/// @throws Error as detect() does; Interrupted
+[[nodiscard]] Detection expected_detection(Captures baseline, const Progress& progress);
 
 /// Compares the first half of each view's baseline captures with the second half, in the way that the two
 /// sides of an inspection are compared. Writes the folder InspectionFolder::baseline_check(): `check.json`
@@ -16,8 +25,7 @@ namespace rva {
 /// changed) and the levels of detection, or why the halves could not be compared; `level_of_detection.png` of
 /// each view; and `depth_overlay.png` of each view with the false findings marked.
 ///
-/// A side of the inspection has twice as many captures as a half, so its noise is smaller by the square root
-/// of two. The levels of detection are divided by that factor.
+/// The levels of detection and the shares in which objects would be found are those of expected_detection().
 ///
 /// Does nothing if a view has fewer than four captures or the folder already exists. A capture that cannot be
 /// read is reported as the problem of its view.

@@ -43,6 +43,7 @@ class NoiseWatch {
 
  private:
   StereoScale stereo_;
+  double focal_px_;
   DepthStatistics even_;
   DepthStatistics odd_;
   DepthImage first_;

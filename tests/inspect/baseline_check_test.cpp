@@ -74,6 +74,11 @@ TEST_F(BaselineCheck, OfWhatStaysTheSameFindsNothingAndStatesLevels) {
   const double level_mm = view()["level_of_detection"]["by_distance"][0]["median_mm"];
   EXPECT_GT(level_mm, 0.1);
   EXPECT_LT(level_mm, 20.0);
+  const nlohmann::json findable = view()["level_of_detection"]["findable"];
+  ASSERT_EQ(findable.size(), 3U);
+  EXPECT_EQ(findable[0]["size_mm"], 5.0);
+  EXPECT_LE(findable[0]["share"], findable[2]["share"]);
+  EXPECT_GT(findable[2]["share"], 0.1);
   EXPECT_TRUE(fs::exists(folder_.baseline_check() / "000" / "level_of_detection.png"));
 }
 

@@ -49,6 +49,17 @@ TEST(NoiseWatch, MoreNoiseHidesLargerThingsAndMoreFramesShowSmaller) {
   EXPECT_GT(median_level_mm(watched(3.0, 8)), 1.3 * median_level_mm(watched(3.0, 80)));
 }
 
+TEST(NoiseWatch, StatesInWhatShareObjectsWouldBeFound) {
+  const std::vector<FindableShare> quiet = watched(2.0, 40).findable.findable;
+  const std::vector<FindableShare> noisy = watched(100.0, 40).findable.findable;
+  ASSERT_EQ(quiet.size(), findable_sizes_mm.size());
+  for (std::size_t k = 0; k < quiet.size(); ++k) {
+    EXPECT_EQ(quiet[k].size_mm, findable_sizes_mm[k]);
+    EXPECT_LE(noisy[k].share, quiet[k].share);
+  }
+  EXPECT_GT(quiet.back().share, noisy.back().share + 0.5) << "20 mm drown in noise";
+}
+
 TEST(NoiseWatch, WhereNothingIsMeasuredNothingCouldBeFound) {
   NoiseWatch watch(camera());
   for (int k = 0; k < 4; ++k) watch.add(DepthImage(width, height));

@@ -3,6 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { api, baselineAddress } from '../link/api';
 import type { BaselineCheck, Inspection, Levels, TaskStatus } from '../types';
 import { FindableTable, NoiseReport } from './CaptureProgress';
+import { findableText, leastFindable } from './words';
 import { words } from '../words/words';
 
 /** The largest levels that any view has at each distance. */
@@ -80,11 +81,14 @@ export function BaselineCheckCard({ inspection, task }: { inspection: Inspection
     );
   }
   if (!check) return <NoiseReport task={task} />;
-  const levels = worstOf(check.views.flatMap((view) => view.level_of_detection ?? []));
+  const checked = check.views.flatMap((view) => view.level_of_detection ?? []);
+  const levels = worstOf(checked);
+  const expected = findableText(leastFindable(checked.map(({ findable = [] }) => ({ findable }))), check.views.length > 1 ? 'expectedLeast' : 'expected');
   const notes = check.views.map(noteOf).filter((note) => note !== null);
   return (
     <div class="card" data-testid="baseline-check">
       <h2>{words.inspection.howSmall}</h2>
+      {expected && <p data-testid="expected">{words.inspection.expected(expected)}</p>}
       {levels && <FindableTable levels={levels} caption={words.inspection.findableHeight} />}
       {levels && (
         <p class="hint">

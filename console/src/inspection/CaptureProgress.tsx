@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { api } from '../link/api';
 import type { Levels, TaskStatus } from '../types';
 import { attempt } from './inspections';
-import { millimetres, objectWidth_mm } from './words';
+import { findableText, millimetres, objectWidth_mm } from './words';
 import { Rich } from '../words/Rich';
 import { decimal, percentText, sentence, words } from '../words/words';
 
@@ -61,16 +61,34 @@ export function FindableTable({ levels, caption }: { levels: Levels; caption: st
   );
 }
 
+/** Captures of a view from which on a baseline is compared with itself. */
+const least_to_check = 4;
+
 export function NoiseReport({ task }: { task: TaskStatus }) {
   const [shown, setShown] = useState(false);
   const noise = task.noise;
   if (!noise) return null;
+  const measures = words.inspection.measures(percentText(noise.measured), `${decimal(noise.median_std_mm, 2)} mm`);
+  // A robot does not return exactly, so that less would be found than these frames show.
+  if (task.captures > 1) {
+    return (
+      <div class="card" data-testid="noise">
+        <h2>{words.inspection.whatIsMeasured}</h2>
+        <p>
+          <Rich text={measures} />
+        </p>
+        <p class="hint">{task.captures < least_to_check ? words.inspection.knownAfterwards : words.inspection.knownWithBaseline}</p>
+      </div>
+    );
+  }
+  const shares = sentence(findableText(noise.findable.findable ?? [], 'atBest'));
   return (
     <div class="card" data-testid="noise">
       <h2>{words.inspection.howSmall}</h2>
       <p>
-        <Rich text={words.inspection.measures(percentText(noise.measured), `${decimal(noise.median_std_mm, 2)} mm`)} />
+        <Rich text={measures} />
       </p>
+      {shares && <p>{shares}.</p>}
       <FindableTable levels={noise.findable} caption={words.inspection.bestHeight} />
       <p class="hint">{words.inspection.afterwards}</p>
       <button type="button" aria-expanded={shown} onClick={() => setShown(!shown)}>

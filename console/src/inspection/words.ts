@@ -56,10 +56,11 @@ export function whereAndHow(finding: Finding, marked = false): string {
   const change = finding.height_mm;
   const height = finding.above_surroundings_mm;
   const top = finding.top_above_surroundings_mm;
-  const before = finding.kind === 'removed' ? ' before' : '';
-  if (top !== undefined) parts.push(`${finding.top_is_least ? 'at least ' : ''}${millimetres(top)} high${before}`);
-  else if (height !== undefined) parts.push(`${millimetres(height)} above its surroundings${before}`);
-  if (finding.background_jump) parts.push('at an edge, where the background jumps');
+  const { high, highBefore, above, aboveBefore, atEdge, atLeast } = words.finding;
+  const removed = finding.kind === 'removed';
+  if (top !== undefined) parts.push((removed ? highBefore : high)(finding.top_is_least ? atLeast(millimetres(top)) : millimetres(top)));
+  else if (height !== undefined) parts.push((removed ? aboveBefore : above)(millimetres(height)));
+  if (finding.background_jump) parts.push(atEdge);
   else if (change !== undefined && height === undefined)
     parts.push(finding.kind === 'added' ? words.finding.nearer(millimetres(Math.abs(change))) : words.finding.farther(millimetres(Math.abs(change))));
   return parts.join(', ');
@@ -67,15 +68,13 @@ export function whereAndHow(finding: Finding, marked = false): string {
 
 /**
  * "objects of 5 mm would have been found in 76 % of it, of 10 mm in 91 %"; empty if it is not known.
- * @param found what is stated of the objects: that they would have been found, or are expected to be
- * @param where the part of which the shares are
+ * @param stated that they would have been found, are expected to be, or would be at best
  */
-export function findableText(shares: FindableShare[], found = 'would have been found', where = 'it'): string {
+export function findableText(shares: FindableShare[], stated: keyof typeof words.finding.findable = 'found'): string {
   const [first, ...others] = shares;
   if (!first) return '';
-  const share = ({ share: part }: FindableShare) => `${Math.round(100 * part)} %`;
-  const rest = others.map((other) => `, of ${other.size_mm} mm in ${share(other)}`);
-  return `objects of ${first.size_mm} mm ${found} in ${share(first)} of ${where}${rest.join('')}`;
+  const rest = others.map((other) => words.finding.findableToo(other.size_mm, percentText(other.share)));
+  return `${words.finding.findable[stated](first.size_mm, percentText(first.share))}${rest.join('')}`;
 }
 
 /** For each size, the share of the view in which least of it would have been found. */

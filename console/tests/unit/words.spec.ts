@@ -64,7 +64,7 @@ test('a share is named with the size that it is of, and is that of the least fav
     { findable: [{ size_mm: 5, share: 0.5 }, { size_mm: 10, share: 0.7 }] },
   ] as ComparedView[];
   expect(findableText(leastFindable(views))).toBe('objects of 5 mm would have been found in 40 % of it, of 10 mm in 70 %');
-  expect(findableText(leastFindable(views), 'are expected to be found', 'the view')).toBe('objects of 5 mm are expected to be found in 40 % of the view, of 10 mm in 70 %');
+  expect(findableText(leastFindable(views), 'expected')).toBe('objects of 5 mm are expected to be found in 40 % of the view, of 10 mm in 70 %');
   expect(findableText(leastFindable([...views, { findable: [] } as unknown as ComparedView])), 'not known of one view').toBe('objects of 5 mm would have been found in 0 % of it, of 10 mm in 0 %');
   expect(findableText(leastFindable([]))).toBe('');
 });
