@@ -6,20 +6,7 @@ import type { MeasureTool } from '../types';
 import { pointsOf, type Measuring } from './measuring';
 import { ProfileChart } from './ProfileChart';
 import { resultText } from './result';
-
-const names: [MeasureTool, string][] = [
-  ['distance', 'Distance'],
-  ['length', 'Length'],
-  ['height', 'Height'],
-  ['profile', 'Profile'],
-];
-
-const guides: Record<MeasureTool, string[]> = {
-  distance: ['Tap a point for its distance from the camera.'],
-  length: ['Tap the first end.', 'Tap the other end.'],
-  height: ['Tap three points of the surface: the first.', 'The second point of the surface.', 'The third point of the surface.', 'Tap the point above the surface.'],
-  profile: ['Tap the first end of the line.', 'Tap its other end.'],
-};
+import { words } from '../words/words';
 
 interface Props<Point> {
   measuring: Measuring<Point>;
@@ -31,7 +18,7 @@ interface Props<Point> {
 export function MeasureButton<Point>({ measuring }: { measuring: Measuring<Point> }) {
   return (
     <button type="button" data-testid="measure-begin" onClick={measuring.begin}>
-      Measure
+      {words.measure.begin}
     </button>
   );
 }
@@ -39,7 +26,7 @@ export function MeasureButton<Point>({ measuring }: { measuring: Measuring<Point
 function textOf<Point>({ measured, refused, points, tool }: Measuring<Point>): string {
   if (refused) return refused;
   if (measured) return resultText(measured);
-  return points.length < pointsOf[tool] ? guides[tool][points.length]! : 'Measuring…';
+  return points.length < pointsOf[tool] ? words.measure.guides[tool][points.length]! : words.measure.measuring;
 }
 
 export function MeasureBar<Point>({ measuring, onMiddle }: Props<Point>) {
@@ -50,18 +37,18 @@ export function MeasureBar<Point>({ measuring, onMiddle }: Props<Point>) {
     window.addEventListener('keydown', press);
     return () => window.removeEventListener('keydown', press);
   }, []);
-  const options = names.filter(([name]) => measuring.tools.includes(name));
+  const options = measuring.tools.map((name): [MeasureTool, string] => [name, words.measure.tools[name]]);
   return (
     <div class="view-bar measure-bar" data-testid="measure-bar">
-      {options.length > 1 && <Choice label="Measure" name="tool" options={options} value={tool} onPick={measuring.setTool} />}
+      {options.length > 1 && <Choice label={words.measure.begin} name="tool" options={options} value={tool} onPick={measuring.setTool} />}
       <button type="button" data-testid="measure-middle" onClick={onMiddle}>
-        Point in the middle
+        {words.measure.middle}
       </button>
       <button type="button" data-testid="measure-clear" disabled={points.length === 0} onClick={measuring.clear}>
-        Clear
+        {words.measure.clear}
       </button>
       <button type="button" data-testid="measure-leave" onClick={leave}>
-        Done
+        {words.measure.leave}
       </button>
       <strong class="measure-result" role="status" data-testid="measure-result">
         {textOf(measuring)}

@@ -1,6 +1,7 @@
 // Heights along a line, with their uncertainty as a band; gaps stay empty.
 import type { ProfileSample } from '../types';
 import { measuredSamples, type Measured } from './result';
+import { words } from '../words/words';
 
 const width = 600;
 const height = 120;
@@ -32,7 +33,7 @@ export function ProfileChart({ profile }: { profile: ProfileSample[] }) {
       .map(([u, v]) => `${u!.toFixed(1)},${v!.toFixed(1)}`)
       .join(' ');
   return (
-    <svg class="profile-chart" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" role="img" aria-label="Heights along the line" data-testid="profile">
+    <svg class="profile-chart" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" role="img" aria-label={words.measure.chart} data-testid="profile">
       {pieces(profile).map((piece) => (
         <g key={piece[0]!.share}>
           <polygon class="profile-band" points={band(piece)} />

@@ -1,4 +1,5 @@
 // A length with its uncertainty, as people read it.
+import { decimal } from '../words/words';
 
 // One digit of the uncertainty that is not 0, and two where the first is 1, since rounding it would change it by half.
 function decimalsOf(uncertainty_mm: number): number {
@@ -10,8 +11,8 @@ function decimalsOf(uncertainty_mm: number): number {
 
 /** For example "123.4 mm ± 0.8 mm": the digits follow from the uncertainty. */
 export function quantityText(value_mm: number, uncertainty_mm: number): string {
-  if (!(uncertainty_mm > 0)) return `${value_mm.toFixed(1)} mm`;
+  if (!(uncertainty_mm > 0)) return `${decimal(value_mm, 1)} mm`;
   const decimals = decimalsOf(uncertainty_mm);
-  const text = (number: number) => `${number.toFixed(decimals).replace('-', '−').replace(/^−(0(\.0*)?)$/, '$1')} mm`;
+  const text = (number: number) => `${decimal(number, decimals).replace('-', '−').replace(/^−(0([.,]0*)?)$/, '$1')} mm`;
   return `${text(value_mm)} ± ${text(uncertainty_mm)}`;
 }

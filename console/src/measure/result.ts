@@ -1,5 +1,6 @@
 // What a measurement states, in words.
 import type { Measurement, ProfileSample } from '../types';
+import { percentText, words } from '../words/words';
 import { quantityText } from './quantity';
 
 export type Measured = Required<Pick<ProfileSample, 'share' | 'along_mm' | 'height_mm' | 'height_uncertainty_mm'>>;
@@ -16,18 +17,18 @@ export function gapShare(profile: ProfileSample[]): number {
 
 function profileText(profile: ProfileSample[]): string {
   const samples = measuredSamples(profile);
-  if (samples.length === 0) return 'nothing is measured along this line';
+  if (samples.length === 0) return words.measure.nothing;
   const highest = samples.reduce((best, sample) => (sample.height_mm > best.height_mm ? sample : best));
   const lowest = samples.reduce((best, sample) => (sample.height_mm < best.height_mm ? sample : best));
   const gaps = gapShare(profile);
-  const text = `highest ${quantityText(highest.height_mm, highest.height_uncertainty_mm)}, lowest ${quantityText(lowest.height_mm, lowest.height_uncertainty_mm)}`;
-  return gaps > 0 ? `${text}; ${Math.max(1, Math.round(100 * gaps))} % not measured` : text;
+  const text = words.measure.profile(quantityText(highest.height_mm, highest.height_uncertainty_mm), quantityText(lowest.height_mm, lowest.height_uncertainty_mm));
+  return gaps > 0 ? text + words.measure.gaps(percentText(Math.max(0.01, gaps))) : text;
 }
 
 function valueText(measurement: Measurement): string {
   const { tool, points, height_mm, height_uncertainty_mm = 0, length_mm, length_uncertainty_mm = 0, profile } = measurement;
   if (tool === 'height' && height_mm !== undefined)
-    return `${quantityText(Math.abs(height_mm), height_uncertainty_mm)} ${height_mm < 0 ? 'below' : 'above'} the surface`;
+    return (height_mm < 0 ? words.measure.below : words.measure.above)(quantityText(Math.abs(height_mm), height_uncertainty_mm));
   if (profile) return profileText(profile);
   if (length_mm !== undefined) return quantityText(length_mm, length_uncertainty_mm);
   const [point] = points;
@@ -38,7 +39,7 @@ function valueText(measurement: Measurement): string {
 export function resultText(measurement: Measurement): string {
   if (measurement.problem) return measurement.problem;
   const nearEdge = measurement.points.some((point) => point?.near_edge);
-  return valueText(measurement) + (nearEdge ? ' (near an edge, where the camera may show the surface beside it)' : '');
+  return valueText(measurement) + (nearEdge ? words.measure.nearEdge : '');
 }
 
 /** The same without remarks, for the picture. */

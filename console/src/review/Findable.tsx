@@ -5,12 +5,13 @@ import { percent } from '../regions/region_words';
 import { useStore } from '../store';
 import type { FindableShare } from '../types';
 import { review, show } from './review_state';
+import { words } from '../words/words';
 
 /** Of one size at a time, since what would be found of small objects would be found of large ones, too. */
 export function FindableChoice({ findable }: { findable: FindableShare[] }) {
   const { findable_mm } = useStore(review);
-  const label = 'Where an object would have been found';
-  const options: [string, string][] = [['0', 'None'], ...findable.map(({ size_mm }): [string, string] => [String(size_mm), `${size_mm} mm`])];
+  const label = words.review.findable;
+  const options: [string, string][] = [['0', words.review.findableNone], ...findable.map(({ size_mm }): [string, string] => [String(size_mm), `${size_mm} mm`])];
   return (
     <div class="findable-choice">
       <span aria-hidden="true">{label}</span>
@@ -40,17 +41,17 @@ export function useFindable(findable: FindableShare[], addressOf: (name: string)
 
 export function FindablePicture({ layer }: { layer: FindableLayer }) {
   if (layer.missing) return null;
-  return <img src={layer.address} alt={`Dotted: an object of ${layer.size_mm} mm would have been found`} draggable={false} class="glow dotted" data-testid="picture-findable" onError={layer.onMissing} />;
+  return <img src={layer.address} alt={words.review.findablePicture(layer.size_mm)} draggable={false} class="glow dotted" data-testid="picture-findable" onError={layer.onMissing} />;
 }
 
 export function FindableLegend({ layer }: { layer: FindableLayer }) {
   return (
     <span class="picture-label findable-legend" role="status" data-testid="findable-legend">
       {layer.missing ? (
-        'This comparison was made by an earlier version, which drew no such picture. Compare again to see it.'
+        words.review.findableMissing
       ) : (
         <>
-          <span class="dots" aria-hidden="true" /> An object of {layer.size_mm} mm would have been found: {percent(layer.share)} of this view
+          <span class="dots" aria-hidden="true" /> {words.review.findableShare(layer.size_mm, percent(layer.share))}
         </>
       )}
     </span>

@@ -145,7 +145,7 @@ function Pictures({ inspection, group }: { inspection: Inspection; group: Group 
   return (
     <>
       <CloseUp before={address('initial')} after={address('final')} size={size} bbox={best.bbox} />
-      {group.all.length > 1 && <small data-testid="close-up-view">{`In view ${best.view + 1}, which shows it best`}</small>}
+      {group.all.length > 1 && <small data-testid="close-up-view">{words.review.bestIn(best.view + 1)}</small>}
     </>
   );
 }
