@@ -29,9 +29,9 @@ using Json = nlohmann::ordered_json;
 constexpr int least_captures = 4;
 // The level of a comparison of all captures before and after the work, per level of a comparison of the
 // halves. A half has half as many captures: the root of two. The halves were taken from different poses,
-// while a robot that returns to within half a servo step sees most dots of its projector on the same places
-// again, so that part of the errors of both sides is the same: another 1.41 (1.27 to 1.55 in five simulated
-// bays, geometric mean; docs/console.md).
+// while a robot that returns to within half a servo step sees most dots of its projector at the same
+// positions again, so that part of the errors of both sides is the same: another 1.41 (1.27 to 1.55 in five
+// simulated bays, geometric mean; docs/console.md).
 constexpr float level_of_all_per_half = 0.5F;
 
 void write_pictures(const Detection& detection, const fs::path& folder) {
