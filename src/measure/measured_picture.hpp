@@ -17,7 +17,7 @@ struct PictureCamera {
 
 /// A picture whose points are measured in a depth image, which another imager or another pose may have taken.
 struct MeasuredPicture {
-  UncertainView view;
+  UncertainView view;                    ///< of the depth image
   std::optional<PictureCamera> picture;  ///< empty where the picture has the pixels of the depth image
 
   /// The pixel of the depth image whose surface is visible at a pixel of the picture: the nearest to the

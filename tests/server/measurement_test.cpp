@@ -7,7 +7,7 @@
 namespace rva {
 namespace {
 
-// A wall at one metre, and a colour imager at the same place.
+// A wall at one metre.
 std::shared_ptr<LiveFrame> wall() {
   auto live = std::make_shared<LiveFrame>();
   live->info.depth = {160, 120, 200.0, 200.0, 79.5, 59.5};
