@@ -56,9 +56,15 @@ void print_levels(const DetectionLevelSummary& summary) {
       "judged {:.1f} % of the view; there, what shows {} pixels wide would have been found from this "
       "height:\n",
       100.0 * summary.judged, summary.window_px);
-  for (const DetectionLevels& levels : summary.by_distance)
+  // At distances with fewer pixels, most are wrong matches; level_of_detection.json has them.
+  constexpr std::size_t fewest_of_all = 500;
+  std::size_t all = 0;
+  for (const DetectionLevels& levels : summary.by_distance) all += levels.pixels;
+  for (const DetectionLevels& levels : summary.by_distance) {
+    if (levels.pixels * fewest_of_all < all) continue;
     print("{:>9.1f}-{:.1f} m: {:.1f} mm in half of it, {:.1f} mm in nine tenths\n", levels.from_m,
           levels.to_m, levels.median_mm, levels.p90_mm);
+  }
   std::string shares;
   for (const FindableShare& findable : summary.findable)
     shares += shares.empty()

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -38,17 +39,27 @@ void print_row(const char* name, const NoiseBin& bin) {
 }
 
 // Distances with fewer pixels are in noise.json only: they are wrong matches more often than surfaces.
-constexpr std::size_t fewest_pixels = 100;
+std::size_t fewest_pixels(const NoiseReport& report) {
+  constexpr std::size_t at_least = 100;
+  constexpr std::size_t of_all = 500;
+  return std::max(at_least, report.overall.pixels / of_all);
+}
 
 void print_for_a_person(const NoiseArguments& arguments, const NoiseReport& report) {
   print("{} frames, {:.1f} % of pixels measured\n", report.frames, 100.0 * report.fill_rate);
   print("{:>10}  {:>9}  {:>14}  {:>11}  {:>12}\n", "distance m", "pixels", "median std mm", "95 % std mm",
         "sub-pixel px");
+  const std::size_t fewest = fewest_pixels(report);
+  std::size_t left_out = 0;
   for (const NoiseBin& bin : report.bins) {
-    if (bin.pixels < fewest_pixels) continue;
-    print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
+    if (bin.pixels < fewest)
+      left_out += bin.pixels > 0 ? 1 : 0;
+    else
+      print_row(fmt::format("{:.2f}-{:.2f}", bin.from_m, bin.to_m).c_str(), bin);
   }
   print_row("all", report.overall);
+  if (left_out > 0)
+    print("{} more distance(s) with fewer than {} pixels each are in noise.json\n", left_out, fewest);
   if (report.overall.pixels == 0) print("no pixel was measured twice, so the noise is unknown\n");
   print(
       "Welch's test, first against last {} frames: {:.1f} % of pixels differ (p < {}; {:.1f} % expected if "

@@ -206,6 +206,7 @@ class NoiseTest(program.ProgramTest):
         table = self.succeed('noise', capture, '--out', self.out).stdout
         for distance, printed in (('1.50', True), ('2.00', True), ('6.00', False), ('5.75', False)):
             self.assertEqual(f' {distance}-' in table, printed, table)
+        self.assertIn('more distance(s) with fewer than 100 pixels each are in noise.json', table)
         far = [entry for entry in json.loads((self.out / 'noise.json').read_text())['by_distance'] if entry['from_m'] > 5]
         self.assertEqual(sum(entry['pixels'] for entry in far), 8)
 
