@@ -53,17 +53,17 @@ struct DetectArguments {
 
 void print_levels(const DetectionLevelSummary& summary) {
   print(
-      "judged {:.1f} % of the view; there, what shows {} pixels wide would have been found from this "
-      "height:\n",
-      100.0 * summary.judged, summary.window_px);
+      "judged {:.1f} % of the view; there, what the depth image shows as wide as stated would have been "
+      "found from this height:\n",
+      100.0 * summary.judged);
   // At distances with fewer pixels, most are wrong matches; level_of_detection.json has them.
   constexpr std::size_t fewest_of_all = 500;
   std::size_t all = 0;
   for (const DetectionLevels& levels : summary.by_distance) all += levels.pixels;
   for (const DetectionLevels& levels : summary.by_distance) {
     if (levels.pixels * fewest_of_all < all) continue;
-    print("{:>9.1f}-{:.1f} m: {:.1f} mm in half of it, {:.1f} mm in nine tenths\n", levels.from_m,
-          levels.to_m, levels.median_mm, levels.p90_mm);
+    print("{:>9.1f}-{:.1f} m: {:.1f} mm in half of it, {:.1f} mm in nine tenths, {:.0f} mm wide\n",
+          levels.from_m, levels.to_m, levels.median_mm, levels.p90_mm, levels.width_mm.value_or(0.0));
   }
   std::string shares;
   for (const FindableShare& findable : summary.findable)

@@ -58,6 +58,7 @@ std::vector<std::string> result_files() {
 DetectionLevelSummary level_summary(const Detection& detection, const Intrinsics& final) {
   const LevelOfDetection& level = *detection.level_of_detection;
   DetectionLevelSummary summary = level.summary;
+  state_widths(summary, final.fx);
   summary.findable = findable_shares(level.least_mm, detection.final_m, summary.window_px, final.fx);
   return summary;
 }

@@ -43,6 +43,7 @@ NoiseSoFar NoiseWatch::measure() const {
   if (!std_mm.empty()) noise.median_std_mm = quantile(std_mm, 0.5);
   CalibratedComparison halves = compare_calibrated(even_, odd_, stereo_, {});
   noise.findable = std::move(halves.levels);
+  state_widths(noise.findable, focal_px_);
   noise.findable.findable = findable_shares(halves.level_of_detection_mm, halves.comparison.final_m,
                                             noise.findable.window_px, focal_px_);
   noise.least_mm = std::move(halves.level_of_detection_mm);

@@ -43,7 +43,7 @@ class NoiseWatch {
 
  private:
   StereoScale stereo_;
-  double focal_px_;
+  double focal_px_;  // of the depth image
   DepthStatistics even_;
   DepthStatistics odd_;
   DepthImage first_;

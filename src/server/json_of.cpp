@@ -27,11 +27,13 @@ Json list_of(const std::vector<Polygon>& polygons) {
 
 Json list_of(const std::vector<DetectionLevels>& by_distance) {
   Json list = Json::array();
-  for (const DetectionLevels& level : by_distance)
+  for (const DetectionLevels& level : by_distance) {
     list.push_back({{"from_m", rounded(level.from_m, 1)},
                     {"to_m", rounded(level.to_m, 1)},
                     {"median_mm", rounded(level.median_mm, 1)},
                     {"p90_mm", rounded(level.p90_mm, 1)}});
+    if (level.width_mm) list.back()["width_mm"] = rounded(*level.width_mm, 1);
+  }
   return list;
 }
 

@@ -186,6 +186,7 @@ class DetectTest(program.ProgramTest):
         for entry in level['by_distance']:
             self.assertLess(entry['from_m'], entry['to_m'])
             self.assertTrue(0 < entry['median_mm'] <= entry['p90_mm'])
+            self.assertAlmostEqual(entry['width_mm'], 1000 * level['window_px'] * entry['to_m'] / CAMERA.fx)
         findable = level['findable']
         self.assertEqual([entry['size_mm'] for entry in findable], [5, 10, 20])
         shares = [entry['share'] for entry in findable]

@@ -125,6 +125,11 @@ std::vector<FindableShare> findable_shares(const Image<float>& level_mm, const I
   return shares;
 }
 
+void state_widths(DetectionLevelSummary& summary, double focal_px) {
+  for (DetectionLevels& levels : summary.by_distance)
+    levels.width_mm = mm_per_m * summary.window_px * levels.to_m / focal_px;
+}
+
 nlohmann::ordered_json json_of(const DetectionLevelSummary& summary) {
   nlohmann::ordered_json json{{"format", "rva-level-of-detection"}, {"version", 1}};
   json["judged"] = summary.judged;
@@ -139,6 +144,7 @@ nlohmann::ordered_json json_of(const DetectionLevelSummary& summary) {
                                    {"pixels", levels.pixels},
                                    {"median_mm", levels.median_mm},
                                    {"p90_mm", levels.p90_mm}});
+    if (levels.width_mm) json["by_distance"].back()["width_mm"] = *levels.width_mm;
   }
   if (!summary.findable.empty()) json["findable"] = nlohmann::ordered_json::array();
   for (const FindableShare& findable : summary.findable)

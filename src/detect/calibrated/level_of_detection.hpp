@@ -43,6 +43,8 @@ struct DetectionLevels {
   std::size_t pixels = 0;  ///< number of judged pixels among every third pixel of the image
   double median_mm = 0.0;
   double p90_mm = 0.0;  ///< 90th percentile: nine tenths of the pixels are as good or better
+  /// What is window_px wide in the image is as wide as this at to_m; empty where it was not asked for.
+  std::optional<double> width_mm{};
 };
 
 /// Where objects of one size would have been found.
@@ -69,6 +71,10 @@ struct DetectionLevelSummary {
 /// Summarises levels by distance, in classes of 0.2 m.
 [[nodiscard]] std::vector<DetectionLevels> levels_by_distance(const Image<float>& level_mm,
                                                               const Image<float>& depth_m);
+
+/// Sets `width_mm` of all distances.
+/// @param focal_px focal length of the depth image
+void state_widths(DetectionLevelSummary& summary, double focal_px);
 
 /// Sizes of objects for which it is stated where they would have been found, millimetres.
 inline constexpr std::array findable_sizes_mm{5.0, 10.0, 20.0};

@@ -163,6 +163,9 @@ TEST(LevelsByDistance, AreWrittenWithNamesAndUnits) {
     "format": "rva-level-of-detection", "version": 1, "judged": 0.5, "window_px": 9, "drift_px": -0.25,
     "fixed_px": 0.125,
     "by_distance": [{"from_m": 0.4, "to_m": 0.6, "pixels": 50, "median_mm": 24.0, "p90_mm": 44.0}]})"));
+  state_widths(summary, 420.0);
+  EXPECT_NEAR(json_of(summary)["by_distance"][0]["width_mm"].get<double>(), 1000.0 * 9 * 0.6 / 420.0, 1e-9)
+      << "at the far end";
   summary.effective_frames = 12.5;
   EXPECT_EQ(json_of(summary)["effective_frames"], 12.5);
 }
