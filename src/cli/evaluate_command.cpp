@@ -16,6 +16,7 @@
 #include "evaluate/recorded_study.hpp"
 #include "evaluate/report.hpp"
 #include "evaluate/study_folder.hpp"
+#include "sim/sensor/camera_models.hpp"
 
 namespace rva::cli {
 namespace {
@@ -65,11 +66,15 @@ void evaluate_recorded(const EvaluateArguments& arguments) {
 }
 
 void evaluate_planned(const EvaluateArguments& arguments) {
-  check_options(arguments.study);
+  StudyOptions options = arguments.study;
+  options.sensor = camera_of_each(arguments.subject.cameras);
+  check_options(options);
   OutputFolder out(arguments.out, {evaluation_file},
                    arguments.overwrite ? Existing::replace : Existing::refuse);
-  const std::vector<PlannedInspection> inspections = run_planned_study(arguments.study, terminal_progress());
-  write_evaluation(json_of(inspections), "", out);
+  const std::vector<PlannedInspection> inspections = run_planned_study(options, terminal_progress());
+  nlohmann::ordered_json json = json_of(inspections);
+  json["cameras"] = arguments.subject.cameras;
+  write_evaluation(std::move(json), "", out);
   out.commit();
   print("{}{}\n", to_table(inspections), arguments.out);
 }
@@ -131,13 +136,13 @@ void add_evaluate_command(CLI::App& program) {
                   "simulate --camera-model")
       ->type_name("MODEL")
       ->capture_default_str();
-  command
-      .add_option(
-          "--bay", arguments->subject.bay,
-          fmt::format("makes bays drawn by chance harder: {}, or all", fmt::join(bay_feature_names(), ", ")))
-      ->delimiter(',')
-      ->type_name("WHAT,...")
-      ->excludes(scene);
+  CLI::Option* const bay = command
+                               .add_option("--bay", arguments->subject.bay,
+                                           fmt::format("makes bays drawn by chance harder: {}, or all",
+                                                       fmt::join(bay_feature_names(), ", ")))
+                               ->delimiter(',')
+                               ->type_name("WHAT,...")
+                               ->excludes(scene);
   command.add_flag("--lamp", arguments->moved_study.lamp, "--moved: images under the camera's lamp, too")
       ->needs(moved);
   command.add_flag("--color", arguments->moved_study.color, "--moved: colour images, too")->needs(moved);
@@ -163,6 +168,7 @@ void add_evaluate_command(CLI::App& program) {
       ->excludes(scene)
       ->excludes(resume)
       ->excludes(moved)
+      ->excludes(bay)
       ->excludes(recorded);
   command.callback([arguments] {
     if (arguments->planned) return evaluate_planned(*arguments);

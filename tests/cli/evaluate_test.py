@@ -134,7 +134,8 @@ class EvaluateTest(program.ProgramTest):
         for options in (['--moved', '--frames', '10'], ['--moved', '--captures', '4,1'], ['--moved', '--captures', '17'],
                         ['--captures', '2'], ['--recorded', '.', '--moved'], ['--recorded', '.', '--frames', '2'],
                         ['--return', 'near'], ['--with-octree'], ['--bay', 'gold'], ['--cameras', 'gold'],
-                        ['--bay', 'dirt', '--scene', 'x.yaml'],
+                        ['--bay', 'dirt', '--scene', 'x.yaml'], ['--planned', '--moved'], ['--planned', '--bay', 'dirt'],
+                        ['--planned', '--cameras', 'gold'], ['--planned', '--recorded', '.'],
                         ['--moved', '--return', 'home']):
             with self.subTest(options):
                 done = self.rva('evaluate', *options, '--out', self.out)
