@@ -115,5 +115,14 @@ debris:
             0.02);
 }
 
+TEST(PlannedParts, AreWorkThatTheBayBeforeLacks) {
+  const std::string text = test::bay_head + "work: { parts: [{ kind: collar-0.36, on: [0.1, 0.562] }] }\n";
+  const Scene after = test::parsed(text);
+  EXPECT_EQ(test::named(after, "collar-0.36").role, Role::work);
+  EXPECT_TRUE(test::debris_names(after).empty());
+  const Scene before = test::parsed(text, test::without_debris());
+  EXPECT_EQ(before.objects.size() + 1, after.objects.size());
+}
+
 }  // namespace
 }  // namespace rva
