@@ -9,7 +9,7 @@ namespace rva {
 
 /// A column of a table.
 struct TableColumn {
-  std::string heading;
+  std::string heading;               ///< above the cells
   std::vector<std::string> cells{};  ///< one for each row
 };
 
