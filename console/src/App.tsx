@@ -10,6 +10,8 @@ import { titleOf } from './inspection/words';
 import { api } from './link/api';
 import { link } from './link/live_link';
 import { LiveView } from './live/LiveView';
+import { SnapshotForm } from './live/SnapshotForm';
+import { SnapshotList } from './live/SnapshotList';
 import { page as shownPage, type Page } from './pages';
 import { RegionEditor } from './regions/RegionEditor';
 import { RegionPanel } from './regions/RegionPanel';
@@ -156,7 +158,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         ) : drawing ? (
           <RegionEditor inspection={inspection} session={session} />
         ) : (
-          <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} />
+          <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} mayKeep={mayMark} />
         )}
       </main>
       <aside aria-label={words.page.whatToDo} key={`${inspection?.id} ${inspection?.stage}`}>
@@ -173,7 +175,9 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         )}
         {page === 'review' && past?.compared_at && <ViewNotes inspection={past} />}
         {!drawing && past?.compared_at && <FindingList inspection={past} session={session} past={round !== null} />}
+        {inspection && <SnapshotList inspection={inspection} />}
         {inspection && <MarkForm inspection={inspection} session={session} />}
+        {inspection && mayMark && <SnapshotForm inspection={inspection} session={session} />}
       </aside>
       <footer>
         <DrivePanel mayDrive={session.role !== 'viewer'} small={page !== 'live'} />

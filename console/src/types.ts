@@ -271,6 +271,8 @@ export interface Inspection extends InspectionSummary {
   findings: Finding[];
   /** Findings that people marked, in any round. */
   marked: MarkedFinding[];
+  /** Pictures that people kept. */
+  snapshots: Snapshot[];
   /** Whether a note is needed to close it: debris was removed after the last captures, or cannot be reached. */
   closing_needs_note: boolean;
   /** A round of the final side that is not complete. */
@@ -337,6 +339,23 @@ export interface MeasuredPoint {
   distance_uncertainty_mm?: number;
   /** Another surface is so close that the camera may show that one; the uncertainty does not include this. */
   near_edge?: boolean;
+}
+
+export interface FrozenPicture {
+  /** Its number; the last eight are kept. */
+  frozen: number;
+  stream: Stream;
+  width: number;
+  height: number;
+  taken_at: string;
+}
+
+/** A live picture that was kept; it is no finding. */
+export interface Snapshot {
+  number: number;
+  note: string;
+  person: string;
+  taken_at: string;
 }
 
 export type MeasureTool = 'distance' | 'length' | 'height' | 'profile';
@@ -469,12 +488,26 @@ export interface Pixel {
 
 export interface MeasureRequest {
   stream: Stream;
+  /** A picture that was frozen, instead of the live one. */
+  frozen?: number;
   /** By default, the distance of one point and the length between two. */
   tool?: MeasureTool;
   /** A distance: one; a length and a profile: two; a height: three of the surface and one above it, or that one alone with `bbox`. */
   points: Pixel[];
   /** Region whose surface a height is above. */
   bbox?: Box;
+}
+
+export interface FreezeRequest {
+  stream: Stream;
+}
+
+export interface SnapshotRequest {
+  stream: Stream;
+  /** The picture that was frozen; without it, the newest of the stream. */
+  frozen?: number;
+  note: string;
+  person: string;
 }
 
 export interface ViewMeasureRequest {
@@ -510,6 +543,25 @@ export interface Watch {
   stream: Stream | 'none';
 }
 
+/** A point of a picture, as shares of its width and height. */
+export interface PictureShare {
+  x: number;
+  y: number;
+}
+
+export type PointingShape = 'tap' | 'arrow' | 'circle';
+
+/** Points at something in the live picture, for all consoles; three a second at most. */
+export interface Pointing {
+  type: 'pointing';
+  stream: Stream;
+  shape: PointingShape;
+  /** Of an arrow its beginning, of a circle a corner of its box. */
+  from: PictureShare;
+  /** The tip, or the opposite corner; of a tap, it is not used. */
+  to: PictureShare;
+}
+
 /** The last picture is shown, and another may be sent. */
 export interface Shown {
   type: 'shown';
@@ -536,7 +588,7 @@ export interface Stop {
   type: 'stop';
 }
 
-export type ClientMessage = Hello | Watch | Shown | Drive | LeaseRequest | Stop;
+export type ClientMessage = Hello | Watch | Shown | Drive | LeaseRequest | Stop | Pointing;
 
 export interface CameraStatus {
   /** Frames a second. */
@@ -654,7 +706,18 @@ export interface Refused {
   message: string;
 }
 
-export type ServerMessage = Status | Lease | Refused;
+/** Somebody points at something in the live picture. It is shown for some seconds, and not stored. */
+export interface Pointed {
+  type: 'pointed';
+  /** Of the account, or as the console's `hello` stated it. */
+  name: string;
+  stream: Stream;
+  shape: PointingShape;
+  from: PictureShare;
+  to: PictureShare;
+}
+
+export type ServerMessage = Status | Lease | Pointed | Refused;
 
 /** The description of a picture at the beginning of a binary message. */
 export interface PictureHead {

@@ -78,6 +78,15 @@ struct ComparedRound {
   std::vector<ReviewedFinding> findings;  ///< with their decisions
 };
 
+/// A live picture that a person kept with a note. It is no finding, and nothing is decided on it.
+struct Snapshot {
+  int number = 0;       ///< from 1 within its inspection
+  std::string picture;  ///< its file, relative to the inspection's folder
+  std::string note;
+  std::string person;
+  std::string taken_at;  ///< ISO 8601, when it was kept
+};
+
 /// A person's statement that an inspection is complete (require_closable()).
 struct Closing {
   int comparison = 0;  ///< number of the comparison that the person reviewed
@@ -106,6 +115,7 @@ struct Inspection {
   std::vector<ComparedView> compared;
   std::vector<ReviewedFinding> findings;  ///< of the current comparison
   std::vector<MarkedFinding> marked;      ///< by a person, in any round
+  std::vector<Snapshot> snapshots{};      ///< in the order in which they were kept
   std::optional<Closing> closing;         ///< nothing can be changed afterwards
 };
 

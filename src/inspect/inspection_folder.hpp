@@ -34,6 +34,8 @@ class InspectionFolder {
   static constexpr const char* baseline_check_name = "baseline-check";
   /// The folder of live pictures in which findings were marked.
   static constexpr const char* marks_name = "marks";
+  /// The folder of live pictures that were kept as snapshots.
+  static constexpr const char* snapshots_name = "snapshots";
 
   /// The name of a comparison's folder in this one.
   [[nodiscard]] static std::string comparison_name(int number);

@@ -346,8 +346,15 @@ int Inspector::mark_in_picture(std::int64_t id, const MarkedFinding& marked, con
   require_open(inspection);
   require_inside(marked.box, picture.width(), picture.height());
   MarkedFinding kept = marked;
-  kept.picture = keep_marked_picture(folder(id), picture);
+  kept.picture = keep_picture(folder(id), InspectionFolder::marks_name, picture);
   return record_mark(inspection, std::move(kept), remark);
+}
+
+int Inspector::keep_snapshot(std::int64_t id, const ColorImage& picture, const Remark& remark) {
+  require_person(remark.person);
+  require_open(inspection(id));
+  const std::string file = keep_picture(folder(id), InspectionFolder::snapshots_name, picture);
+  return records_.add_snapshot(id, {0, file, remark.note, remark.person, iso_8601_now()});
 }
 
 int Inspector::record_mark(const Inspection& inspection, MarkedFinding marked, const Remark& remark) {

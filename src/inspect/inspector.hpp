@@ -128,6 +128,9 @@ class Inspector {
   /// @param marked with its box, and its position if that was measured
   int mark_in_picture(std::int64_t id, const MarkedFinding& marked, const ColorImage& picture,
                       const Remark& remark);
+  /// Keeps a picture with a note. @return its number
+  /// @throws Error when nobody's name is given, the inspection is closed, or the picture cannot be written
+  int keep_snapshot(std::int64_t id, const ColorImage& picture, const Remark& remark);
   /// Decides on a marked finding. @throws Error as decide()
   void decide_mark(std::int64_t id, int mark, const Decision& decision);
   /// Decides on several findings, marked ones among them: on all or, when it throws, on none.

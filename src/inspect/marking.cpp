@@ -67,16 +67,16 @@ std::string review_picture(const InspectionFolder& folder, const Inspection& ins
   return picture.lexically_relative(folder.path()).string();
 }
 
-std::string keep_marked_picture(const InspectionFolder& folder, const ColorImage& picture) {
-  const fs::path marks = folder.path() / InspectionFolder::marks_name;
-  folder.require_no_links(marks);
-  make_folders(marks);
+std::string keep_picture(const InspectionFolder& folder, const std::string& kind, const ColorImage& picture) {
+  const fs::path pictures = folder.path() / kind;
+  folder.require_no_links(pictures);
+  make_folders(pictures);
   int number = 1;
   const auto name = [&] { return fmt::format("{:03}.png", number); };
   std::error_code ignored;
-  while (fs::exists(fs::symlink_status(marks / name(), ignored))) ++number;
-  replace_file(marks / name(), encode_png(picture));
-  return (fs::path(InspectionFolder::marks_name) / name()).string();
+  while (fs::exists(fs::symlink_status(pictures / name(), ignored))) ++number;
+  replace_file(pictures / name(), encode_png(picture));
+  return (fs::path(kind) / name()).string();
 }
 
 }  // namespace rva

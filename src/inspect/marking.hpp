@@ -27,9 +27,11 @@ void require_inside(const Box& box, int width, int height);
 [[nodiscard]] std::string review_picture(const InspectionFolder& folder, const Inspection& inspection,
                                          int view);
 
-/// Writes a picture in which something was marked, under a name that no other one has.
+/// Writes a picture that a person keeps, under a name that no other one has.
+/// @param kind the folder: InspectionFolder::marks_name or snapshots_name
 /// @return its path relative to the inspection's folder
 /// @throws Error when it cannot be written
-[[nodiscard]] std::string keep_marked_picture(const InspectionFolder& folder, const ColorImage& picture);
+[[nodiscard]] std::string keep_picture(const InspectionFolder& folder, const std::string& kind,
+                                       const ColorImage& picture);
 
 }  // namespace rva

@@ -62,6 +62,8 @@ class Records {
   virtual void decide(std::int64_t id, int comparison, int finding, const Decision& decision) = 0;
   /// Records a finding that a person marked. @return its number; `marked.number` has no effect
   [[nodiscard]] virtual int add_mark(std::int64_t id, const MarkedFinding& marked) = 0;
+  /// Records a picture that was kept. @return its number; `snapshot.number` has no effect
+  [[nodiscard]] virtual int add_snapshot(std::int64_t id, const Snapshot& snapshot) = 0;
   /// Records a decision on a marked finding; as decide(). @throws Error when there is no such mark
   virtual void decide_mark(std::int64_t id, int mark, const Decision& decision) = 0;
   /// Records all of these decisions, in their order, or none. @throws Error as decide() and decide_mark()

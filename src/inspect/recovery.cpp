@@ -121,16 +121,23 @@ class Repair {
   }
 
   void remove_unfinished_pictures() {
-    for (const fs::path& path : files_in(folder_ / InspectionFolder::marks_name))
-      if (is_name_of_remains(path)) remove(path);
+    for (const char* const kind : {InspectionFolder::marks_name, InspectionFolder::snapshots_name})
+      for (const fs::path& path : files_in(folder_ / kind))
+        if (is_name_of_remains(path)) remove(path);
   }
 
-  // A picture is written before the finding that was marked in it is recorded.
+  // A picture is written before the finding that was marked in it, or the snapshot, is recorded.
   void name_unrecorded_pictures() {
-    for (const fs::path& path : files_in(folder_ / InspectionFolder::marks_name)) {
-      const bool recorded = std::ranges::any_of(
-          inspection_.marked, [&](const MarkedFinding& marked) { return folder_ / marked.picture == path; });
-      if (!recorded) tell(path, "shows no finding that is in the records; it is kept");
+    name_unrecorded(InspectionFolder::marks_name, inspection_.marked,
+                    "shows no finding that is in the records; it is kept");
+    name_unrecorded(InspectionFolder::snapshots_name, inspection_.snapshots,
+                    "is no snapshot that is in the records; it is kept");
+  }
+
+  void name_unrecorded(const char* kind, const auto& recorded, const char* said) {
+    for (const fs::path& path : files_in(folder_ / kind)) {
+      const auto is_its_picture = [&](const auto& record) { return folder_ / record.picture == path; };
+      if (std::ranges::none_of(recorded, is_its_picture)) tell(path, said);
     }
   }
 

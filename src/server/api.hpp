@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -108,11 +109,14 @@ class Api {
   ApiResponse decide_all(const Call& call) const;
   ApiResponse mark(const Call& call) const;
   ApiResponse decide_mark(const Call& call) const;
+  ApiResponse keep_snapshot(const Call& call) const;
   ApiResponse close(const Call& call) const;
   // server/picture_routes.cpp
   ApiResponse get_picture(const Call& call) const;
   ApiResponse get_round_picture(const Call& call) const;
   ApiResponse get_marked_picture(const Call& call) const;
+  ApiResponse get_frozen_picture(const Call& call) const;
+  ApiResponse get_snapshot(const Call& call) const;
   ApiResponse get_baseline_picture(const Call& call) const;
   ApiResponse get_baseline_check(const Call& call) const;
   ApiResponse get_findable(const Call& call) const;
@@ -120,6 +124,10 @@ class Api {
   ApiResponse get_changes(const Call& call) const;
   ApiResponse simulate_work(const Call& call) const;
   // server/measure_routes.cpp
+  [[nodiscard]] std::vector<std::shared_ptr<const LiveFrame>> still_frames(
+      std::shared_ptr<const LiveFrame> first) const;
+  [[nodiscard]] std::shared_ptr<const FrozenPicture> frozen_in(const std::string& number) const;
+  ApiResponse freeze(const Call& call) const;
   ApiResponse measure_points(const Call& call) const;
   ApiResponse measure_view(const Call& call) const;
   ApiResponse measure_map(const Call& call) const;

@@ -98,7 +98,7 @@ asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member>
 }
 
 template <typename Socket>
-asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
+asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member, LiveHub& hub) {
   for (;;) {
     beast::flat_buffer buffer;
     ErrorCode failure;
@@ -110,6 +110,7 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member) {
     try {
       const auto bytes = buffer.cdata();
       member.conversation.hear({static_cast<const char*>(bytes.data()), bytes.size()}, now_s());
+      hub.pass_on_pointing(member);
       member.wake();
     } catch (const std::exception& error) {  // a violation of the protocol, or an internal error
       co_return std::string(error.what());
@@ -153,7 +154,7 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   SocketUsers users(co_await asio::this_coro::executor);
   users.start(write_all(socket, member));
   users.start(watch_rights(socket, member, session_token(request), shared));
-  const std::string complaint = co_await read_all(socket, *member);
+  const std::string complaint = co_await read_all(socket, *member, shared.hub);
   member->end();
   shared.hub.leave(member);
   if (!complaint.empty()) {

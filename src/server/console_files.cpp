@@ -39,7 +39,8 @@ std::string text_of(const fs::path& file) {
 ConsoleFiles::ConsoleFiles(const fs::path& folder) {
   std::error_code failure;
   if (!fs::is_regular_file(folder / "index.html", failure))
-    throw Error(printable(folder), "contains no console", "build it (script/build), or choose another folder");
+    throw Error(printable(folder), "contains no console",
+                "build it (script/build), or choose another folder");
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, failure)) {
     const fs::path& file = entry.path();
     if (!entry.is_regular_file() || file.extension() == ".gz") continue;

@@ -41,6 +41,18 @@ Message message_of(const LivePicture& picture) {
 // Others see the name of the person who is driving, so an illegible one is dropped.
 std::string legible_name(const std::string& name) { return is_legible_name(name) ? name : ""; }
 
+// A point of a picture, as shares of its width and height.
+Json share_in(const Json& message, const char* key) {
+  const auto found = message.find(key);
+  if (found == message.end() || !found->is_object())
+    throw ApiError(400, "bad-request", key, "is missing", "see docs/api.md");
+  const double x = number_field(*found, "x");
+  const double y = number_field(*found, "y");
+  if (x < 0.0 || x > 1.0 || y < 0.0 || y > 1.0)
+    throw ApiError(400, "bad-request", key, "is outside of the picture", "see docs/api.md");
+  return {{"x", x}, {"y", y}};
+}
+
 Json parse(std::string_view text) {
   try {
     return parse_body(std::string(text));
@@ -91,11 +103,36 @@ void Conversation::hear(std::string_view text, double now_s) {
     if (type == "drive") return drive(message, now_s);
     if (type == "lease") return lease(message, now_s);
     if (type == "stop") return stop();
+    if (type == "pointing") return point(message, now_s);
   } catch (const ApiError& error) {
     if (client_.empty()) throw ProtocolError(error.what());  // nothing is answered before a hello
     return refuse(error.code(), error.what());
   }
   throw ProtocolError("unknown message");
+}
+
+// Permitted in every role: it is shown to all consoles for some seconds and never stored.
+void Conversation::point(const Json& message, double now_s) {
+  const std::optional<Stream> stream = value_of<Stream>(text_field(message, "stream"));
+  const std::optional<PointingShape> shape = value_of<PointingShape>(text_field(message, "shape"));
+  if (!stream || !shape)
+    throw ApiError(400, "bad-request", "pointing", "needs a stream and a shape", "see docs/api.md");
+  constexpr double most_at_once = 2.0 * most_pointed_per_s;
+  pointing_allowance_ =
+      std::min(most_at_once, pointing_allowance_ + (now_s - pointed_s_) * most_pointed_per_s);
+  pointed_s_ = now_s;
+  if (pointing_allowance_ < 1.0) return refuse("too-many", "pointing: you point too often; wait a moment");
+  pointing_allowance_ -= 1.0;
+  Json shown{{"type", "pointed"}, {"name", name_}, {"stream", name_of(*stream)}, {"shape", name_of(*shape)}};
+  shown["from"] = share_in(message, "from");
+  shown["to"] = share_in(message, *shape == PointingShape::tap ? "from" : "to");
+  pointed_ = std::make_shared<const std::string>(json_text(shown));
+}
+
+void Conversation::offer_pointed(const std::shared_ptr<const std::string>& pointed) {
+  constexpr std::size_t most_to_show = 20;
+  if (to_show_.size() == most_to_show) to_show_.pop_front();
+  to_show_.push_back(pointed);
 }
 
 // A token bucket: short bursts pass, floods do not.
@@ -205,6 +242,11 @@ std::optional<Message> Conversation::next(double now_s) {
     return message;
   }
   if (std::optional<Message> news = lease_news(now_s)) return news;
+  if (!to_show_.empty()) {
+    Message message{false, *to_show_.front()};
+    to_show_.pop_front();
+    return message;
+  }
   if (status_ && status_ != sent_status_) {
     sent_status_ = status_;
     return Message{false, *status_};

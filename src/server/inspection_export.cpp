@@ -31,7 +31,8 @@ constexpr const char* restore = "restore the data folder from a backup";
 
 std::vector<std::string> export_files() {
   std::vector<std::string> files{records_file, "regions/[0-9][0-9][0-9].json",
-                                 InspectionFolder::marks_name + std::string("/*.png")};
+                                 InspectionFolder::marks_name + std::string("/*.png"),
+                                 InspectionFolder::snapshots_name + std::string("/*.png")};
   const auto add = [&](const std::string& folder, const std::vector<std::string>& inside) {
     for (const std::string& file : inside) files.push_back(folder + file);
   };
@@ -54,6 +55,7 @@ class Contents {
     for (const ComparedRound& round : history.rounds) add_comparison(round.comparison);
     if (fs::is_directory(folder_.baseline_check())) add_folder(InspectionFolder::baseline_check_name);
     for (const MarkedFinding& marked : inspection_.marked) add_file(marked.picture);
+    for (const Snapshot& snapshot : inspection_.snapshots) add_file(snapshot.picture);
   }
 
   [[nodiscard]] const std::set<fs::path>& files() const { return files_; }

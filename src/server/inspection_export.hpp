@@ -13,7 +13,8 @@ namespace rva {
 ///   - `inspection.json`: the records in the JSON of the API, with the paths of all files and the provenance
 ///     (docs/formats.md);
 ///   - the captures of every complete round, the results of every comparison, the baseline check and the
-///     pictures in which findings were marked, under the names that they have in the inspection's folder;
+///     pictures in which findings were marked or that were kept, under the names that they have in the
+///     inspection's folder;
 ///   - `regions/000.json` of each view of which something is left out.
 /// Paths in the results are relative to this folder.
 /// @param data     the folder of all inspections

@@ -78,6 +78,13 @@ Json json_of(const MarkedFinding& marked) {
   return json;
 }
 
+Json json_of(const Snapshot& snapshot) {
+  return {{"number", snapshot.number},
+          {"note", snapshot.note},
+          {"person", snapshot.person},
+          {"taken_at", snapshot.taken_at}};
+}
+
 Json json_of(const ComparedView& view) {
   Json coverage{{"compared", view.coverage.compared},
                 {"unseen", view.coverage.unseen},
@@ -185,6 +192,7 @@ Json json_of(const Inspection& inspection) {
   json["compared"] = json_list(inspection.compared);
   json["findings"] = json_list(inspection.findings);
   json["marked"] = json_list(inspection.marked);
+  json["snapshots"] = json_list(inspection.snapshots);
   json["closing_needs_note"] = closing_needs_note(inspection);
   return json;
 }

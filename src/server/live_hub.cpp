@@ -26,6 +26,15 @@ void LiveHub::tell(const std::shared_ptr<const LivePicture>& picture) {
   }
 }
 
+void LiveHub::pass_on_pointing(Member& member) {
+  const std::shared_ptr<const std::string> pointed = member.conversation.take_pointed();
+  if (!pointed) return;
+  for (const auto& other : members_) {
+    other->conversation.offer_pointed(pointed);
+    other->wake();
+  }
+}
+
 asio::awaitable<void> LiveHub::tell_status() {
   constexpr int rounds_of_silence = 10;
   asio::steady_timer timer(context_);

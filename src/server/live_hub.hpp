@@ -37,6 +37,9 @@ class LiveHub {
   [[nodiscard]] std::shared_ptr<Member> join(Person person);
   void leave(const std::shared_ptr<Member>& member) { members_.remove(member); }
 
+  /// Shows all consoles what a member has pointed at since the last call, if anything.
+  void pass_on_pointing(Member& member);
+
   /// Sends the status ten times a second while it changes, and once a second otherwise, so that silence shows
   /// a console that the connection is broken. Runs until end().
   asio::awaitable<void> tell_status();

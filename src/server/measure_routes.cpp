@@ -1,8 +1,12 @@
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "core/date_time.hpp"
 #include "core/json_object.hpp"
 #include "inspect/review_measurement.hpp"
 #include "server/api.hpp"
@@ -11,6 +15,13 @@
 
 namespace rva {
 namespace {
+
+Stream stream_in(const Json& body) {
+  const std::optional<Stream> stream = value_of<Stream>(text_field(body, "stream"));
+  if (!stream)
+    throw ApiError(400, "bad-request", "stream", "is none of color, depth, infrared", "see docs/api.md");
+  return *stream;
+}
 
 ApiError no_pictures() {
   return {404, "not-found", "pictures", "do not exist", "see the rounds of the inspection"};
@@ -32,18 +43,56 @@ Eigen::Vector3d point_in(const Json& list) {
 }  // namespace
 
 // While the robot moves, frames show different scenes, and one alone is measured.
-ApiResponse Api::measure_points(const Call& call) const {
+std::vector<std::shared_ptr<const LiveFrame>> Api::still_frames(
+    std::shared_ptr<const LiveFrame> first) const {
   constexpr std::size_t most_frames = 8;
-  const std::optional<Stream> stream = value_of<Stream>(text_field(call.body, "stream"));
-  if (!stream)
-    throw ApiError(400, "bad-request", "stream", "is none of color, depth, infrared", "see docs/api.md");
-  const MeasureRequest request = measure_request_in(call.body);
   const DriveState robot = parts_.drive != nullptr ? parts_.drive->state() : DriveState{};
-  const std::vector<std::shared_ptr<const LiveFrame>> frames =
-      newest_frames(parts_.camera, robot.driving || robot.lent ? 1 : most_frames);
-  Json answer = measure(measured_picture(frames, *stream, parts_.measure), request, parts_.measure);
-  answer["frames"] = frames.size();
+  return frames_from(parts_.camera, std::move(first), robot.driving || robot.lent ? 1 : most_frames);
+}
+
+std::shared_ptr<const FrozenPicture> Api::frozen_in(const std::string& number) const {
+  const std::optional<int> frozen = number_in_path(number);
+  std::shared_ptr<const FrozenPicture> picture = frozen ? parts_.frozen->find(*frozen) : nullptr;
+  if (!picture)
+    throw ApiError(404, "not-found", "frozen picture", "is not kept any more",
+                   "freeze the live picture again");
+  return picture;
+}
+
+// In the live picture, or in one that was frozen.
+ApiResponse Api::measure_points(const Call& call) const {
+  const Stream stream = stream_in(call.body);
+  const MeasureRequest request = measure_request_in(call.body);
+  Json answer;
+  if (call.body.contains("frozen")) {
+    const auto frozen = frozen_in(std::to_string(std::llround(number_field(call.body, "frozen"))));
+    if (!frozen->measured)
+      throw Error("frozen picture", "has no depth that could be measured", "freeze the depth picture");
+    answer = measure(*frozen->measured, request, parts_.measure);
+    answer["frames"] = frozen->frames;
+  } else {
+    const auto frames = still_frames(newest_with(parts_.camera, Stream::depth));
+    answer = measure(measured_picture(frames, stream, parts_.measure), request, parts_.measure);
+    answer["frames"] = frames.size();
+  }
   return {200, "application/json", json_text(answer)};
+}
+
+ApiResponse Api::freeze(const Call& call) const {
+  const Stream stream = stream_in(call.body);
+  const std::shared_ptr<const LiveFrame> live = newest_with(parts_.camera, stream);
+  FrozenPicture frozen{stream, picture_of(*live, stream), std::nullopt, 0, iso_8601_now()};
+  if (is_measurable(live->info, stream)) {
+    const auto frames = still_frames(live);
+    frozen.measured = measured_picture(frames, stream, parts_.measure);
+    frozen.frames = frames.size();
+  }
+  Json answer{{"stream", name_of(stream)},
+              {"width", frozen.picture.width()},
+              {"height", frozen.picture.height()},
+              {"taken_at", frozen.taken_at}};
+  answer["frozen"] = parts_.frozen->add(std::move(frozen));
+  return {201, "application/json", json_text(answer)};
 }
 
 // In the pictures of a comparison, which may be an earlier one.

@@ -183,20 +183,29 @@ MeasuredPicture measured_picture(std::span<const std::shared_ptr<const LiveFrame
   return picture;
 }
 
-std::vector<std::shared_ptr<const LiveFrame>> newest_frames(const LiveCamera& camera, std::size_t most) {
+std::shared_ptr<const LiveFrame> newest_with(const LiveCamera& camera, Stream stream) {
+  constexpr int most_frames = 10;
+  constexpr std::chrono::milliseconds patience{500};
+  std::shared_ptr<const LiveFrame> live = camera.newest();
+  for (int i = 0; i < most_frames && live && !has_picture(*live, stream); ++i)
+    live = camera.wait_for_other(live.get(), patience);
+  if (!live) throw Error("camera", "delivers no frames", "wait a moment, then try again");
+  return live;
+}
+
+std::vector<std::shared_ptr<const LiveFrame>> frames_from(const LiveCamera& camera,
+                                                          std::shared_ptr<const LiveFrame> first,
+                                                          std::size_t most) {
   constexpr std::chrono::milliseconds patience{400};
   const auto end = std::chrono::steady_clock::now() + patience;
-  std::vector<std::shared_ptr<const LiveFrame>> frames{camera.newest()};
-  if (!frames.front()) throw Error("camera", "has delivered no frame yet", "wait a moment");
-  const LiveFrame& first = *frames.front();
+  std::vector<std::shared_ptr<const LiveFrame>> frames{std::move(first)};
+  const CaptureInfo& info = frames.front()->info;
   while (frames.size() < most) {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
     std::shared_ptr<const LiveFrame> next;
     if (left.count() > 0) next = camera.wait_for_other(frames.back().get(), left);
-    const bool same =
-        next && next->info.depth == first.info.depth && next->info.depth_unit_m == first.info.depth_unit_m;
-    if (!same) break;
+    if (!next || next->info.depth != info.depth || next->info.depth_unit_m != info.depth_unit_m) break;
     frames.push_back(std::move(next));
   }
   return frames;

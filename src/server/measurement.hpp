@@ -57,10 +57,14 @@ struct MeasureRequest {
 [[nodiscard]] MeasuredPicture measured_picture(std::span<const std::shared_ptr<const LiveFrame>> frames,
                                                Stream stream, const MeasureOptions& options);
 
-/// The newest frame and those that follow within a moment, as long as they are of the same camera and pose.
-/// @param most number of frames at most
-/// @throws Error when there is no frame yet
-[[nodiscard]] std::vector<std::shared_ptr<const LiveFrame>> newest_frames(const LiveCamera& camera,
-                                                                          std::size_t most);
+/// The newest frame with an image of a stream, which not every frame of a camera needs to have.
+/// @throws Error when there is no frame
+[[nodiscard]] std::shared_ptr<const LiveFrame> newest_with(const LiveCamera& camera, Stream stream);
+
+/// A frame and those that follow within a moment, as long as they are of the same camera.
+/// @param first not null
+/// @param most  number of frames at most
+[[nodiscard]] std::vector<std::shared_ptr<const LiveFrame>> frames_from(
+    const LiveCamera& camera, std::shared_ptr<const LiveFrame> first, std::size_t most);
 
 }  // namespace rva

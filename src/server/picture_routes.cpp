@@ -82,6 +82,21 @@ ApiResponse Api::get_marked_picture(const Call& call) const {
   throw not_there();
 }
 
+ApiResponse Api::get_frozen_picture(const Call& call) const {
+  const auto frozen = frozen_in(call.path_parts.at(0));
+  return {200, "image/png", text_of(encode_png(frozen->picture)), {{"Cache-Control", "no-store"}}};
+}
+
+ApiResponse Api::get_snapshot(const Call& call) const {
+  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  const int number = view_number(call.path_parts.at(1));
+  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
+  for (const Snapshot& snapshot : inspection.snapshots) {
+    if (snapshot.number == number) return file_answer(folder, folder.path() / snapshot.picture, "image/png");
+  }
+  throw not_there();
+}
+
 ApiResponse Api::get_baseline_picture(const Call& call) const {
   const std::string& name = call.path_parts.at(2);
   const int view = view_number(call.path_parts.at(1));

@@ -89,17 +89,6 @@ MarkedFinding located(const std::shared_ptr<const LiveFrame>& live, Stream strea
   return marked;
 }
 
-// The newest frame with an image of this stream, which not every frame of a camera needs to have.
-std::shared_ptr<const LiveFrame> newest_with(const LiveCamera& camera, Stream stream) {
-  constexpr int most_frames = 10;
-  constexpr std::chrono::milliseconds patience{500};
-  std::shared_ptr<const LiveFrame> live = camera.newest();
-  for (int i = 0; i < most_frames && live && !has_picture(*live, stream); ++i)
-    live = camera.wait_for_other(live.get(), patience);
-  if (!live) throw Error("camera", "delivers no frames", "wait a moment, then try again");
-  return live;
-}
-
 }  // namespace
 
 ApiResponse Api::get_rounds(const Call& call) const {
@@ -148,6 +137,23 @@ ApiResponse Api::mark(const Call& call) const {
   const std::shared_ptr<const LiveFrame> live = newest_with(parts_.camera, *stream);
   parts_.inspector.mark_in_picture(id, located(live, *stream, box, parts_.measure),
                                    picture_of(*live, *stream), remark);
+  return whole_inspection(id, 201);
+}
+
+// Of a picture that was frozen, or of the newest live one.
+ApiResponse Api::keep_snapshot(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  const Remark remark{text_field(call.body, "note", most_note_bytes), person_of(call)};
+  if (call.body.contains("frozen")) {
+    const auto frozen = frozen_in(std::to_string(count_field(call.body, "frozen")));
+    parts_.inspector.keep_snapshot(id, frozen->picture, remark);
+    return whole_inspection(id, 201);
+  }
+  const std::optional<Stream> stream = value_of<Stream>(text_field(call.body, "stream"));
+  if (!stream)
+    throw ApiError(400, "bad-request", "stream", "is none of color, depth, infrared", "see docs/api.md");
+  const std::shared_ptr<const LiveFrame> live = newest_with(parts_.camera, *stream);
+  parts_.inspector.keep_snapshot(id, picture_of(*live, *stream), remark);
   return whole_inspection(id, 201);
 }
 

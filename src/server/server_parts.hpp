@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "camera/live_camera.hpp"
 #include "inspect/inspector.hpp"
 #include "measure/measure_options.hpp"
 #include "robot/drive.hpp"
+#include "server/frozen_pictures.hpp"
 #include "server/lease.hpp"
 #include "server/sessions.hpp"
 
@@ -25,6 +27,8 @@ struct ServerParts {
   Lease& lease;
   SimulatedWork simulated_work;  ///< empty if the bay is not simulated
   MeasureOptions measure{};      ///< of what people measure
+  /// What people froze.
+  std::shared_ptr<FrozenPictures> frozen = std::make_shared<FrozenPictures>();
 };
 
 }  // namespace rva

@@ -96,6 +96,7 @@ std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64
     inspection.findings = findings_of(database, id, inspection.comparison->number);
   }
   inspection.marked = marked_findings_of(database, id);
+  inspection.snapshots = snapshots_of(database, id);
   inspection.closing = closing_of(database, id);
   return inspection;
 }
@@ -153,11 +154,11 @@ void insert_closing(SQLite::Database& database, std::int64_t id, const Closing& 
 }
 
 void remove_unused_inspection(SQLite::Database& database, std::int64_t id) {
-  for (const char* const table : {"side", "comparison", "mark"}) {
+  for (const char* const table : {"side", "comparison", "mark", "snapshot"}) {
     SQLite::Statement query(database, fmt::format("select 1 from {} where inspection = ?", table));
     query.bind(1, id);
     if (query.executeStep())
-      throw Error(fmt::format("inspection {}", id), "has captures or marks, which are kept",
+      throw Error(fmt::format("inspection {}", id), "has captures, marks or snapshots, which are kept",
                   "close it instead of deleting it");
   }
   for (const char* const remove :

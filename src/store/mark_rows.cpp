@@ -88,4 +88,32 @@ std::vector<MarkedFinding> marked_findings_of(SQLite::Database& database, std::i
   return all;
 }
 
+int insert_snapshot(SQLite::Database& database, std::int64_t inspection, const Snapshot& snapshot) {
+  SQLite::Statement insert(database,
+                           "insert into snapshot (inspection, number, picture, note, person, taken_at) "
+                           "select ?1, coalesce(max(number), 0) + 1, ?2, ?3, ?4, ?5 from snapshot "
+                           "where inspection = ?1 returning number");
+  insert.bind(1, inspection);
+  insert.bind(2, snapshot.picture);
+  insert.bind(3, snapshot.note);
+  insert.bind(4, snapshot.person);
+  insert.bind(5, snapshot.taken_at);
+  insert.executeStep();
+  const int number = insert.getColumn(0);
+  while (insert.executeStep()) continue;
+  return number;
+}
+
+std::vector<Snapshot> snapshots_of(SQLite::Database& database, std::int64_t inspection) {
+  SQLite::Statement query(database, "select * from snapshot where inspection = ? order by number");
+  query.bind(1, inspection);
+  std::vector<Snapshot> all;
+  while (query.executeStep()) {
+    all.push_back({query.getColumn("number").getInt(), query.getColumn("picture").getString(),
+                   query.getColumn("note").getString(), query.getColumn("person").getString(),
+                   query.getColumn("taken_at").getString()});
+  }
+  return all;
+}
+
 }  // namespace rva

@@ -1,4 +1,4 @@
-// Findings that people marked as rows of SqliteRecords' tables.
+// Findings that people marked, and pictures that they kept, as rows of SqliteRecords' tables.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "inspect/reviewed_finding.hpp"
+#include "inspect/inspection.hpp"
 
 namespace rva {
 
@@ -16,6 +16,12 @@ int insert_mark(SQLite::Database& database, std::int64_t inspection, const Marke
 /// @return false if there is no such mark
 [[nodiscard]] bool insert_mark_decision(SQLite::Database& database, std::int64_t inspection, int mark,
                                         const Decision& decision);
+
+/// As insert_mark().
+int insert_snapshot(SQLite::Database& database, std::int64_t inspection, const Snapshot& snapshot);
+
+/// In the order of their numbers.
+[[nodiscard]] std::vector<Snapshot> snapshots_of(SQLite::Database& database, std::int64_t inspection);
 
 /// In the order of their numbers, each with its latest decision.
 [[nodiscard]] std::vector<MarkedFinding> marked_findings_of(SQLite::Database& database,

@@ -193,7 +193,8 @@ create table closing (
 
 /// Changes from version 5 to 6: the greatest id that any inspection had, deleted ones included; what the
 /// words of a search are compared with, stored, since a search that finds nothing reads it of all
-/// inspections; how high the top of a finding is, and how clearly its view shows it.
+/// inspections; how high the top of a finding is, and how clearly its view shows it; live pictures that were
+/// kept.
 inline constexpr const char* schema_6_from_5 = R"sql(
 create table greatest_id (inspection integer not null) strict;
 insert into greatest_id select coalesce(max(id), 0) from inspection;
@@ -216,6 +217,12 @@ end;
 alter table finding add column top_above_surroundings_mm real;
 alter table finding add column top_is_least integer not null default 0;
 alter table finding add column clear_px integer;
+
+create table snapshot (
+  inspection integer not null references inspection, number integer not null,
+  picture text not null, note text not null, person text not null, taken_at text not null,
+  primary key (inspection, number)
+) strict, without rowid;
 )sql";
 
 }  // namespace rva

@@ -189,6 +189,13 @@ int SqliteRecords::add_mark(std::int64_t id, const MarkedFinding& marked) {
   });
 }
 
+int SqliteRecords::add_snapshot(std::int64_t id, const Snapshot& snapshot) {
+  return change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    return insert_snapshot(database, id, snapshot);
+  });
+}
+
 void SqliteRecords::decide_mark(std::int64_t id, int mark, const Decision& decision) {
   decide_all(id, 0, {{mark, true, decision}});
 }

@@ -39,6 +39,7 @@ class SqliteRecords : public Records, public Accounts {
                       const std::vector<ReviewedFinding>& findings) override;
   void decide(std::int64_t id, int comparison, int finding, const Decision& decision) override;
   [[nodiscard]] int add_mark(std::int64_t id, const MarkedFinding& marked) override;
+  [[nodiscard]] int add_snapshot(std::int64_t id, const Snapshot& snapshot) override;
   void decide_mark(std::int64_t id, int mark, const Decision& decision) override;
   void decide_all(std::int64_t id, int comparison, const std::vector<FindingDecision>& decisions) override;
   void close(std::int64_t id, const Closing& closing) override;

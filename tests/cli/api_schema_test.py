@@ -92,6 +92,8 @@ class ApiSchemaTest(program.ProgramTest):
         self.begin()
         self.drive()
         self.measure()
+        self.point()
+        self.keep_a_snapshot()
         self.take('initial', then='check')
         self.get('inspections/1/baseline-check', 'BaselineCheck')
         left_out = [[-0.5, -0.5], [40.0, -0.5], [40.0, 40.0]]
@@ -132,6 +134,21 @@ class ApiSchemaTest(program.ProgramTest):
         self.refuse('POST', 'inspections/9/compare', {}, 404)
         self.console.say(type='stop')
         self.console.say(type='lease', action='release')
+
+    def point(self):
+        middle, corner = {'x': 0.5, 'y': 0.5}, {'x': 1.0, 'y': 0.0}
+        for shape in ('tap', 'arrow', 'circle'):
+            self.console.say(type='pointing', stream='depth', shape=shape, **{'from': middle, 'to': corner})
+        with self.console.changed:
+            self.assertTrue(self.console.changed.wait_for(lambda: len(self.console.pointed) == 3, 20), 'not passed on')
+
+    def keep_a_snapshot(self):
+        frozen = self.post('freeze', 'FreezeRequest', {'stream': 'color'}, 'FrozenPicture', 201)
+        self.post('measure', 'MeasureRequest',
+                  {'stream': 'color', 'frozen': frozen['frozen'], 'points': [{'u': 340, 'v': 336}]}, 'Measurement')
+        for picture in ({'frozen': frozen['frozen']}, {}):
+            self.post('inspections/1/snapshots', 'SnapshotRequest',
+                      {'stream': 'color', 'note': 'a crack?', 'person': 'Ann', **picture}, 'Inspection', 201)
 
     def measure(self):
         for points in ([{'u': 340, 'v': 336}], [{'u': 340, 'v': 336}, {'u': 509, 'v': 336}], [{'u': -9, 'v': -9}]):

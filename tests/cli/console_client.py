@@ -109,7 +109,7 @@ class Console:
 
     def __init__(self, address, name='Ann', stream=None, cookie=''):
         self.client = os.urandom(16).hex()
-        self.status, self.lease, self.refused = None, None, []
+        self.status, self.lease, self.refused, self.pointed = None, None, [], []
         self.pictures = 0
         self.latencies_ms = []
         self.changed = threading.Condition()
@@ -205,6 +205,8 @@ class Console:
                 self.status = message
             elif message['type'] == 'lease':
                 self.lease = message
+            elif message['type'] == 'pointed':
+                self.pointed.append(message)
             else:
                 self.refused.append(message)
             self.changed.notify_all()

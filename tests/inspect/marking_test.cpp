@@ -77,9 +77,10 @@ TEST(AMark, IsInsideThePicture) {
 TEST(MarkedPictures, AreNeverReplaced) {
   const test::TemporaryFolder data;
   const InspectionFolder folder(data.path(), 1);
-  const std::string first = keep_marked_picture(folder, ColorImage(4, 4));
+  const std::string first = keep_picture(folder, InspectionFolder::marks_name, ColorImage(4, 4));
   const auto bytes = read_file(folder.path() / first);
-  const std::string second = keep_marked_picture(folder, ColorImage(8, 4, Rgb{1, 2, 3}));
+  const std::string second =
+      keep_picture(folder, InspectionFolder::marks_name, ColorImage(8, 4, Rgb{1, 2, 3}));
   EXPECT_NE(first, second);
   EXPECT_EQ(read_file(folder.path() / first), bytes);
   EXPECT_NE(read_file(folder.path() / second), bytes);
@@ -91,7 +92,8 @@ TEST(MarkedPictures, AreNotWrittenThroughALink) {
   std::filesystem::create_directories(folder.path());
   std::filesystem::create_directory(data / "elsewhere");
   std::filesystem::create_directory_symlink(data / "elsewhere", folder.path() / "marks");
-  EXPECT_THROW(static_cast<void>(keep_marked_picture(folder, ColorImage(4, 4))), Error);
+  EXPECT_THROW(static_cast<void>(keep_picture(folder, InspectionFolder::marks_name, ColorImage(4, 4))),
+               Error);
   EXPECT_TRUE(std::filesystem::is_empty(data / "elsewhere"));
 }
 

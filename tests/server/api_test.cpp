@@ -182,6 +182,43 @@ TEST_F(Asked, MeasuresWhatTheCameraSees) {
   EXPECT_EQ(code("POST", "/api/measure", R"({"stream":"sonar","points":[{"u":1,"v":1}]})"), "bad-request");
 }
 
+TEST_F(Asked, AFrozenPictureIsShownMeasuredAndKept) {
+  ASSERT_TRUE(test::eventually([&] { return served_.camera.newest() != nullptr; }));
+  const ApiResponse answer = ask("POST", "/api/freeze", R"({"stream":"depth"})");
+  EXPECT_EQ(answer.status, 201);
+  EXPECT_EQ(Json::parse(answer.body)["frozen"], 1);
+  EXPECT_EQ(ask("GET", "/api/frozen/1/picture.png").content_type, "image/png");
+  const auto distance_m = [&] {
+    return Json::parse(
+               ask("POST", "/api/measure", R"({"stream":"depth","frozen":1,"points":[{"u":80,"v":60}]})")
+                   .body)["points"][0]["distance_m"]
+        .get<double>();
+  };
+  const double before_m = distance_m();
+  served_.plug->bump_mm = 100;
+  const auto seen = served_.camera.newest();
+  ASSERT_TRUE(
+      test::eventually([&] { return served_.camera.newest()->frame.number > seen->frame.number + 3; }));
+  EXPECT_EQ(distance_m(), before_m) << "of the picture, not of what is there now";
+
+  ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
+  const ApiResponse kept = ask("POST", "/api/inspections/1/snapshots",
+                               R"({"stream":"depth","frozen":1,"note":"why?","person":"Ann"})");
+  EXPECT_EQ(kept.status, 201);
+  EXPECT_EQ(Json::parse(kept.body)["snapshots"][0]["note"], "why?");
+  EXPECT_EQ(ask("GET", "/api/inspections/1/snapshots/1/picture.png").body,
+            ask("GET", "/api/frozen/1/picture.png").body);
+  EXPECT_EQ(ask("POST", "/api/inspections/1/snapshots", R"({"stream":"depth","person":"Ann"})").status, 201);
+  EXPECT_EQ(code("POST", "/api/inspections/1/snapshots", R"({"stream":"depth","frozen":9,"person":"Ann"})"),
+            "not-found");
+  EXPECT_EQ(code("POST", "/api/inspections/1/snapshots", R"({"stream":"depth"})"), "refused")
+      << "nobody's name";
+  EXPECT_EQ(code("POST", "/api/freeze", R"({"stream":"sonar"})"), "bad-request");
+  EXPECT_EQ(ask("GET", "/api/frozen/9/picture.png").status, 404);
+  EXPECT_EQ(ask("GET", "/api/frozen/x/picture.png").status, 404);
+  EXPECT_EQ(ask("GET", "/api/inspections/1/snapshots/3/picture.png").status, 404);
+}
+
 TEST_F(Asked, WithoutASignInNothingIsSeen) {
   sign_in(PersonRole::inspector);
   EXPECT_EQ(ask("GET", "/api/inspections").status, 200);

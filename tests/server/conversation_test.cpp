@@ -227,5 +227,57 @@ TEST_F(Talk, ABadNumberIsRefusedAndTheTalkGoesOn) {
   EXPECT_THAT(all(*conversation).at(0).bytes, HasSubstr("bad-request"));
 }
 
+TEST_F(Talk, AViewerPointsToo) {
+  const auto viewer = talk(PersonRole::viewer);
+  viewer->hear(hello, 1.0);
+  viewer->hear(
+      R"({"type":"pointing","stream":"color","shape":"arrow","from":{"x":0,"y":1},"to":{"x":0.5,"y":0.5},"note":"x"})",
+      1.0);
+  const std::shared_ptr<const std::string> pointed = viewer->take_pointed();
+  ASSERT_TRUE(pointed);
+  EXPECT_EQ(*pointed, R"({"type":"pointed","name":"Ann","stream":"color","shape":"arrow",)"
+                      R"("from":{"x":0.0,"y":1.0},"to":{"x":0.5,"y":0.5}})")
+      << "nothing else is passed on";
+  EXPECT_FALSE(viewer->take_pointed());
+}
+
+TEST_F(Talk, PointingIsLimitedInRateAndSize) {
+  const std::string tap = R"({"type":"pointing","stream":"color","shape":"tap","from":{"x":0.5,"y":0.5}})";
+  const auto conversation = talk();
+  conversation->hear(hello, 1.0);
+  int passed = 0;
+  for (int i = 0; i < 20; ++i) {
+    conversation->hear(tap, 1.0);
+    if (conversation->take_pointed()) ++passed;
+  }
+  EXPECT_EQ(passed, 6) << "as many as in two seconds";
+  EXPECT_THAT(all(*conversation).at(0).bytes, HasSubstr("too-many"));
+  conversation->hear(tap, 1.4);
+  EXPECT_TRUE(conversation->take_pointed()) << "again after a moment";
+  for (int i = 0; i < 30; ++i) conversation->offer_pointed(std::make_shared<const std::string>("{}"));
+  EXPECT_EQ(
+      std::ranges::count_if(all(*conversation), [](const Message& message) { return message.bytes == "{}"; }),
+      20)
+      << "a slow console gets the last ones";
+}
+
+TEST_F(Talk, MalformedPointingIsRefused) {
+  const auto conversation = talk();
+  conversation->hear(hello, 1.0);
+  double now_s = 2.0;
+  for (const char* const bad :
+       {R"({"type":"pointing"})",
+        R"({"type":"pointing","stream":"sonar","shape":"tap","from":{"x":0,"y":0}})",
+        R"({"type":"pointing","stream":"color","shape":"star","from":{"x":0,"y":0}})",
+        R"({"type":"pointing","stream":"color","shape":"tap"})",
+        R"({"type":"pointing","stream":"color","shape":"tap","from":{"x":1.1,"y":0}})",
+        R"({"type":"pointing","stream":"color","shape":"circle","from":{"x":1,"y":0}})",
+        R"({"type":"pointing","stream":"color","shape":"tap","from":[1,2]})"}) {
+    conversation->hear(bad, now_s += 1.0);
+    EXPECT_FALSE(conversation->take_pointed()) << bad;
+    EXPECT_THAT(all(*conversation).at(0).bytes, HasSubstr("bad-request")) << bad;
+  }
+}
+
 }  // namespace
 }  // namespace rva

@@ -129,5 +129,26 @@ TEST_F(LiveHubTest, EndsTheTimersOfAMemberThatEnds) {
   EXPECT_TRUE(ann->ended);
 }
 
+TEST_F(LiveHubTest, WhatAPersonPointsAtIsShownToAll) {
+  const auto ann = join();
+  const auto bob = join();
+  ann->conversation.hear(
+      R"({"type":"pointing","stream":"depth","shape":"tap","from":{"x":0.5,"y":0.25},"to":{"x":0.5,"y":0.25}})",
+      steady_clock().now_s());
+  hub_.pass_on_pointing(*ann);
+  hub_.pass_on_pointing(*ann);
+  for (LiveHub::Member* const member : {ann.get(), bob.get()}) {
+    int pointed = 0;
+    for (const Message& message : messages(*member)) {
+      const Json json = Json::parse(message.bytes);
+      if (json["type"] != "pointed") continue;
+      ++pointed;
+      EXPECT_EQ(json["name"], "Ann");
+      EXPECT_EQ(json["from"]["y"], 0.25);
+    }
+    EXPECT_EQ(pointed, 1);
+  }
+}
+
 }  // namespace
 }  // namespace rva

@@ -415,6 +415,23 @@ TEST_F(Kept, AMarkComesBackAsItWas) {
   EXPECT_THROW(static_cast<void>(records_->add_mark(id + 1, {})), Error);
 }
 
+TEST_F(Kept, SnapshotsAreNoFindings) {
+  const std::int64_t id = add();
+  EXPECT_EQ(records_->add_snapshot(id, {0, "snapshots/001.png", "a \"crack\"?", "Ann", "t1"}), 1);
+  EXPECT_EQ(records_->add_snapshot(id, {0, "snapshots/002.png", "", "Bob", "t2"}), 2);
+  open();
+  const std::vector<Snapshot> back = records_->find(id)->snapshots;
+  ASSERT_THAT(back, SizeIs(2));
+  EXPECT_EQ(back[0].picture, "snapshots/001.png");
+  EXPECT_EQ(back[0].note, "a \"crack\"?");
+  EXPECT_EQ(back[0].person, "Ann");
+  EXPECT_EQ(back[0].taken_at, "t1");
+  EXPECT_EQ(back[1].number, 2);
+  EXPECT_EQ(records_->summaries({}).at(0).findings, 0U);
+  EXPECT_THROW(static_cast<void>(records_->add_snapshot(id + 1, {})), Error);
+  EXPECT_THROW(records_->remove(id), Error) << "snapshots are kept";
+}
+
 TEST_F(Kept, AClosedInspectionDoesNotChange) {
   const std::int64_t id = add();
   records_->set_side(id, Side::initial, {"t", "Ann", "base"});
@@ -433,6 +450,7 @@ TEST_F(Kept, AClosedInspectionDoesNotChange) {
   EXPECT_THROW(records_->set_side(id, Side::final, {"t", "Ann", "base", 2}), Error);
   EXPECT_THROW(records_->begin_comparison(id, comparison(2)), Error);
   EXPECT_THROW(static_cast<void>(records_->add_mark(id, {})), Error);
+  EXPECT_THROW(static_cast<void>(records_->add_snapshot(id, {})), Error);
   EXPECT_THROW(records_->remove(id), Error);
   EXPECT_EQ(records_->find(id)->findings.at(0).decision->verdict, Verdict::installed_work);
 }

@@ -6,6 +6,8 @@ import type {
   DecisionsRequest,
   Empty,
   ErrorAnswer,
+  FreezeRequest,
+  FrozenPicture,
   GivenDecision,
   Inspection,
   InspectionList,
@@ -23,6 +25,8 @@ import type {
   SideName,
   SignInRequest,
   SimulationRequest,
+  SnapshotRequest,
+  Stream,
   ViewMeasureRequest,
   ViewsRequest,
 } from '../types';
@@ -99,6 +103,10 @@ export const api = {
   checkReadiness: () => post<Empty>('/api/readiness'),
   cancel: () => post<Empty>('/api/cancel'),
   measure: (request: MeasureRequest) => send<MeasureRequest, Measurement>('POST', '/api/measure', request),
+  /** Keeps the live picture still, for measuring and for a snapshot. */
+  freeze: (stream: Stream) => send<FreezeRequest, FrozenPicture>('POST', '/api/freeze', { stream }),
+  /** Keeps a picture with a note; it is no finding. */
+  keepSnapshot: (id: number, request: SnapshotRequest) => send<SnapshotRequest, Inspection>('POST', `/api/inspections/${id}/snapshots`, request),
   /** Measures in the pictures of a view of a comparison, before or after the work. */
   measureView: ({ id, comparison = 0 }: Inspection, view: number, request: ViewMeasureRequest) =>
     send<ViewMeasureRequest, Measurement>('POST', `/api/inspections/${id}/rounds/${comparison}/views/${view}/measure`, request),
@@ -115,6 +123,16 @@ export function pictureAddress(inspection: Inspection, view: number, name: strin
 /** The URL of the picture in which a person marked a finding. */
 export function markedAddress(inspection: Inspection, mark: number): string {
   return `/api/inspections/${inspection.id}/marked/${mark}/picture.png`;
+}
+
+/** The URL of a picture that was frozen. */
+export function frozenAddress(frozen: number): string {
+  return `/api/frozen/${frozen}/picture.png`;
+}
+
+/** The URL of a picture that was kept with a note. */
+export function snapshotAddress(inspection: Inspection, number: number): string {
+  return `/api/inspections/${inspection.id}/snapshots/${number}/picture.png`;
 }
 
 /** The URL of a picture of a view's baseline. Colour and the pictures of the baseline check may be missing. */

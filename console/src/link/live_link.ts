@@ -1,6 +1,6 @@
 // The WebSocket, which receives pictures and status and sends the deflections of the sticks.
 import { Store } from '../store';
-import type { ClientMessage, Lease, PictureHead, Protocol, Refused, ServerMessage, Status, Stream } from '../types';
+import type { ClientMessage, Lease, PictureHead, Pointed, Pointing, Protocol, Refused, ServerMessage, Status, Stream } from '../types';
 import { api } from './api';
 import { clientId, person } from './client';
 import { words } from '../words/words';
@@ -24,6 +24,8 @@ class LiveLink {
   readonly lease = new Store<Lease>({ type: 'lease', yours: false });
   /** Why the last message was refused, or why the controls were lost. */
   readonly refused = new Store<Pick<Refused, 'message'> | null>(null);
+  /** What people point at in the live picture, the oldest first. */
+  readonly pointed = new Store<Pointed[]>([]);
   /** Why the server ended the connection for good, if it did. */
   readonly ended = new Store<string>('');
   onPicture: (picture: LivePicture) => void = () => undefined;
@@ -49,6 +51,11 @@ class LiveLink {
 
   drive(pan: number, tilt: number): void {
     this.send({ type: 'drive', pan, tilt, stamp_ms: performance.now() });
+  }
+
+  /** Points at something, for all consoles. */
+  point(mark: Omit<Pointing, 'type'>): void {
+    this.send({ type: 'pointing', ...mark });
   }
 
   stop(): void {
@@ -117,6 +124,9 @@ class LiveLink {
       case 'lease':
         this.sayWhyLost(message);
         this.lease.value = message;
+        break;
+      case 'pointed':
+        this.pointed.value = [...this.pointed.value, message];
         break;
       case 'refused':
         this.refused.value = message;

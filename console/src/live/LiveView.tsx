@@ -2,8 +2,10 @@
 import './live.css';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { api } from '../link/api';
+import { attempt } from '../inspection/inspections';
+import { api, frozenAddress } from '../link/api';
 import { link } from '../link/live_link';
+import { Choice } from '../Choice';
 import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
 import { MeasureMarks, middleOf } from '../measure/MeasureMarks';
 import { useMeasuring } from '../measure/measuring';
@@ -12,9 +14,14 @@ import { shownPart, whole, type Zoom } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
 import { ZoomPicture } from '../picture/ZoomPicture';
 import { Store, useStore } from '../store';
-import type { Box, PictureHead, Stream } from '../types';
+import type { Box, FrozenPicture, PictureHead, PointingShape, Stream } from '../types';
 import { DepthScale } from './DepthScale';
-import { words } from '../words/words';
+import { PointedMarks } from './PointedMarks';
+import { usePointing } from './pointing';
+import { newSnapshot } from './SnapshotForm';
+import { clockText, words } from '../words/words';
+
+const shapes: PointingShape[] = ['arrow', 'circle'];
 
 /** The part of the picture that is shown, the same of all streams. */
 const liveZoom = new Store<Zoom>(whole);
@@ -23,9 +30,19 @@ interface Props {
   children?: ComponentChildren;
   /** A box that a person marked, in pixels of this live picture; undefined where nobody may mark. */
   onMark?: ((box: Box, stream: Stream) => void) | undefined;
+  /** Whether pictures may be kept with an inspection. */
+  mayKeep?: boolean;
 }
 
-export function LiveView({ children, onMark }: Props) {
+// The picture that stands still, of one stream, until it is live again.
+function useFreeze(stream: Stream): { frozen: FrozenPicture | null; toggle: () => void } {
+  const [frozen, setFrozen] = useState<FrozenPicture | null>(null);
+  useEffect(() => setFrozen(null), [stream]);
+  const toggle = () => void (frozen ? setFrozen(null) : attempt(async () => setFrozen(await api.freeze(stream))));
+  return { frozen, toggle };
+}
+
+export function LiveView({ children, onMark, mayKeep = false }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const status = useStore(link.status);
   const state = useStore(link.state);
@@ -66,7 +83,13 @@ export function LiveView({ children, onMark }: Props) {
 
   // A measurement is valid only while the camera is at rest.
   const turning = status?.robot !== undefined && (status.robot.driving || status.robot.lent);
-  const measuring = useMeasuring((tool, points) => api.measure({ stream, tool, points }), `${stream} ${turning}`);
+  const { frozen, toggle: freeze } = useFreeze(stream);
+  const measuring = useMeasuring(
+    (tool, points) => api.measure({ stream, tool, points, ...(frozen && { frozen: frozen.frozen }) }),
+    `${stream} ${frozen ? frozen.frozen : turning}`,
+  );
+  const [shape, setShape] = useState<PointingShape>('arrow');
+  const pointing = usePointing(stream, shape, size);
 
   const scale_m = stream === 'depth' ? head?.scale_m : undefined;
   const problem = state !== 'open' ? words.live.lost : status?.camera.problem;
@@ -74,6 +97,10 @@ export function LiveView({ children, onMark }: Props) {
     <section class="view" aria-label={words.live.view}>
       {marking.active ? (
         <MarkBar marking={marking} size={size} zoom={liveZoom} />
+      ) : pointing.active ? (
+        <MarkBar marking={pointing} size={size} zoom={liveZoom} guide={words.live.pointGuide}>
+          <Choice label={words.live.shape} name="shape" options={shapes.map((one) => [one, words.live.shapes[one]])} value={shape} onPick={setShape} />
+        </MarkBar>
       ) : measuring.active ? (
         <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(liveZoom.value, size)))} />
       ) : (
@@ -95,6 +122,17 @@ export function LiveView({ children, onMark }: Props) {
           <ZoomButtons zoom={liveZoom} />
           <MeasureButton measuring={measuring} />
           <MarkButton marking={marking} shown={onMark !== undefined} />
+          <button type="button" data-testid="point" onClick={pointing.begin}>
+            {words.live.point}
+          </button>
+          <button type="button" aria-pressed={frozen !== null} data-testid="freeze" onClick={freeze}>
+            {frozen ? words.live.unfreeze : words.live.freeze}
+          </button>
+          {mayKeep && (
+            <button type="button" data-testid="snapshot" onClick={() => (newSnapshot.value = { stream, ...(frozen && { frozen: frozen.frozen }) })}>
+              {words.live.snapshot}
+            </button>
+          )}
           {scale_m && <DepthScale range_m={scale_m} />}
           <span class="hint">{scale_m ? words.live.tapDepth : words.live.tap}</span>
         </div>
@@ -103,7 +141,12 @@ export function LiveView({ children, onMark }: Props) {
         size={size}
         zoom={liveZoom}
         label={words.live.picture}
-        overlay={(frame) => head && <MeasureMarks frame={frame} measuring={measuring} />}
+        overlay={(frame) => (
+          <>
+            {head && <MeasureMarks frame={frame} measuring={measuring} />}
+            <PointedMarks stream={stream} frame={frame} size={size} />
+          </>
+        )}
         fixed={
           <>
             {problem && (
@@ -111,13 +154,19 @@ export function LiveView({ children, onMark }: Props) {
                 {problem}
               </p>
             )}
+            {frozen && (
+              <span class="picture-label" role="status" data-testid="frozen">
+                {words.live.frozenAt(clockText(frozen.taken_at))}
+              </span>
+            )}
             {children}
           </>
         }
         onTap={measuring.pick}
-        marking={marking}
+        marking={pointing.active ? pointing : marking}
       >
         <canvas ref={canvas} data-testid="live" aria-label={words.live.pictureOf[stream]} role="img" />
+        {frozen && <img src={frozenAddress(frozen.frozen)} alt={words.live.frozenPicture} draggable={false} data-testid="frozen-picture" />}
       </ZoomPicture>
     </section>
   );

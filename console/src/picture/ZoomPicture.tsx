@@ -163,7 +163,7 @@ function handlersOf(props: Latest<Props>, frame: Latest<Frame>, element: Latest<
     draw: (from, to, done) => {
       const { size } = props.current;
       const box = from === to ? boxAround(pixelOf(from), size) : boxBetween(pixelOf(from), pixelOf(to), size);
-      if (done) marking()?.finish(box);
+      if (done) marking()?.finish(box, from === to ? undefined : [pixelOf(from), pixelOf(to)]);
       else marking()?.setDraft(box);
     },
     drop: () => {

@@ -1,12 +1,16 @@
 // Marks something in a picture that the program did not find: by a tap, by drawing a rectangle, or by keyboard.
+import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Size } from '../regions/shapes';
 import type { Store } from '../store';
-import type { Box } from '../types';
+import type { Box, Pixel } from '../types';
 import { words } from '../words/words';
 import { boxInMiddle, movedBox, resizedBox } from './marks';
 import { shownPart, type Zoom } from './zoom';
 import type { Frame } from './ZoomPicture';
+
+/** Where a finger was put down, and where it was lifted. */
+export type Line = [Pixel, Pixel];
 
 /** The state of marking, for the parts below and for `ZoomPicture`. */
 export interface Marking {
@@ -19,15 +23,15 @@ export interface Marking {
   begin: () => void;
   leave: () => void;
   setDraft: (draft: Box | null, byKeys?: boolean) => void;
-  /** Ends marking with this box. */
-  finish: (box: Box) => void;
+  /** Ends marking with this box, and the way that the finger took, if it drew one. */
+  finish: (box: Box, line?: Line) => void;
 }
 
 /**
  * @param onMark called with a box of whole pixels of the picture; undefined where nothing can be marked, which also
  *   hides `MarkButton`
  */
-export function useMarking(onMark: ((box: Box) => void) | undefined): Marking {
+export function useMarking(onMark: ((box: Box, line?: Line) => void) | undefined): Marking {
   const [active, setActive] = useState(false);
   const [{ draft, byKeys }, setState] = useState<{ draft: Box | null; byKeys: boolean }>({ draft: null, byKeys: false });
   const setDraft = (next: Box | null, keys = false) => setState({ draft: next, byKeys: keys });
@@ -42,9 +46,9 @@ export function useMarking(onMark: ((box: Box) => void) | undefined): Marking {
     window.addEventListener('keydown', press);
     return () => window.removeEventListener('keydown', press);
   }, [active]);
-  const finish = (box: Box) => {
+  const finish = (box: Box, line?: Line) => {
     leave();
-    onMark?.(box);
+    onMark?.(box, line);
   };
   return { active: active && onMark !== undefined, draft, byKeys, begin: () => setActive(true), leave, setDraft, finish };
 }
@@ -59,14 +63,24 @@ export function MarkButton({ marking, shown }: { marking: Marking; shown: boolea
   );
 }
 
+interface BarProps {
+  marking: Marking;
+  size: Size;
+  zoom: Store<Zoom>;
+  /** What to do. */
+  guide?: string;
+  /** Further choices. */
+  children?: ComponentChildren;
+}
+
 /** Takes the place of the bar above the picture while something is marked. */
-export function MarkBar({ marking, size, zoom }: { marking: Marking; size: Size; zoom: Store<Zoom> }) {
+export function MarkBar({ marking, size, zoom, guide = words.picture.guide, children }: BarProps) {
   const { draft, byKeys } = marking;
   const begin = () => marking.setDraft(boxInMiddle(shownPart(zoom.value, size), size), true);
   return (
     <div class="view-bar" data-testid="mark-bar">
       <span class="mark-guide" role="status">
-        {byKeys ? words.picture.guideByKeys : words.picture.guide}
+        {byKeys ? words.picture.guideByKeys : guide}
       </span>
       {byKeys && draft ? (
         <button type="button" class="primary" data-testid="mark-confirm" onClick={() => marking.finish(draft)}>
@@ -77,6 +91,7 @@ export function MarkBar({ marking, size, zoom }: { marking: Marking; size: Size;
           {words.picture.markInMiddle}
         </button>
       )}
+      {children}
       <button type="button" data-testid="mark-leave" onClick={marking.leave}>
         {words.page.cancel}
       </button>

@@ -21,6 +21,10 @@ export function timeText(iso: string): string {
   return new Date(iso).toLocaleString(locale, { dateStyle: 'medium', timeStyle: 'short' });
 }
 
+export function clockText(iso: string): string {
+  return new Date(iso).toLocaleTimeString(locale);
+}
+
 export function percentText(share: number): string {
   return `${Math.round(100 * share)} %`;
 }
