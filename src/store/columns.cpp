@@ -1,6 +1,7 @@
 #include "store/columns.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/json_object.hpp"
 
@@ -51,13 +52,17 @@ Box box_in(const SQLite::Column& column) {
   return {list[0], list[1], list[2], list[3]};
 }
 
+Decision recorded_decision_in(SQLite::Statement& row) {
+  return {.verdict = value_of<Verdict>(row.getColumn(0).getString()).value_or(Verdict::second_look),
+          .note = row.getColumn(1),
+          .person = row.getColumn(2),
+          .decided_at = row.getColumn(3),
+          .round = row.getColumn(4)};
+}
+
 std::optional<Decision> decision_in(SQLite::Statement& row) {
-  if (row.getColumn(0).getString() == name_of(Verdict::undecided)) return std::nullopt;
-  return Decision{.verdict = value_of<Verdict>(row.getColumn(0).getString()).value_or(Verdict::second_look),
-                  .note = row.getColumn(1),
-                  .person = row.getColumn(2),
-                  .decided_at = row.getColumn(3),
-                  .round = row.getColumn(4)};
+  Decision decision = recorded_decision_in(row);
+  return decision.verdict == Verdict::undecided ? std::nullopt : std::optional(std::move(decision));
 }
 
 }  // namespace rva

@@ -27,13 +27,13 @@ std::vector<CapturedRound> captured_rounds_of(SQLite::Database& database, std::i
   return rounds;
 }
 
-// @param select first the columns of decision_in(), then comparison and number of the finding
+// @param select first the columns of recorded_decision_in(), then comparison and number of the finding
 void read_decisions(SQLite::Database& database, const std::string& select, std::int64_t id,
                     std::vector<RecordedDecision>& decisions) {
   SQLite::Statement query(database, select);
   query.bind(1, id);
   while (query.executeStep())
-    decisions.push_back({query.getColumn(5), query.getColumn(6), decision_in(query)});
+    decisions.push_back({query.getColumn(5), query.getColumn(6), recorded_decision_in(query)});
 }
 
 std::vector<RecordedDecision> decisions_of(SQLite::Database& database, std::int64_t id) {
