@@ -78,6 +78,8 @@ export { expect };
 /** From the list to an inspection that has begun. @param name none where it is that of the account */
 export async function begin(page: Page, name = 'Ann'): Promise<void> {
   await page.getByLabel('Aircraft').fill('N123AB');
+  await page.getByLabel('Aircraft').press('Enter');
+  await expect(page.getByLabel('Zone'), 'Enter goes on to what is missing').toBeFocused();
   await page.getByLabel('Zone').fill('Left wing, bay 3');
   await page.getByLabel('Work order').fill('WO-4711');
   if (name) await page.getByLabel('Your name').fill(name);

@@ -27,7 +27,8 @@ constexpr double rest_error_rad = 0.325 / 3.4641 * std::numbers::pi / 180.0;
 
 fs::path first_capture(const InspectionFolder& folder, const Inspection& inspection, Side side, int round,
                        int view) {
-  return folder.side(side, round) / view_name(static_cast<std::size_t>(view * inspection.dither));
+  return folder.side(side, round) /
+         view_name(static_cast<std::size_t>(view) * static_cast<std::size_t>(inspection.dither));
 }
 
 UncertainView measured(const Capture& capture, const MeasureOptions& options) {

@@ -40,24 +40,26 @@ BaselineView::BaselineView(const Detection& detection, const ComparedCameras& ca
   transfer(detection, least_mm);
 }
 
-// Of several final pixels that fall on one of the baseline, the nearest is seen.
 void BaselineView::transfer(const Detection& detection, const Image<float>& least_mm) {
   for (int v = 0; v < least_mm.height(); ++v) {
     for (int u = 0; u < least_mm.width(); ++u) {
       const double final_m = detection.final_m(u, v);
-      if (final_m <= 0.0) continue;
-      const Eigen::Vector3d point = initial_from_final_ * cameras_.final.deproject({u, v}, final_m);
-      if (point.z() <= 0.0) continue;
-      const Eigen::Vector2d pixel = cameras_.initial.project(point);
-      if (!cameras_.initial.contains(pixel)) continue;
-      const auto x = static_cast<int>(std::lround(pixel.x()));
-      const auto y = static_cast<int>(std::lround(pixel.y()));
-      const auto depth_m = static_cast<float>(point.z());
-      if (depth_m_(x, y) > 0.0F && depth_m_(x, y) <= depth_m) continue;
-      depth_m_(x, y) = depth_m;
-      least_mm_(x, y) = least_mm(u, v);
+      if (final_m > 0.0) add(initial_from_final_ * cameras_.final.deproject({u, v}, final_m), least_mm(u, v));
     }
   }
+}
+
+// Of several points that fall on one pixel of the baseline, the nearest is seen.
+void BaselineView::add(const Eigen::Vector3d& point, float level_mm) {
+  if (point.z() <= 0.0) return;
+  const Eigen::Vector2d pixel = cameras_.initial.project(point);
+  if (!cameras_.initial.contains(pixel)) return;
+  const auto x = static_cast<int>(std::lround(pixel.x()));
+  const auto y = static_cast<int>(std::lround(pixel.y()));
+  const auto depth_m = static_cast<float>(point.z());
+  if (depth_m_(x, y) > 0.0F && depth_m_(x, y) <= depth_m) return;
+  depth_m_(x, y) = depth_m;
+  least_mm_(x, y) = level_mm;
 }
 
 std::optional<Eigen::Vector2d> BaselineView::at(const Eigen::Vector2d& final_pixel,

@@ -45,6 +45,7 @@ class BaselineView {
 
  private:
   void transfer(const Detection& detection, const Image<float>& least_mm);
+  void add(const Eigen::Vector3d& point, float level_mm);
 
   ComparedCameras cameras_;
   Transform initial_from_final_;

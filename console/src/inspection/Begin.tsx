@@ -20,9 +20,18 @@ function Field({ label, value, required, onInput }: { label: string; value: stri
         {label}
         {required && <em> {words.page.required}</em>}
       </span>
-      <input value={value} maxLength={100} required={required ?? false} onInput={(event) => onInput(event.currentTarget.value)} />
+      <input value={value} maxLength={100} required={required ?? false} enterkeyhint="next" onInput={(event) => onInput(event.currentTarget.value)} />
     </label>
   );
+}
+
+// The keyboard's key for the next field goes on to what is required and missing, so that nobody needs to tap it.
+function goOn(event: KeyboardEvent): void {
+  if (event.key !== 'Enter' || !(event.target instanceof HTMLInputElement)) return;
+  const missing = [...(event.target.form?.querySelectorAll('input') ?? [])].find((input) => input.required && input.value.trim() === '');
+  if (!missing) return;
+  event.preventDefault();
+  missing.focus();
 }
 
 function NewInspection({ session }: { session: Session }) {
@@ -39,7 +48,7 @@ function NewInspection({ session }: { session: Session }) {
   };
   const set = (key: keyof typeof empty) => (value: string) => setOrder({ ...order, [key]: value });
   return (
-    <form class="card" onSubmit={begin} aria-label={words.inspection.newInspection}>
+    <form class="card" onSubmit={begin} onKeyDown={goOn} aria-label={words.inspection.newInspection}>
       <h2>{words.inspection.newInspection}</h2>
       <Field label={words.inspection.aircraft} value={order.aircraft} required onInput={set('aircraft')} />
       <Field label={words.inspection.zone} value={order.zone} required onInput={set('zone')} />

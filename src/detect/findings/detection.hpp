@@ -38,7 +38,7 @@ struct Detection {
   std::optional<LevelOfDetection> level_of_detection;  ///< set by `calibrated` and `spatial`
   Mask changed;          ///< every changed pixel, including blobs below the minimum size
   Image<float> final_m;  ///< depth after, metres; 0 where not measured
-  /// Depth before at the pixels of `final_m`, metres, without drift where that is known; 0 where not measured.
+  /// Depth before at the same pixels, metres, without drift where that is known; 0 where not measured.
   Image<float> initial_m;
   Mask left_out;  ///< pixels of the final depth image left out by the user; empty for none
   /// What limits the result, for the user; one line each.
