@@ -18,7 +18,16 @@ std::optional<double> median(std::vector<float> values) {
   return values.empty() ? std::nullopt : std::optional<double>(quantile(values, 0.5));
 }
 
-void measure_depth(const Detection& detection, const Intrinsics& camera, Piece& piece) {
+void measure_surroundings(const Detection& detection, const Intrinsics& camera, Piece& piece) {
+  if (piece.kind == ChangeKind::appearance) return;
+  const BeforeAndAfter depth = piece.kind == ChangeKind::added
+                                   ? BeforeAndAfter{detection.final_m, detection.initial_m}
+                                   : BeforeAndAfter{detection.initial_m, detection.final_m};
+  const auto height = height_above_surroundings(piece.pixels, depth, detection.changed, camera);
+  if (height) piece.above_surroundings_mm = height->median_mm;
+}
+
+void measure_depth(const Detection& detection, Piece& piece) {
   std::vector<float> depths_m;
   std::vector<float> heights_m;
   std::vector<float> levels_mm;
@@ -34,12 +43,6 @@ void measure_depth(const Detection& detection, const Intrinsics& camera, Piece& 
   if (2 * heights_m.size() >= piece.pixels.size())
     piece.height_mm = mm_per_m * median(std::move(heights_m)).value();
   piece.level_mm = median(std::move(levels_mm));
-  if (piece.kind == ChangeKind::appearance) return;
-  const BeforeAndAfter depth = piece.kind == ChangeKind::added
-                                   ? BeforeAndAfter{detection.final_m, detection.initial_m}
-                                   : BeforeAndAfter{detection.initial_m, detection.final_m};
-  const auto height = height_above_surroundings(piece.pixels, depth, detection.changed, camera);
-  if (height) piece.above_surroundings_mm = height->median_mm;
 }
 
 // A single pixel without depth is taken to be as far as the whole piece.
@@ -69,7 +72,8 @@ std::vector<Piece> pieces_of(const Detection& detection, const BaselineView& bas
       piece.kind = finding.kind;
       piece.box = region.box;
       piece.pixels = std::move(region.pixels);
-      measure_depth(detection, baseline.final_camera(), piece);
+      measure_depth(detection, piece);
+      measure_surroundings(detection, baseline.final_camera(), piece);
       place_in_baseline(baseline, width, piece);
       pieces.push_back(std::move(piece));
     }

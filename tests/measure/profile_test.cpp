@@ -40,7 +40,6 @@ TEST(Profile, AStepHasItsHeightAndGapsStayEmpty) {
 }
 
 TEST(Profile, LongLinesHaveNoMoreSamplesThanAreDrawn) {
-  MeasureOptions options;
   UncertainView view = test::view_of(test::plane({0, 0, 2}));
   const Profile profile = profile_of(view, {0, 0}, {159, 119});
   EXPECT_LE(profile.samples.size(), 400U);

@@ -128,13 +128,13 @@ export function LiveView({ children, onMark, mayKeep = false }: Props) {
           <button type="button" aria-pressed={frozen !== null} data-testid="freeze" onClick={freeze}>
             {frozen ? words.live.unfreeze : words.live.freeze}
           </button>
-          {mayKeep && (
-            <button type="button" data-testid="snapshot" onClick={() => (newSnapshot.value = { stream, ...(frozen && { frozen: frozen.frozen }) })}>
+          {mayKeep && frozen && (
+            <button type="button" data-testid="snapshot" onClick={() => (newSnapshot.value = { stream, frozen: frozen.frozen })}>
               {words.live.snapshot}
             </button>
           )}
           {scale_m && <DepthScale range_m={scale_m} />}
-          <span class="hint">{scale_m ? words.live.tapDepth : words.live.tap}</span>
+          <span class="hint tap-hint">{scale_m ? words.live.tapDepth : words.live.tap}</span>
         </div>
       )}
       <ZoomPicture

@@ -9,16 +9,16 @@ function shareOf(u: number, v: number, { width, height }: Size): PictureShare {
   return { x: limit((u + 0.5) / width), y: limit((v + 0.5) / height) };
 }
 
-/** A tap points at one spot; what was drawn is an arrow along the finger's way, or a circle within its box. */
+/** An arrow along the finger's way, or, without one, a spot; a circle within the box. */
 export function pointAt(stream: Stream, shape: PointingShape, [u, v, width, height]: Box, line: Line | undefined, size: Size): void {
-  if (line && shape === 'arrow') {
+  if (shape === 'circle') {
+    link.point({ stream, shape, from: shareOf(u - 0.5, v - 0.5, size), to: shareOf(u + width - 0.5, v + height - 0.5, size) });
+  } else if (shape === 'arrow' && line) {
     const [from, to] = line;
     link.point({ stream, shape, from: shareOf(from.u, from.v, size), to: shareOf(to.u, to.v, size) });
-  } else if (shape === 'tap' || !line) {
+  } else {
     const middle = shareOf(u + width / 2 - 0.5, v + height / 2 - 0.5, size);
     link.point({ stream, shape: 'tap', from: middle, to: middle });
-  } else {
-    link.point({ stream, shape: 'circle', from: shareOf(u - 0.5, v - 0.5, size), to: shareOf(u + width - 0.5, v + height - 0.5, size) });
   }
 }
 
