@@ -168,7 +168,8 @@ TraceCounts read_traces(const YamlNode& section) {
 }
 
 Work read_work(const YamlNode& section) {
-  section.allow_only({"brackets", "hoses", "cables", "sealant", "collars", "seed", "rehung", "parts", "traces"});
+  section.allow_only(
+      {"brackets", "hoses", "cables", "sealant", "collars", "seed", "rehung", "parts", "traces"});
   Work work;
   read_counts(section, work.installed);
   section.read("rehung", work.rehung, 0, most_fittings);
