@@ -73,11 +73,12 @@ test('a decision is for all views of a finding, leads to the next one, and is ta
 test('several findings get one decision in one request', async ({ console: page }) => {
   const requests = await openDecidable(page);
   await page.getByTestId('several').click();
-  await expect(page.getByTestId('several-form').getByTestId('verdict-false-alarm')).toBeDisabled();
+  await expect(page.getByTestId('several-decide')).toBeDisabled();
   await page.getByTestId('finding-3').getByRole('checkbox').click();
   await expect(page.getByTestId('several-form')).toContainText('1 of 2 selected');
   await page.getByTestId('several-undecided').click();
   await expect(page.getByTestId('several-form')).toContainText('2 of 2 selected');
+  await page.getByTestId('several-decide').click();
   await expectTouchable(page);
   await expectAccessible(page);
   await page.getByTestId('several-form').getByTestId('verdict-installed-work').click();

@@ -9,11 +9,12 @@ const height = 120;
 const least_mm = 4;
 
 // Samples that follow each other without a gap.
-function pieces(profile: ProfileSample[]): Measured[][] {
+function pieces(profile: ProfileSample[], measured: Measured[]): Measured[][] {
   const all: Measured[][] = [[]];
   for (const sample of profile) {
-    if (sample.height_mm === undefined) all.push([]);
-    else all.at(-1)!.push(sample as Measured);
+    const found = measured.find((one) => one === sample);
+    if (found) all.at(-1)!.push(found);
+    else all.push([]);
   }
   return all.filter((piece) => piece.length > 0);
 }
@@ -34,7 +35,7 @@ export function ProfileChart({ profile }: { profile: ProfileSample[] }) {
       .join(' ');
   return (
     <svg class="profile-chart" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" role="img" aria-label={words.measure.chart} data-testid="profile">
-      {pieces(profile).map((piece) => (
+      {pieces(profile, samples).map((piece) => (
         <g key={piece[0]!.share}>
           <polygon class="profile-band" points={band(piece)} />
           <polyline class="profile-line" points={line(piece)} />

@@ -5,9 +5,16 @@ import { quantityText } from './quantity';
 
 export type Measured = Required<Pick<ProfileSample, 'share' | 'along_mm' | 'height_mm' | 'height_uncertainty_mm'>>;
 
-/** The samples of a profile without its gaps. */
+/**
+ * The samples of a profile without its gaps. Where the uncertainty is many times that of the profile, the camera
+ * mistook the surface, as it does at edges: that is no height of this profile.
+ */
 export function measuredSamples(profile: ProfileSample[]): Measured[] {
-  return profile.filter((sample): sample is Measured => sample.height_mm !== undefined);
+  const timesUsual = 10;
+  const measured = profile.filter((sample): sample is Measured => sample.height_mm !== undefined);
+  const uncertainties = measured.map((sample) => sample.height_uncertainty_mm).sort((a, b) => a - b);
+  const median = uncertainties[Math.floor(uncertainties.length / 2)] ?? 0;
+  return measured.filter((sample) => sample.height_uncertainty_mm <= timesUsual * median);
 }
 
 /** The share of a profile that could not be measured, 0 to 1. */

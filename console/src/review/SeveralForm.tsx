@@ -17,6 +17,8 @@ export function toggleSeveral(number: number): void {
 export function SeveralForm({ inspection, groups, session }: { inspection: Inspection; groups: Group[]; session: Session }) {
   const numbers = useStore(several) ?? [];
   const [note, setNote] = useState('');
+  // Until then, the room is for the list.
+  const [deciding, setDeciding] = useState(false);
   const chosen = groups.filter((group) => numbers.includes(group.lead.number));
   const undecided = groups.filter((group) => !decisionOf(group)).map((group) => group.lead.number);
   const pick = (verdict: Verdict) =>
@@ -28,11 +30,19 @@ export function SeveralForm({ inspection, groups, session }: { inspection: Inspe
       <p role="status">
         <Rich text={words.review.selected(chosen.length, groups.length)} />
       </p>
-      <Verdicts chosen={undefined} enabled={chosen.length > 0} onPick={pick} />
-      <label class="field">
-        <span>{words.review.noteForAll}</span>
-        <input value={note} maxLength={1000} onInput={(event) => setNote(event.currentTarget.value)} />
-      </label>
+      {deciding ? (
+        <>
+          <Verdicts chosen={undefined} enabled={chosen.length > 0} onPick={pick} />
+          <label class="field">
+            <span>{words.review.noteForAll}</span>
+            <input value={note} maxLength={1000} onInput={(event) => setNote(event.currentTarget.value)} />
+          </label>
+        </>
+      ) : (
+        <button type="button" class="primary" data-testid="several-decide" disabled={chosen.length === 0} onClick={() => setDeciding(true)}>
+          {words.review.decideOn(chosen.length)}
+        </button>
+      )}
       <div class="panel-pair narrow">
         <button type="button" data-testid="several-undecided" disabled={undecided.length === 0} onClick={() => (several.value = undecided)}>
           {words.review.selectAllUndecided}

@@ -320,6 +320,7 @@ export const de: Words = {
     closer: 'Näher',
     closeTheInspection: 'Die Inspektion abschließen',
     colorless: 'Grau in Farbbildern: außerhalb der Farbkamera.',
+    decideOn: (count) => (count === 0 ? 'Entscheiden' : `Über ${count} entscheiden`),
     decideSeveral: 'Über mehrere Befunde entscheiden',
     edge: 'oder es ist eine Kante oder rauscht zu stark.',
     findable: 'Wo ein Gegenstand gefunden worden wäre',

@@ -321,6 +321,7 @@ export const en = {
     closer: 'Closer',
     closeTheInspection: 'Close the inspection',
     colorless: 'Grey in colour pictures: beyond the colour camera’s view.',
+    decideOn: (count: number) => (count === 0 ? 'Decide' : `Decide on ${count}`),
     decideSeveral: 'Decide on several findings',
     edge: 'or it is an edge or too noisy.',
     findable: 'Where an object would have been found',

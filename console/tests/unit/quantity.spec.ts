@@ -33,5 +33,7 @@ test('a profile states its highest and lowest point, and what is missing', () =>
   const profile = [{ share: 0, along_mm: 0, height_mm: 0, height_uncertainty_mm: 0.4 }, { share: 0.5 }, { share: 1, along_mm: 10, height_mm: 6, height_uncertainty_mm: 0.4 }, { share: 1, along_mm: 10, height_mm: -1, height_uncertainty_mm: 0.4 }];
   expect(gapShare(profile)).toBe(0.25);
   expect(resultText({ tool: 'profile', points: [point, point], profile })).toBe('highest 6.0 mm ± 0.4 mm, lowest −1.0 mm ± 0.4 mm; 25 % not measured');
+  const mistaken = { share: 0.6, along_mm: 6, height_mm: -3372, height_uncertainty_mm: 295 };
+  expect(resultText({ tool: 'profile', points: [point, point], profile: [...profile, mistaken] })).toBe('highest 6.0 mm ± 0.4 mm, lowest −1.0 mm ± 0.4 mm; 40 % not measured');
   expect(resultText({ tool: 'profile', points: [point, point], profile: [{ share: 0 }] })).toBe('nothing is measured along this line');
 });
