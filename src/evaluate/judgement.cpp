@@ -12,9 +12,6 @@
 namespace rva {
 namespace {
 
-constexpr int found_within_px = 4;
-constexpr int near_px = 15;
-
 Mask grown(Mask mask, int by_px) {
   cv::Mat pixels = as_mat(mask);
   cv::dilate(pixels, pixels, cv::Mat::ones(2 * by_px + 1, 2 * by_px + 1, CV_8U));
@@ -145,9 +142,9 @@ Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>&
   for (const Target& target : targets) {
     for (const std::uint32_t i : target.pixels) any[i] = mask_set;
   }
-  const Mask near_debris = grown(std::move(any), near_px);
-  const Mask near_work = grown(mask_of(others.work, width, height), near_px);
-  const Mask near_traces = grown(mask_of(others.traces, width, height), near_px);
+  const Mask near_debris = grown(std::move(any), near_target_px);
+  const Mask near_work = grown(mask_of(others.work, width, height), near_target_px);
+  const Mask near_traces = grown(mask_of(others.traces, width, height), near_target_px);
   Judgement judgement;
   std::vector<const Finding*> pointing;
   for (const Finding& finding : findings) {

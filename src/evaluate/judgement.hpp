@@ -55,11 +55,17 @@ struct Judgement {
   std::size_t trace_findings = 0;  ///< of dust, smears and fingerprints
 };
 
+/// Pixels that are no farther than this from a target are near it: a margin for the target's shadow and for
+/// the background that it occludes.
+inline constexpr int near_target_px = 15;
+/// A finding that is no farther than this from a target has found it: half of the matcher's window, by which
+/// the matcher blurs the depth image.
+inline constexpr int found_within_px = 4;
+
 /// Assigns findings to their causes. A finding is attributed to debris if at least half of its pixels lie
-/// within 15 pixels of a target, a margin for the target's shadow and for the background that it occludes. A
-/// finding that is likewise near planned work or traces is counted separately; any other finding is false. A
-/// target is found if a finding attributed to debris has a pixel within 4 pixels of it, which is half of the
-/// matcher's window, by which the matcher blurs the depth image.
+/// within near_target_px of a target. A finding that is likewise near planned work or traces is counted
+/// separately; any other finding is false. A target is found if a finding attributed to debris has a pixel
+/// within found_within_px of it.
 [[nodiscard]] Judgement judge(const std::vector<Finding>& findings, const std::vector<Target>& targets,
                               int width, int height, const OtherChanges& others = {});
 

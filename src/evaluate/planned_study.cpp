@@ -16,9 +16,6 @@ namespace {
 
 constexpr int captures = 4;
 constexpr int frames = 10;
-// As judge() attributes findings to debris.
-constexpr int near_px = 15;
-constexpr int found_within_px = 4;
 
 bool touches(const LoosePiece& piece, const std::vector<std::uint32_t>& pixels, int width, int within_px) {
   const Box& box = piece.box;
@@ -55,7 +52,7 @@ PlannedResult judge(const PlannedBay& bay, const PlanMatch& match,
   for (const std::vector<LoosePiece>* const pieces : {&match.unplanned, &match.surplus}) {
     for (const LoosePiece& piece : *pieces) {
       result.lost_reported = result.lost_reported || touches(piece, lost_pixels, width, found_within_px);
-      result.others += touches(piece, lost_pixels, width, near_px) ? 0 : 1;
+      result.others += touches(piece, lost_pixels, width, near_target_px) ? 0 : 1;
     }
   }
   return result;

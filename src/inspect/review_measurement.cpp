@@ -11,19 +11,22 @@
 #include "capture/capture.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/units.hpp"
 #include "depth/depth_statistics.hpp"
 #include "detect/result_folder.hpp"
 #include "inspect/inspection_map.hpp"
 #include "map/map_cloud.hpp"
 #include "map/view_capture.hpp"
+#include "robot/dither.hpp"
 
 namespace fs = std::filesystem;
 
 namespace rva {
 namespace {
 
-/// Of a joint that may rest anywhere within half a servo step of what it reports (0.325 degrees).
-constexpr double rest_error_rad = 0.325 / 3.4641 * std::numbers::pi / 180.0;
+/// Standard deviation of a joint's angle. A joint rests anywhere within half a servo step of the angle that
+/// it reports, and an even distribution deviates by its width over the root of twelve.
+constexpr double rest_error_rad = radians(servo_step_deg) / (2.0 * std::numbers::sqrt3);
 
 fs::path first_capture(const InspectionFolder& folder, const Inspection& inspection, Side side, int round,
                        int view) {

@@ -30,7 +30,7 @@ inline constexpr auto enum_names<Unmeasured> = std::to_array<EnumName<Unmeasured
 /// A point of a surface.
 struct SurfacePoint {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< in the depth camera's frame
-  /// Of the position, without the error of the camera's scale, which all points of a picture share.
+  /// Covariance of the position. It leaves out the error of the camera's scale, which all points share.
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
   /// Whether another surface, or no depth, is within half of a matcher's window: the camera may then show the
   /// surface beside the one that is really there, and the uncertainty does not include this.

@@ -49,7 +49,7 @@ void BaselineView::transfer(const Detection& detection, const Image<float>& leas
   }
 }
 
-// Of several points that fall on one pixel of the baseline, the nearest is seen.
+// Several points may fall on one pixel of the baseline: the camera sees the nearest.
 void BaselineView::add(const Eigen::Vector3d& point, float level_mm) {
   if (point.z() <= 0.0) return;
   const Eigen::Vector2d pixel = cameras_.initial.project(point);

@@ -22,7 +22,7 @@ struct PictureItem {
 /// The items of a plan in the picture of this camera, in their order. The plan must outlive them.
 [[nodiscard]] std::vector<PictureItem> in_picture(const Plan& plan, const Intrinsics& camera);
 
-/// A place that a piece may be at.
+/// A planned place whose tolerance includes a piece.
 struct PlaceFit {
   std::size_t place = 0;     ///< index in the item's places
   double distance_mm = 0.0;  ///< from the piece's centre, across the view

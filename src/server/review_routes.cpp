@@ -140,7 +140,7 @@ ApiResponse Api::mark(const Call& call) const {
   return whole_inspection(id, 201);
 }
 
-// Of a picture that was frozen, or of the newest live one.
+// Keeps the picture that the request names as frozen, or else the newest live one.
 ApiResponse Api::keep_snapshot(const Call& call) const {
   const std::int64_t id = inspection_id(call);
   const Remark remark{text_field(call.body, "note", most_note_bytes), person_of(call)};

@@ -17,7 +17,7 @@ int insert_mark(SQLite::Database& database, std::int64_t inspection, const Marke
 [[nodiscard]] bool insert_mark_decision(SQLite::Database& database, std::int64_t inspection, int mark,
                                         const Decision& decision);
 
-/// As insert_mark().
+/// @return the number that it was given, one above the greatest of its inspection
 int insert_snapshot(SQLite::Database& database, std::int64_t inspection, const Snapshot& snapshot);
 
 /// In the order of their numbers.
