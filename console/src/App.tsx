@@ -158,7 +158,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         ) : drawing ? (
           <RegionEditor inspection={inspection} session={session} />
         ) : (
-          <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} mayKeep={mayMark} />
+          <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} mayExpose={session.role !== 'viewer'} mayKeep={mayMark} />
         )}
       </main>
       <aside aria-label={words.page.whatToDo} key={`${inspection?.id} ${inspection?.stage}`}>

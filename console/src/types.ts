@@ -502,6 +502,16 @@ export interface FreezeRequest {
   stream: Stream;
 }
 
+/** Of the infrared imagers. It is set for one of the next frames. */
+export interface ExposureRequest {
+  /** Whether the camera chooses time and gain. */
+  automatic: boolean;
+  /** Microseconds, within the camera's range; not needed if automatic. */
+  time_us?: number;
+  /** In the manufacturer's unit; as time_us. */
+  gain?: number;
+}
+
 export interface SnapshotRequest {
   stream: Stream;
   /** The picture that was frozen; without it, the newest of the stream. */
@@ -590,6 +600,18 @@ export interface Stop {
 
 export type ClientMessage = Hello | Watch | Shown | Drive | LeaseRequest | Stop | Pointing;
 
+/** Of the infrared imagers, as read back from the camera. */
+export interface ExposureStatus {
+  /** Whether the camera chooses time and gain. */
+  automatic: boolean;
+  /** Microseconds. */
+  time_us: number;
+  /** In the manufacturer's unit. */
+  gain: number;
+  time_range_us: Range;
+  gain_range: Range;
+}
+
 export interface CameraStatus {
   /** Frames a second. */
   rate_hz: number;
@@ -603,6 +625,8 @@ export interface CameraStatus {
   width?: number;
   /** In pixels. */
   height?: number;
+  /** Missing if it cannot be set. */
+  exposure?: ExposureStatus;
 }
 
 export interface JointLimits {

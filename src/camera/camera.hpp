@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "camera/exposure.hpp"
 #include "capture/capture.hpp"
 #include "depth/image.hpp"
 
@@ -51,6 +52,16 @@ class Camera {
   /// their infrared images: their depth is meaningless.
   /// @param light may be the lamp only if has_lamp()
   virtual void set_light([[maybe_unused]] Light light) { assert(light == Light::projector); }
+
+  /// The exposure of the infrared imagers; empty where it cannot be set. Called by the thread that waits for
+  /// frames.
+  [[nodiscard]] virtual std::optional<ExposureControl> exposure_control() const { return std::nullopt; }
+
+  /// Sets the exposure for the next frames. Called by the thread that waits for frames, only if
+  /// exposure_control() is not empty.
+  /// @param exposure within exposure_control(); a device rounds it to its own steps
+  /// @throws Error when the device refuses it
+  virtual void set_exposure([[maybe_unused]] const Exposure& exposure) { assert(false); }
 
   /// Drops frames that are waiting, so that the next one is exposed after this call. A camera that produces
   /// frames on request has none waiting.

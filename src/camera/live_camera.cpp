@@ -123,6 +123,7 @@ void LiveCamera::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const auto next = std::chrono::steady_clock::now() + period;
     try {
+      set_wanted_exposure();
       const Light light = wanted_light();
       camera_->set_light(light);
       std::optional<CameraFrame> frame = camera_->wait_for_frame();
@@ -149,11 +150,20 @@ Light LiveCamera::wanted_light() const {
   return lamp ? Light::lamp : Light::projector;
 }
 
+void LiveCamera::set_wanted_exposure() {
+  std::unique_lock lock(mutex_);
+  const std::optional<Exposure> wanted = std::exchange(wanted_exposure_, std::nullopt);
+  lock.unlock();
+  if (wanted) camera_->set_exposure(*wanted);
+}
+
 void LiveCamera::publish(CameraFrame frame, Light light) {
   auto live = std::make_shared<LiveFrame>(
       LiveFrame{std::move(frame), camera_->info(), std::chrono::system_clock::now()});
   const double now_s = steady_clock().now_s();
+  const std::optional<ExposureControl> exposure_control = camera_->exposure_control();
   const std::lock_guard lock(mutex_);
+  exposure_control_ = exposure_control;
   if (last_number_) {
     health_.lost += live->frame.number - *last_number_ - 1;
     constexpr double share = 0.1;
@@ -188,6 +198,19 @@ std::shared_ptr<const LiveFrame> LiveCamera::wait_for_other(const LiveFrame* see
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, limit, [&] { return newest_ && newest_.get() != seen; });
   return newest_.get() == seen ? nullptr : newest_;
+}
+
+std::optional<ExposureControl> LiveCamera::exposure_control() const {
+  const std::lock_guard lock(mutex_);
+  return exposure_control_;
+}
+
+void LiveCamera::set_exposure(const Exposure& exposure) {
+  const std::lock_guard lock(mutex_);
+  if (!exposure_control_)
+    throw Error("camera", "its exposure cannot be set", "move it, or change the light in the bay");
+  check_exposure(exposure, *exposure_control_);
+  wanted_exposure_ = exposure;
 }
 
 std::unique_ptr<Camera> LiveCamera::every_frame(std::function<void()> while_waiting) {

@@ -64,6 +64,14 @@ class LiveCamera {
   /// The state when it is called.
   [[nodiscard]] CameraHealth health() const;
 
+  /// The exposure when the newest frame arrived; empty where it cannot be set, and before the first frame.
+  [[nodiscard]] std::optional<ExposureControl> exposure_control() const;
+
+  /// Sets the exposure of one of the next frames and of all later ones. What the device then refuses is
+  /// reported by health().
+  /// @throws Error when the exposure cannot be set, or a value is out of range
+  void set_exposure(const Exposure& exposure);
+
   /// Whether the camera has a lamp beside its imagers (Camera::has_lamp()).
   [[nodiscard]] bool has_lamp() const { return camera_->has_lamp(); }
 
@@ -73,6 +81,7 @@ class LiveCamera {
   void run(const std::stop_token& stop);
   void publish(CameraFrame frame, Light light);
   [[nodiscard]] Light wanted_light() const;
+  void set_wanted_exposure();
   void report(const Error& failure);
 
   std::unique_ptr<Camera> camera_;
@@ -80,6 +89,8 @@ class LiveCamera {
   mutable std::mutex mutex_;  // guards everything below
   mutable std::condition_variable changed_;
   std::shared_ptr<const LiveFrame> newest_;
+  std::optional<ExposureControl> exposure_control_;
+  std::optional<Exposure> wanted_exposure_;  // until it is set
   std::optional<std::uint64_t> last_number_;
   CameraHealth health_;
   std::optional<Error> failure_;  // the last one

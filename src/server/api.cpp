@@ -71,6 +71,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"GET", "/api/inspections/{}/baseline-check", PersonRole::viewer, &Api::get_baseline_check},
       {"GET", "/api/inspections/{}/map", PersonRole::viewer, &Api::get_map},
       {"GET", "/api/inspections/{}/changes", PersonRole::viewer, &Api::get_changes},
+      {"PUT", "/api/camera/exposure", PersonRole::operator_, &Api::set_exposure},
       {"POST", "/api/readiness", PersonRole::operator_, &Api::check_readiness},
       {"GET", "/api/findable.png", PersonRole::viewer, &Api::get_findable},
       {"POST", "/api/cancel", PersonRole::operator_, &Api::cancel},

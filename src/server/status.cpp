@@ -9,6 +9,14 @@
 namespace rva {
 namespace {
 
+Json json_of(const ExposureControl& control) {
+  return {{"automatic", control.set.automatic},
+          {"time_us", control.set.time_us},
+          {"gain", control.set.gain},
+          {"time_range_us", {control.time_us.least, control.time_us.greatest}},
+          {"gain_range", {control.gain.least, control.gain.greatest}}};
+}
+
 Json json_of(const LiveCamera& camera, const LivePictures& pictures) {
   const CameraHealth health = camera.health();
   Json json{{"rate_hz", std::round(10.0 * health.rate_hz) / 10.0}, {"lost", health.lost}};
@@ -20,6 +28,7 @@ Json json_of(const LiveCamera& camera, const LivePictures& pictures) {
     json["width"] = live->info.depth.width;
     json["height"] = live->info.depth.height;
   }
+  if (const auto control = camera.exposure_control()) json["exposure"] = json_of(*control);
   return json;
 }
 

@@ -16,6 +16,11 @@ void SimulatedBay::set_light(Light light) {
   after_.set_light(light);
 }
 
+void SimulatedBay::set_exposure(const Exposure& exposure) {
+  before_.set_exposure(exposure);
+  after_.set_exposure(exposure);
+}
+
 std::optional<CameraFrame> SimulatedBay::wait_for_frame() {
   std::optional<CameraFrame> frame = (done_ ? after_ : before_).wait_for_frame();
   if (frame) frame->number = number_++;

@@ -27,6 +27,10 @@ class SimulatedBay : public Camera {
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
   [[nodiscard]] bool has_lamp() const override { return before_.has_lamp(); }
   void set_light(Light light) override;
+  [[nodiscard]] std::optional<ExposureControl> exposure_control() const override {
+    return now().exposure_control();
+  }
+  void set_exposure(const Exposure& exposure) override;
 
  private:
   [[nodiscard]] const SimulatedCamera& now() const { return done_ ? after_ : before_; }

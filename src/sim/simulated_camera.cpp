@@ -16,6 +16,13 @@ namespace {
 
 constexpr double frames_per_s = 30.0;
 
+// The gain of the imagers in the unit of RealSense cameras, in which 16 is a factor of one.
+constexpr double least_gain = 16.0;
+constexpr double greatest_gain = 248.0;
+
+// Electrons per unit of light that an exposure of a microsecond collects.
+constexpr double e_per_us = longest_exposure_e / (us_per_s * longest_exposure_s);
+
 const StereoSensorOptions& checked(const StereoSensorOptions& options) {
   check_options(options);
   if (options.window_px % 2 == 0)
@@ -102,6 +109,21 @@ CaptureInfo SimulatedCamera::info() const {
   return info;
 }
 
+std::optional<ExposureControl> SimulatedCamera::exposure_control() const {
+  return ExposureControl{
+      .set = {.automatic = options_.exposure == 0.0,
+              .time_us = sensor_ ? sensor_->exposure_us() : options_.exposure / e_per_us,
+              .gain = least_gain * options_.gain},
+      .time_us = {1.0, us_per_s * longest_exposure_s},
+      .gain = {least_gain, greatest_gain}};
+}
+
+void SimulatedCamera::set_exposure(const Exposure& exposure) {
+  options_.exposure = exposure.automatic ? 0.0 : exposure.time_us * e_per_us;
+  options_.gain = exposure.automatic ? 1.0 : exposure.gain / least_gain;
+  if (sensor_) sensor_->set_exposure(options_.exposure, options_.gain);
+}
+
 bool SimulatedCamera::wants_color(bool moving) const {
   switch (color_frames_) {
     case ColorFrames::none:
@@ -162,6 +184,7 @@ std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
   frame.infrared.emplace(Imager::left, brightness_of(left_infrared_));
   frame.infrared.emplace(Imager::right, brightness_of(right_infrared_));
   frame.metadata.exposure_us = sensor_->exposure_us();
+  frame.metadata.gain = least_gain * options_.gain;
   if (light_ == Light::lamp) frame.metadata.laser_power_mw = 0.0;
   ++number_;
   return frame;

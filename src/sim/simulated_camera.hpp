@@ -38,6 +38,8 @@ class SimulatedCamera : public Camera {
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
   [[nodiscard]] bool has_lamp() const override { return options_.lamp_light > 0.0; }
   void set_light(Light light) override { light_ = light; }
+  [[nodiscard]] std::optional<ExposureControl> exposure_control() const override;
+  void set_exposure(const Exposure& exposure) override;
 
   /// The true depth and labels at the pose of the next frame.
   [[nodiscard]] TrueView true_view() const;
@@ -50,7 +52,7 @@ class SimulatedCamera : public Camera {
 
   /// The scene that the camera sees.
   [[nodiscard]] const Scene& scene() const { return scene_; }
-  /// The options of the sensor, as given.
+  /// The options of the sensor, as given or set since.
   [[nodiscard]] const StereoSensorOptions& options() const { return options_; }
   /// The seed of all noise, as given.
   [[nodiscard]] std::uint64_t seed() const { return seed_; }

@@ -54,6 +54,13 @@ TEST_F(Live, ShowsTheNewestFrameAndNothingBefore) {
   EXPECT_EQ(live_.wait_for_other(live_.newest().get(), milliseconds(1)), nullptr) << "there is no other yet";
 }
 
+TEST_F(Live, ACameraWithoutExposureControlRefusesAnExposure) {
+  EXPECT_FALSE(live_.exposure_control()) << "before the first frame";
+  give(0);
+  EXPECT_FALSE(live_.exposure_control());
+  EXPECT_THROW(live_.set_exposure({.automatic = true}), Error);
+}
+
 TEST_F(Live, ManyReadersGetEveryFrameEach) {
   give(0);
   const auto a = live_.every_frame();

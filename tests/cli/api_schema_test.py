@@ -94,6 +94,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.measure()
         self.point()
         self.keep_a_snapshot()
+        self.expose()
         self.take('initial', then='check')
         self.get('inspections/1/baseline-check', 'BaselineCheck')
         left_out = [[-0.5, -0.5], [40.0, -0.5], [40.0, 40.0]]
@@ -141,6 +142,12 @@ class ApiSchemaTest(program.ProgramTest):
             self.console.say(type='pointing', stream='depth', shape=shape, **{'from': middle, 'to': corner})
         with self.console.changed:
             self.assertTrue(self.console.changed.wait_for(lambda: len(self.console.pointed) == 3, 20), 'not passed on')
+
+    def expose(self):
+        for fixed in ({'time_us': 5000, 'gain': 32}, None):
+            self.ask('PUT', 'camera/exposure', 'ExposureRequest', {'automatic': fixed is None, **(fixed or {})}, 'Empty', 200)
+            self.console.wait_for(lambda status: status['camera']['exposure']['automatic'] == (fixed is None))
+        self.refuse('PUT', 'camera/exposure', {'automatic': False, 'time_us': 5000, 'gain': -1}, 409)
 
     def keep_a_snapshot(self):
         frozen = self.post('freeze', 'FreezeRequest', {'stream': 'color'}, 'FrozenPicture', 201)

@@ -49,8 +49,13 @@ class WavingCamera : public Camera {
     last_ = depth;
     return CameraFrame{std::move(depth), std::nullopt, number_++, 0.0};
   }
+  [[nodiscard]] std::optional<ExposureControl> exposure_control() const override {
+    return ExposureControl{exposure_, {1.0, 33000.0}, {16.0, 248.0}};
+  }
+  void set_exposure(const Exposure& exposure) override { exposure_ = exposure; }
 
  private:
+  Exposure exposure_{.automatic = true, .time_us = 8500.0, .gain = 16.0};
   std::shared_ptr<Plug> plug_;
   Random random_{11};
   std::uint64_t number_ = 0;

@@ -182,6 +182,27 @@ TEST_F(Asked, MeasuresWhatTheCameraSees) {
   EXPECT_EQ(code("POST", "/api/measure", R"({"stream":"sonar","points":[{"u":1,"v":1}]})"), "bad-request");
 }
 
+TEST_F(Asked, TheExposureIsSetWithinTheCamerasRange) {
+  ASSERT_TRUE(test::eventually([&] { return served_.camera.exposure_control().has_value(); }));
+  const auto set = [&] { return served_.camera.exposure_control()->set; };
+  EXPECT_EQ(
+      ask("PUT", "/api/camera/exposure", R"({"automatic":false,"time_us":4000,"gain":32})").status, 200);
+  const Exposure fixed{.automatic = false, .time_us = 4000.0, .gain = 32.0};
+  EXPECT_TRUE(test::eventually([&] { return set() == fixed; }));
+  for (const char* const wrong :
+       {R"({"automatic":false,"time_us":0,"gain":32})", R"({"automatic":false,"time_us":1e9,"gain":32})",
+        R"({"automatic":false,"time_us":4000,"gain":8})"})
+    EXPECT_EQ(code("PUT", "/api/camera/exposure", wrong), "refused") << wrong;
+  for (const char* const malformed : {R"({})", R"({"automatic":"yes"})", R"({"automatic":false,"gain":32})"})
+    EXPECT_EQ(code("PUT", "/api/camera/exposure", malformed), "bad-request") << malformed;
+  const auto seen = served_.camera.newest();
+  ASSERT_TRUE(
+      test::eventually([&] { return served_.camera.newest()->frame.number > seen->frame.number + 3; }));
+  EXPECT_EQ(set(), fixed) << "what was refused changes nothing";
+  EXPECT_EQ(ask("PUT", "/api/camera/exposure", R"({"automatic":true})").status, 200);
+  EXPECT_TRUE(test::eventually([&] { return set().automatic; }));
+}
+
 TEST_F(Asked, AFrozenPictureIsShownMeasuredAndKept) {
   ASSERT_TRUE(test::eventually([&] { return served_.camera.newest() != nullptr; }));
   const ApiResponse answer = ask("POST", "/api/freeze", R"({"stream":"depth"})");

@@ -75,6 +75,40 @@ TEST(SimulatedCamera, CountsAndDatesItsFrames) {
   }
 }
 
+double mean_counts(const InfraredImage& infrared) {
+  double sum = 0.0;
+  for (const auto counts : infrared.pixels()) sum += counts;
+  return sum / static_cast<double>(infrared.size());
+}
+
+TEST(SimulatedCamera, ExposesAsItIsSet) {
+  StereoSensorOptions options = test::quick();
+  options.flicker = 0.0;
+  SimulatedCamera camera(test::room_with_wall(1.0), options, 1, ColorFrames::none);
+  SimulatedCamera untouched(test::room_with_wall(1.0), options, 1, ColorFrames::none);
+  (void)camera.wait_for_frame();
+  (void)untouched.wait_for_frame();
+  const ExposureControl automatic = *camera.exposure_control();
+  EXPECT_TRUE(automatic.set.automatic);
+  const double automatic_counts = mean_counts(camera.left_infrared());
+  const auto counts_at = [&](double time_us, double gain) {
+    camera.set_exposure({.automatic = false, .time_us = time_us, .gain = gain});
+    const CameraFrame frame = *camera.wait_for_frame();
+    EXPECT_NEAR(*frame.metadata.exposure_us, time_us, 1e-6 * time_us);
+    EXPECT_NEAR(*frame.metadata.gain, gain, 1e-6 * gain);
+    EXPECT_FALSE(camera.exposure_control()->set.automatic);
+    (void)untouched.wait_for_frame();
+    return mean_counts(camera.left_infrared());
+  };
+  const double time_us = automatic.set.time_us;
+  EXPECT_NEAR(counts_at(time_us, 16.0), automatic_counts, 0.01 * automatic_counts);
+  EXPECT_NEAR(counts_at(time_us / 2, 16.0), automatic_counts / 2, 0.02 * automatic_counts);
+  EXPECT_NEAR(counts_at(time_us / 2, 32.0), automatic_counts, 0.02 * automatic_counts);
+  EXPECT_GT(counts_at(automatic.time_us.greatest, 248.0), 900.0) << "saturated";
+  camera.set_exposure({.automatic = true});
+  EXPECT_EQ(camera.wait_for_frame()->depth, untouched.wait_for_frame()->depth) << "as if it had not been set";
+}
+
 TEST(SimulatedCamera, BringsEverySecondColorImageWhileItMoves) {
   PanTilt joints;
   SimulatedCamera camera(test::room_with_wall(1.0), test::quick(), 1, ColorFrames::all,

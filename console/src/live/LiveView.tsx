@@ -16,6 +16,7 @@ import { ZoomPicture } from '../picture/ZoomPicture';
 import { Store, useStore } from '../store';
 import type { Box, FrozenPicture, PictureHead, PointingShape, Stream } from '../types';
 import { DepthScale } from './DepthScale';
+import { ExposureBar } from './ExposureBar';
 import { PointedMarks } from './PointedMarks';
 import { usePointing } from './pointing';
 import { newSnapshot } from './SnapshotForm';
@@ -30,6 +31,8 @@ interface Props {
   children?: ComponentChildren;
   /** A box that a person marked, in pixels of this live picture; undefined where nobody may mark. */
   onMark?: ((box: Box, stream: Stream) => void) | undefined;
+  /** Whether this person may change the exposure. */
+  mayExpose?: boolean;
   /** Whether pictures may be kept with an inspection. */
   mayKeep?: boolean;
 }
@@ -42,7 +45,7 @@ function useFreeze(stream: Stream): { frozen: FrozenPicture | null; toggle: () =
   return { frozen, toggle };
 }
 
-export function LiveView({ children, onMark, mayKeep = false }: Props) {
+export function LiveView({ children, onMark, mayExpose = false, mayKeep = false }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const status = useStore(link.status);
   const state = useStore(link.state);
@@ -90,6 +93,9 @@ export function LiveView({ children, onMark, mayKeep = false }: Props) {
   );
   const [shape, setShape] = useState<PointingShape>('arrow');
   const pointing = usePointing(stream, shape, size);
+  // Colour is exposed by an imager of its own.
+  const exposure = mayExpose && stream !== 'color' ? status?.camera.exposure : undefined;
+  const [exposing, setExposing] = useState(false);
 
   const scale_m = stream === 'depth' ? head?.scale_m : undefined;
   const problem = state !== 'open' ? words.live.lost : status?.camera.problem;
@@ -103,6 +109,8 @@ export function LiveView({ children, onMark, mayKeep = false }: Props) {
         </MarkBar>
       ) : measuring.active ? (
         <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(liveZoom.value, size)))} />
+      ) : exposing && exposure ? (
+        <ExposureBar exposure={exposure} onClose={() => setExposing(false)} />
       ) : (
         <div class="view-bar">
           <div class="switch" role="radiogroup" aria-label={words.live.pictures}>
@@ -128,6 +136,11 @@ export function LiveView({ children, onMark, mayKeep = false }: Props) {
           <button type="button" aria-pressed={frozen !== null} data-testid="freeze" onClick={freeze}>
             {frozen ? words.live.unfreeze : words.live.freeze}
           </button>
+          {exposure && (
+            <button type="button" data-testid="exposure" onClick={() => setExposing(true)}>
+              {words.live.exposure}
+            </button>
+          )}
           {mayKeep && frozen && (
             <button type="button" data-testid="snapshot" onClick={() => (newSnapshot.value = { stream, frozen: frozen.frozen })}>
               {words.live.snapshot}

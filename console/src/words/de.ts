@@ -78,10 +78,16 @@ export const de: Words = {
   },
 
   live: {
+    automatic: 'Automatisch',
     depthScale: (low_m, high_m) => `Farben der Tiefe: blau bis ${low_m} Meter, rot ab ${high_m} Meter, schwarz ohne Messwert`,
+    exposure: 'Belichtung',
+    exposureHelp: 'Der Infrarotkameras, aus deren Bildern die Tiefe berechnet wird. Weiße Stellen sind zu hell, dunkle rauschen: an beiden fehlt Tiefe.',
+    exposureTime: 'Zeit',
+    fixed: 'Fest',
     freeze: 'Einfrieren',
     frozenAt: (time) => `Eingefroren um ${time}`,
     frozenPicture: 'Das eingefrorene Bild',
+    gain: 'Verstärkung',
     lost: 'Die Verbindung zum Rechner des Roboters ist unterbrochen. Sie wird wieder aufgebaut…',
     noDepth: 'hier keine Tiefe gemessen',
     noDepthAtOneEnd: 'an einem Ende keine Tiefe gemessen',

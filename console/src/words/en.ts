@@ -78,10 +78,16 @@ export const en = {
   },
 
   live: {
+    automatic: 'Automatic',
     depthScale: (low_m: string, high_m: string) => `Depth colours: blue up to ${low_m} metres, red from ${high_m} metres, black where no depth was measured`,
+    exposure: 'Exposure',
+    exposureHelp: 'Of the infrared imagers, from whose pictures depth is computed. White areas are too bright, dark ones are noisy: both lose depth.',
+    exposureTime: 'Time',
+    fixed: 'Fixed',
     freeze: 'Freeze',
     frozenAt: (time: string) => `Frozen at ${time}`,
     frozenPicture: 'The picture that was frozen',
+    gain: 'Gain',
     lost: 'The connection to the robot’s computer is lost. Reconnecting…',
     noDepth: 'no depth measured here',
     noDepthAtOneEnd: 'no depth measured at one end',

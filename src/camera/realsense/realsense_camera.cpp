@@ -29,6 +29,10 @@ std::string text_of(const rs2::device& device, rs2_camera_info what) {
   return device.supports(what) ? device.get_info(what) : "";
 }
 
+std::string name_of(const rs2::sensor& sensor) {
+  return sensor.supports(RS2_CAMERA_INFO_NAME) ? sensor.get_info(RS2_CAMERA_INFO_NAME) : "sensor";
+}
+
 // librealsense passes on the system's error as text only.
 Error not_opened(const std::string& source, const rs2::error& failure) {
   const std::string reason = failure.what();
@@ -67,9 +71,7 @@ CaptureInfo describe(const rs2::pipeline_profile& profile, const rs2::sensor& de
   if (depth_sensor.supports(RS2_OPTION_STEREO_BASELINE))
     camera.baseline_m = 0.001 * static_cast<double>(depth_sensor.get_option(RS2_OPTION_STEREO_BASELINE));
   for (const rs2::sensor& sensor : device.query_sensors())
-    camera
-        .settings[sensor.supports(RS2_CAMERA_INFO_NAME) ? sensor.get_info(RS2_CAMERA_INFO_NAME) : "sensor"] =
-        read_settings(sensor);
+    camera.settings[name_of(sensor)] = read_settings(sensor);
   info.camera = std::move(camera);
   for (const rs2::stream_profile& stream : profile.get_streams()) {
     if (stream.stream_type() != RS2_STREAM_COLOR) continue;
@@ -164,10 +166,14 @@ void RealSenseCamera::open() {
         note_slow_port(info, rate_hz, options_);
         if (options_.infrared && !infrared)
           info.notes.emplace_back("its port is too slow for infrared images: depth alone will be compared");
-        const std::lock_guard lock(mutex_);
+        std::unique_lock lock(mutex_);
         info_ = std::move(info);
+        lock.unlock();
         depth_sensor_ = depth_sensor;
+        rate_hz_ = rate_hz;
         pipeline_ = std::move(pipeline);
+        exposure_ = read_exposure(depth_sensor_, rate_hz_);
+        if (chosen_exposure_) set_exposure(Exposure(*chosen_exposure_));
         return;
       }
     }
@@ -261,6 +267,21 @@ std::optional<CameraFrame> RealSenseCamera::wait_for_frame() {
   } catch (const rs2::error& failure) {
     close();
     throw Error("realsense:" + printable(serial_), printable(failure.what()), "plug it in again");
+  }
+}
+
+void RealSenseCamera::set_exposure(const Exposure& exposure) {
+  chosen_exposure_ = exposure;
+  if (!pipeline_) return;  // set when the camera is opened again
+  const std::string source = "realsense:" + printable(serial_);
+  try {
+    apply_exposure(depth_sensor_, exposure);
+    exposure_ = read_exposure(depth_sensor_, rate_hz_);
+    const std::lock_guard lock(mutex_);
+    info_.camera->settings[name_of(depth_sensor_)] = read_settings(depth_sensor_);
+  } catch (const rs2::error& failure) {
+    throw Error(source, fmt::format("refuses the exposure ({})", printable(failure.what())),
+                "choose another one");
   }
 }
 

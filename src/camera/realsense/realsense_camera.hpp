@@ -28,6 +28,8 @@ class RealSenseCamera : public Camera {
   [[nodiscard]] CaptureInfo info() const override;
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
   void drop_waiting() override;
+  [[nodiscard]] std::optional<ExposureControl> exposure_control() const override { return exposure_; }
+  void set_exposure(const Exposure& exposure) override;
 
  private:
   void open();
@@ -44,6 +46,9 @@ class RealSenseCamera : public Camera {
   rs2::frame_queue queue_;
   std::optional<rs2::pipeline> pipeline_;  // empty while disconnected
   rs2::sensor depth_sensor_;
+  int rate_hz_ = 0;                          // of the open pipeline
+  std::optional<ExposureControl> exposure_;  // as read back last
+  std::optional<Exposure> chosen_exposure_;  // since the camera was opened first; set again when reopened
   mutable std::mutex mutex_;  // guards the next
   CaptureInfo info_;
   std::uint64_t number_ = 0;                      // of the last frame returned

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "core/units.hpp"
 
 namespace rva {
 namespace {
@@ -46,6 +49,33 @@ std::vector<std::string> apply_settings(const rs2::sensor& depth_sensor, const R
       notes.push_back(fmt::format("'{}' is {:.6g}, not {:.6g} as requested", name, now, setting.value));
   }
   return notes;
+}
+
+std::optional<ExposureControl> read_exposure(const rs2::sensor& depth_sensor, double rate_hz) {
+  if (!depth_sensor.supports(RS2_OPTION_EXPOSURE) || !depth_sensor.supports(RS2_OPTION_GAIN))
+    return std::nullopt;
+  const auto value = [&](rs2_option option) { return static_cast<double>(depth_sensor.get_option(option)); };
+  const auto range = [&](rs2_option option) {
+    const rs2::option_range range = depth_sensor.get_option_range(option);
+    return SettingRange{static_cast<double>(range.min), static_cast<double>(range.max)};
+  };
+  ExposureControl control;
+  control.set = {.automatic = depth_sensor.supports(RS2_OPTION_ENABLE_AUTO_EXPOSURE) &&
+                              value(RS2_OPTION_ENABLE_AUTO_EXPOSURE) != 0.0,
+                 .time_us = value(RS2_OPTION_EXPOSURE),
+                 .gain = value(RS2_OPTION_GAIN)};
+  control.time_us = range(RS2_OPTION_EXPOSURE);
+  control.time_us.greatest = std::min(control.time_us.greatest, us_per_s / rate_hz);
+  control.gain = range(RS2_OPTION_GAIN);
+  return control;
+}
+
+void apply_exposure(const rs2::sensor& depth_sensor, const Exposure& exposure) {
+  if (depth_sensor.supports(RS2_OPTION_ENABLE_AUTO_EXPOSURE))
+    depth_sensor.set_option(RS2_OPTION_ENABLE_AUTO_EXPOSURE, exposure.automatic ? 1.0F : 0.0F);
+  if (exposure.automatic) return;
+  depth_sensor.set_option(RS2_OPTION_EXPOSURE, static_cast<float>(exposure.time_us));
+  depth_sensor.set_option(RS2_OPTION_GAIN, static_cast<float>(exposure.gain));
 }
 
 std::map<std::string, double> read_settings(rs2::sensor sensor) {

@@ -55,7 +55,7 @@ double automatic_exposure(const ImagerLight& view, const StereoSensorOptions& op
     light.push_back(view.steady[i] + view.projected[i]);
   const auto bright = light.begin() + static_cast<std::ptrdiff_t>(light.size() * 95 / 100);
   std::nth_element(light.begin(), bright, light.end());
-  const double wanted_e = options.exposure_target * options.full_well_e;
+  const double wanted_e = options.exposure_target * options.full_well_e / options.gain;
   return *bright * longest_exposure_e > wanted_e ? wanted_e / *bright : longest_exposure_e;
 }
 
@@ -65,7 +65,7 @@ InfraredImage expose(const ImagerLight& view, const Speckle& speckle, double exp
   InfraredImage image(width, view.steady.height());
   const auto exposure = static_cast<float>(exposure_e);
   const auto read_variance = static_cast<float>(options.read_noise_e * options.read_noise_e);
-  const auto levels_per_e = static_cast<float>(greatest_level / options.full_well_e);
+  const auto levels_per_e = static_cast<float>(options.gain * greatest_level / options.full_well_e);
   parallel_bands(view.steady.height(), [&](int first, int end) {
     std::vector<float> factor(static_cast<std::size_t>(width));
     std::vector<float> noise(static_cast<std::size_t>(width));

@@ -27,8 +27,15 @@ StereoSensor::StereoSensor(InfraredPair view, const StereoSensorOptions& options
       left_speckle_(view_.left.steady.width(), view_.left.steady.height(), options, of_imager(speckle, 1),
                     mix(capture_seed, 1)),
       right_speckle_(view_.right.steady.width(), view_.right.steady.height(), options, of_imager(speckle, 2),
-                     mix(capture_seed, 2)),
-      exposure_e_(options.exposure > 0.0 ? options.exposure : automatic_exposure(view_.left, options)) {}
+                     mix(capture_seed, 2)) {
+  set_exposure(options.exposure, options.gain);
+}
+
+void StereoSensor::set_exposure(double exposure, double gain) {
+  options_.exposure = exposure;
+  options_.gain = gain;
+  exposure_e_ = exposure > 0.0 ? exposure : automatic_exposure(view_.left, options_);
+}
 
 StereoFrame StereoSensor::next_pair() {
   left_speckle_.advance();

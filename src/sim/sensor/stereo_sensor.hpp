@@ -33,6 +33,10 @@ class StereoSensor {
   /// Exposes the next frame like next_frame(), but leaves its depth empty: matching takes most of the time.
   [[nodiscard]] StereoFrame next_pair();
 
+  /// Sets the exposure of the next frames.
+  /// @param exposure, gain as StereoSensorOptions::exposure and gain
+  void set_exposure(double exposure, double gain);
+
   /// The mean exposure time of a frame.
   [[nodiscard]] double exposure_us() const;
 
@@ -42,7 +46,7 @@ class StereoSensor {
   std::uint64_t capture_seed_;
   Speckle left_speckle_;
   Speckle right_speckle_;
-  double exposure_e_;
+  double exposure_e_ = 0.0;
   std::uint64_t frame_ = 0;
 };
 

@@ -44,6 +44,7 @@ struct StereoSensorOptions {
   double exposure = 0.0;  ///< electrons for a white surface in the projector's mean light at 1 m; 0 sets it
                           ///< by the view, as the camera does on its own
   double exposure_target = 0.25;   ///< of the brighter parts under automatic exposure; 1 saturates
+  double gain = 1.0;               ///< of the imagers' signal: how many times earlier a pixel saturates
   double imager_difference = 0.0;  ///< how much more light the right imager records; -0.1 is a tenth less
   double full_well_e = 1500.0;     ///< electrons at which a pixel saturates
   double read_noise_e = 6.0;       ///< electrons of noise without light
@@ -88,6 +89,8 @@ struct StereoSensorOptions {
     visit(self.exposure_target,
           OptionField{"exposure-target", "", 0.01, 10,
                       "where that control puts the view's brighter parts, of what saturates a pixel"});
+    visit(self.gain, OptionField{"gain", "", 1, 16,
+                                 "of the imagers' signal: how many times earlier a pixel saturates"});
     visit(self.imager_difference,
           OptionField{"imager-difference", "", -0.9, 9,
                       "how much more light the right imager records; -0.1 is a tenth less"});
