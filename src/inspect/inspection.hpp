@@ -59,6 +59,18 @@ struct RecordedComparison {
   int final_round = 0;      ///< the round of the final side that was compared; 0 if it is not known
 };
 
+/// What a comparison found of one item of a view's plan.
+struct PlannedWork {
+  std::string name;                     ///< of the item
+  ChangeKind kind = ChangeKind::added;  ///< of the item
+  int planned = 0;                      ///< number of parts
+  int found = 0;                        ///< number of them that were found
+  int missing = 0;                      ///< number of those that would have been found, and were not
+  int not_inspected = 0;                ///< number of the others
+
+  bool operator==(const PlannedWork&) const = default;
+};
+
 /// The result of the comparison of one view, without its findings.
 struct ComparedView {
   int view = 0;  ///< index into Inspection::views
@@ -68,6 +80,7 @@ struct ComparedView {
   std::vector<std::string> warnings;  ///< sentences for the user
   /// Shares of the depth image where objects of some sizes would have been found; empty if it is not known.
   std::vector<FindableShare> findable{};
+  std::vector<PlannedWork> planned{};  ///< one for each item of the view's plan
 };
 
 /// One comparison with all that it showed, as it is kept after later ones.
@@ -104,11 +117,12 @@ struct Inspection {
   int dither = 1;  ///< number of captures of each view, a few servo steps apart
   /// Regions left out of the comparison, by index of the view, in pixels of its first initial depth image.
   std::map<int, std::vector<Polygon>> ignored;
+  std::map<int, Plan> planned{};     ///< what the work order states will change, by index of the view
   std::optional<TakenSide> initial;  ///< the last complete round
   std::optional<TakenSide> final;    ///< the last complete round
   std::map<Side, BegunSide> begun;   ///< rounds in progress, later than the complete ones
-  /// The current comparison: empty before the first one, and after a side was taken or regions were changed
-  /// since.
+  /// The current comparison: empty before the first one, and after a side was taken, or regions or a plan
+  /// were changed since.
   std::optional<RecordedComparison> comparison;
   std::vector<std::string> unfinished_comparisons{};  ///< folders of comparisons begun but not recorded
   int comparisons = 0;  ///< the highest number so far, outdated and unfinished comparisons included

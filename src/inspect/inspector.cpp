@@ -148,16 +148,26 @@ void Inspector::change_views(std::int64_t id, const std::vector<PanTilt>& views)
 }
 
 void Inspector::set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
-  tasks_.between_starts([&] { change_ignored(id, view, ignored); });
+  tasks_.between_starts([&] {
+    require_baseline_view(id, view);
+    records_.set_ignored(id, view, ignored);
+  });
 }
 
-void Inspector::change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) {
+void Inspector::set_plan(std::int64_t id, int view, const Plan* plan) {
+  tasks_.between_starts([&] {
+    require_baseline_view(id, view);
+    records_.set_plan(id, view, plan);
+  });
+}
+
+// That there is a picture of the baseline to draw on, and no task that would not see what is drawn.
+void Inspector::require_baseline_view(std::int64_t id, int view) const {
   const Inspection before = inspection(id);
   if (!before.initial) throw Error(title(id), "has no baseline to draw on", "capture the baseline first");
   if (view < 0 || view >= static_cast<int>(before.views.size()))
     throw Error(title(id), fmt::format("has no view {}", view), "give one of its views, from 0");
   require_unchanging(id, "wait until that has finished");
-  records_.set_ignored(id, view, ignored);
 }
 
 void Inspector::check_readiness() {

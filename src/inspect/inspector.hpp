@@ -88,6 +88,12 @@ class Inspector {
   /// @throws Error when there is no baseline or no such view, or a capture or comparison is under way
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
 
+  /// Replaces what the work order states will change in a view; null removes it. A comparison that was made
+  /// without it is no longer valid.
+  /// @param plan in the picture, or in the frame, of the view's first initial capture
+  /// @throws Error as set_ignored()
+  void set_plan(std::int64_t id, int view, const Plan* plan);
+
   // Each starts a task. @throws Error when another is under way that is no check of readiness or of a
   // baseline, which are ended, or when the inspection is not so far.
 
@@ -153,7 +159,7 @@ class Inspector {
   void require_unchanging(std::int64_t id, const std::string& remedy) const;
   [[nodiscard]] int record_mark(const Inspection& inspection, MarkedFinding marked, const Remark& remark);
   void change_views(std::int64_t id, const std::vector<PanTilt>& views);
-  void change_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored);
+  void require_baseline_view(std::int64_t id, int view) const;
   [[nodiscard]] BegunSide round_for(const Inspection& inspection, Side side, const std::string& person,
                                     const std::string& base) const;
   [[nodiscard]] std::filesystem::path baseline_to_return_to(const Inspection& inspection, Side side,

@@ -48,6 +48,8 @@ class Records {
   virtual void set_side(std::int64_t id, Side side, const TakenSide& taken) = 0;
   /// Replaces the polygons that are left out of this view. The current comparison becomes outdated.
   virtual void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) = 0;
+  /// Replaces the plan of this view; null removes it. The current comparison becomes outdated.
+  virtual void set_plan(std::int64_t id, int view, const Plan* plan) = 0;
   /// Records that a comparison is about to write into its folder.
   /// @param comparison with a number that no earlier one has
   virtual void begin_comparison(std::int64_t id, const RecordedComparison& comparison) = 0;

@@ -8,6 +8,7 @@
 
 #include "core/enum_names.hpp"
 #include "detect/findings/findings.hpp"
+#include "plan/plan_match.hpp"
 
 namespace rva {
 
@@ -60,6 +61,10 @@ struct ReviewedFinding {
   std::optional<int> clear_px{};
   /// For an added finding: number of the removed finding in the same view that has about the same size.
   std::optional<int> moved_from{};
+  /// What it is according to the plan of its view; empty without a plan. A missing part is no finding of the
+  /// detector: it has a box, and a position where that is known, and no evidence.
+  std::optional<PlannedState> planned{};
+  std::string planned_item{};  ///< the item of the plan that it belongs to; empty if it is unplanned
 };
 
 /// A finding that a person marked in a picture. It stays with its inspection through later rounds.

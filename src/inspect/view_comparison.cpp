@@ -8,16 +8,20 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
+#include "core/file.hpp"
 #include "core/file_origin.hpp"
 #include "core/interrupt.hpp"
+#include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "detect/detect.hpp"
 #include "detect/findings/height_above_surroundings.hpp"
 #include "detect/provenance.hpp"
 #include "detect/result_folder.hpp"
 #include "inspect/inspection_map.hpp"
+#include "inspect/planned_findings.hpp"
 #include "inspect/review_pictures.hpp"
 #include "map/point_files.hpp"
 
@@ -30,6 +34,7 @@ struct ViewResult {
   Captures final;
   SidesDetection changes;
   Provenance provenance;
+  std::optional<PlanMatch> match{};  ///< if the view has a plan
 
   [[nodiscard]] const Detection& detection() const { return changes.detection; }
 };
@@ -48,6 +53,7 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
   ViewResult result{open_captures(folder, inspection, Side::initial, view),
                     open_captures(folder, inspection, Side::final, view),
                     {},
+                    {},
                     {}};
   const auto ignored = inspection.ignored.find(view);
   const Intrinsics& camera = result.initial.front()->info().depth;
@@ -58,6 +64,9 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
                        sources_of(capture_paths(folder, inspection, Side::initial, view), result.initial),
                        sources_of(capture_paths(folder, inspection, Side::final, view), result.final)};
   result.changes = detect(result.initial, result.final, {}, progress, left_out);
+  if (const auto plan = inspection.planned.find(view); plan != inspection.planned.end())
+    result.match = match_plan(plan->second, result.detection(),
+                              {camera, result.final.front()->info().depth}, PlanOptions{});
   return result;
 }
 
@@ -65,9 +74,14 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
 ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
   std::error_code ignored;  // write_result() reports the error
   std::filesystem::create_directories(folder, ignored);
+  nlohmann::ordered_json detections =
+      detections_json(result.changes.detection.findings, result.provenance);
+  if (result.match) {
+    add_plan(*result.match, detections);
+    write_file(folder / result_file::plan, json_file_text(json_of(*result.match)));
+  }
   // Its warnings are of pictures that the review does not show: it has those of ReviewPictures.
-  static_cast<void>(write_result(result.changes, *result.final.front(), folder,
-                                 detections_json(result.changes.detection.findings, result.provenance)));
+  static_cast<void>(write_result(result.changes, *result.final.front(), folder, detections));
   ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), result.detection());
   write_review(pictures, folder);
   return std::move(pictures.changed);
@@ -84,6 +98,7 @@ ComparedView summary_of(const ViewResult& result, int view) {
   summary.warnings = detection.warnings;
   if (detection.level_of_detection)
     summary.findable = level_summary(detection, result.final.front()->info().depth).findable;
+  if (result.match) summary.planned = planned_work(*result.match);
   return summary;
 }
 
@@ -109,23 +124,47 @@ int clear_px(const Finding& finding, const Detection& detection, const CaptureIn
   }));
 }
 
-std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const PanTiltChain& chain) {
+// @param plan of this view, if it has one
+std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const Plan* plan,
+                                         const PanTiltChain& chain) {
   const Transform foot_from_final = map_from_camera(result.final.front()->info(), chain);
   std::vector<ReviewedFinding> findings;
   for (const Finding& finding : result.detection().findings.findings) {
     ReviewedFinding reviewed;
-    reviewed.view = view;
     reviewed.finding = finding;
     reviewed.finding.pixels.clear();
     reviewed.clear_px = clear_px(finding, result.detection(), result.final.front()->info());
-    if (finding.position_m) reviewed.in_foot_m = foot_from_final * *finding.position_m;
     findings.push_back(std::move(reviewed));
+  }
+  if (plan != nullptr)
+    add_planned(findings, result.match.value(), *plan, result.detection(), *result.initial.front(),
+                result.final.front()->info());
+  for (ReviewedFinding& reviewed : findings) {
+    reviewed.view = view;
+    if (reviewed.finding.position_m) reviewed.in_foot_m = foot_from_final * *reviewed.finding.position_m;
   }
   return findings;
 }
 
+bool is_missing(const ReviewedFinding& finding) { return finding.planned == PlannedState::missing; }
+
+// What was not planned needs a look first, then what is missing or too many; what was planned comes last.
+int urgency(const ReviewedFinding& finding) {
+  switch (finding.planned.value_or(PlannedState::unplanned)) {
+    case PlannedState::unplanned:
+      return 3;
+    case PlannedState::missing:
+      return 2;
+    case PlannedState::surplus:
+      return 1;
+    case PlannedState::planned:
+      return 0;
+  }
+  return 0;
+}
+
 bool is_same_thing(const ReviewedFinding& a, const ReviewedFinding& b, double reach_m) {
-  return a.view != b.view && a.finding.kind == b.finding.kind && a.in_foot_m && b.in_foot_m &&
+  return a.view != b.view && is_missing(a) == is_missing(b) && a.finding.kind == b.finding.kind && a.in_foot_m && b.in_foot_m &&
          (*a.in_foot_m - *b.in_foot_m).norm() < reach_m;
 }
 
@@ -156,7 +195,8 @@ std::vector<std::string> comparison_files() {
 
 std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m) {
   std::ranges::stable_sort(findings, std::greater<>{}, [](const ReviewedFinding& finding) {
-    return std::pair(finding.finding.evidence.depth, finding.finding.score.value_or(0.0));
+    return std::tuple(urgency(finding), finding.finding.evidence.depth,
+                      finding.finding.score.value_or(0.0));
   });
   int number = 0;
   for (ReviewedFinding& finding : findings) {
@@ -199,7 +239,9 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     std::ranges::move(changed_points(result.detection(), changed, info.depth, map_from_camera(info, chain)),
                       std::back_inserter(points));
     compared.views.push_back(summary_of(result, view));
-    std::ranges::move(findings_of(result, view, chain), std::back_inserter(findings));
+    const auto plan = inspection.planned.find(view);
+    const Plan* const view_plan = plan == inspection.planned.end() ? nullptr : &plan->second;
+    std::ranges::move(findings_of(result, view, view_plan, chain), std::back_inserter(findings));
   }
   write_inspection_map(out.path("map.ply"), folder, inspection, moved, chain);
   write_ply(out.path("changes.ply"), points, PointFrame::robot_foot);

@@ -36,7 +36,8 @@ struct Compared {
 [[nodiscard]] std::vector<std::string> comparison_files();
 [[nodiscard]] std::vector<std::string> view_result_files();
 
-/// Orders and numbers the findings of several views, most suspicious first, and sets `same_as` of those that
+/// Orders and numbers the findings of several views, most suspicious first: what is not planned, then missing
+/// and surplus parts, then what is planned (ReviewedFinding::planned). Sets `same_as` of those that
 /// show the same object: findings of the same kind in different views, less than `reach_m` metres apart in
 /// the frame of the robot's foot.
 [[nodiscard]] std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m = 0.03);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,9 @@ struct Plan {
 ///         out of range, a polygon that crosses itself; areas of two items of one kind that overlap, places
 ///         that are nearer to each other than their tolerance, a count that differs from the number of places
 [[nodiscard]] Plan parse_plan(const std::string& text, const std::string& source);
+
+/// The content of a plan file, which parse_plan() reads back.
+[[nodiscard]] nlohmann::ordered_json json_of(const Plan& plan);
 
 /// Reads a plan file. @throws Error as parse_plan(); when the file cannot be read
 [[nodiscard]] Plan read_plan(const std::filesystem::path& file);

@@ -38,6 +38,7 @@ enum class PlannedState {
   unplanned,  ///< it, or a piece of it, matches nothing in the plan
   surplus,    ///< it would match, but there are more than planned, or it is larger than a planned part
   planned,    ///< all of it is planned
+  missing,    ///< no finding of a detector, but a planned part that was not found (inspect/)
 };
 /// The names that files use.
 template <>
@@ -45,6 +46,7 @@ inline constexpr auto enum_names<PlannedState> = std::to_array<EnumName<PlannedS
     {PlannedState::unplanned, "unplanned"},
     {PlannedState::surplus, "surplus"},
     {PlannedState::planned, "planned"},
+    {PlannedState::missing, "missing"},
 });
 
 /// A planned part that was not found.

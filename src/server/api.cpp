@@ -56,6 +56,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"DELETE", "/api/inspections/{}", PersonRole::operator_, &Api::remove_inspection},
       {"PUT", "/api/inspections/{}/views", PersonRole::operator_, &Api::set_views},
       {"PUT", "/api/inspections/{}/regions", PersonRole::operator_, &Api::set_regions},
+      {"PUT", "/api/inspections/{}/views/{}/plan", PersonRole::operator_, &Api::set_plan},
       {"POST", "/api/inspections/{}/capture", PersonRole::operator_, &Api::take_side},
       {"POST", "/api/inspections/{}/compare", PersonRole::operator_, &Api::compare},
       {"GET", "/api/inspections/{}/rounds", PersonRole::viewer, &Api::get_rounds},

@@ -99,6 +99,7 @@ class Api {
   ApiResponse remove_inspection(const Call& call) const;
   ApiResponse set_views(const Call& call) const;
   ApiResponse set_regions(const Call& call) const;
+  ApiResponse set_plan(const Call& call) const;
   ApiResponse check_readiness(const Call& call) const;
   ApiResponse take_side(const Call& call) const;
   ApiResponse compare(const Call& call) const;

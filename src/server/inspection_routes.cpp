@@ -118,6 +118,17 @@ ApiResponse Api::set_regions(const Call& call) const {
   return whole_inspection(id);
 }
 
+// A plan file as text: empty removes the plan.
+ApiResponse Api::set_plan(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  const std::optional<int> view = number_in_path(call.path_parts.at(1));
+  if (!view) throw ApiError(404, "not-found", "view", "does not exist", "give one of the inspection's views");
+  const std::string text = text_field(call.body, "text", most_plan_bytes);
+  const std::optional<Plan> plan = text.empty() ? std::nullopt : std::optional(parse_plan(text, "plan"));
+  parts_.inspector.set_plan(id, *view, plan ? &*plan : nullptr);
+  return whole_inspection(id);
+}
+
 ApiResponse Api::check_readiness(const Call& /*call*/) const {
   parts_.inspector.check_readiness();
   return started();

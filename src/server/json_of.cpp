@@ -85,6 +85,11 @@ Json json_of(const Snapshot& snapshot) {
           {"taken_at", snapshot.taken_at}};
 }
 
+Json json_of(const PlannedWork& work) {
+  return {{"name", work.name},   {"kind", name_of(work.kind)}, {"planned", work.planned},
+          {"found", work.found}, {"missing", work.missing},    {"not_inspected", work.not_inspected}};
+}
+
 Json json_of(const ComparedView& view) {
   Json coverage{{"compared", view.coverage.compared},
                 {"unseen", view.coverage.unseen},
@@ -92,8 +97,10 @@ Json json_of(const ComparedView& view) {
   if (view.coverage.left_out) coverage["left_out"] = *view.coverage.left_out;
   Json warnings = Json::array();
   for (const std::string& warning : view.warnings) warnings.push_back(without_folders(warning));
-  return {{"view", view.view},     {"method", view.method}, {"coverage", coverage},
-          {"judged", view.judged}, {"warnings", warnings},  {"findable", list_of(view.findable)}};
+  Json json{{"view", view.view},     {"method", view.method}, {"coverage", coverage},
+            {"judged", view.judged}, {"warnings", warnings},  {"findable", list_of(view.findable)}};
+  for (const PlannedWork& work : view.planned) json["planned"].push_back(json_of(work));
+  return json;
 }
 
 template <typename Values>
@@ -147,6 +154,8 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (finding.evidence.depth) json["evidence"].push_back("depth");
   if (finding.evidence.appearance) json["evidence"].push_back("appearance");
   if (reviewed.moved_from) json["moved_from"] = *reviewed.moved_from;
+  if (reviewed.planned) json["planned"] = name_of(*reviewed.planned);
+  if (!reviewed.planned_item.empty()) json["planned_item"] = reviewed.planned_item;
   if (reviewed.decision) json["decision"] = json_of(*reviewed.decision);
   return json;
 }
@@ -188,6 +197,8 @@ Json json_of(const Inspection& inspection) {
     const auto ignored = inspection.ignored.find(static_cast<int>(view));
     if (ignored != inspection.ignored.end() && !ignored->second.empty())
       json["views"].back()["ignore"] = list_of(ignored->second);
+    if (const auto plan = inspection.planned.find(static_cast<int>(view)); plan != inspection.planned.end())
+      json["views"].back()["plan"] = json_of(plan->second);
   }
   json["compared"] = json_list(inspection.compared);
   json["findings"] = json_list(inspection.findings);

@@ -11,6 +11,7 @@ namespace rva {
 /// Limits of texts; longer ones are refused.
 inline constexpr std::size_t most_field_bytes = 200;
 inline constexpr std::size_t most_note_bytes = 4000;
+inline constexpr std::size_t most_plan_bytes = 60000;
 
 /// @throws ApiError (400) when the text is not a JSON object, or nested more than a few levels
 [[nodiscard]] Json parse_body(const std::string& text);

@@ -56,8 +56,8 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
                            "insert into finding (inspection, comparison, number, view, same_as, kind, box, "
                            "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from, "
                            "by_depth, by_appearance, above_surroundings_mm, background_jump, "
-                           "top_above_surroundings_mm, top_is_least, clear_px) "
-                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "top_above_surroundings_mm, top_is_least, clear_px, planned, planned_item) "
+                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
   insert.bind(2, comparison);
   insert.bind(3, reviewed.number);
@@ -80,6 +80,8 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   bind_value(insert, 20, finding.top_above_surroundings_mm);
   insert.bind(21, finding.top_is_least ? 1 : 0);
   if (reviewed.clear_px) insert.bind(22, *reviewed.clear_px);
+  insert.bind(23, reviewed.planned ? std::string(name_of(*reviewed.planned)) : "");
+  insert.bind(24, reviewed.planned_item);
   insert.exec();
 }
 
@@ -120,6 +122,8 @@ std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_
       finding.moved_from = moved_from.getInt();
     if (const SQLite::Column clear_px = query.getColumn("clear_px"); !clear_px.isNull())
       finding.clear_px = clear_px.getInt();
+    finding.planned = value_of<PlannedState>(query.getColumn("planned").getString());
+    finding.planned_item = query.getColumn("planned_item").getString();
     finding.decision = last_decision(database, inspection, comparison, finding.number);
     findings.push_back(std::move(finding));
   }

@@ -58,6 +58,15 @@ std::map<int, std::vector<Polygon>> ignored_of(SQLite::Database& database, std::
   return ignored;
 }
 
+std::map<int, Plan> plans_of(SQLite::Database& database, std::int64_t id) {
+  SQLite::Statement query(database, "select view, plan from plan where inspection = ?");
+  query.bind(1, id);
+  std::map<int, Plan> plans;
+  while (query.executeStep())
+    plans[query.getColumn(0)] = parse_plan(query.getColumn(1).getString(), "plan");
+  return plans;
+}
+
 std::optional<Closing> closing_of(SQLite::Database& database, std::int64_t id) {
   SQLite::Statement query(database,
                           "select comparison, person, note, closed_at from closing where inspection = ?");
@@ -87,6 +96,7 @@ std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64
   inspection.dither = query.getColumn(5);
   inspection.views = views_of(database, id);
   inspection.ignored = ignored_of(database, id);
+  inspection.planned = plans_of(database, id);
   read_sides(database, inspection);
   inspection.comparison = comparison_of(database, id, query.getColumn(6));
   inspection.comparisons = comparisons_of(database, id);
@@ -127,6 +137,19 @@ void replace_views(SQLite::Database& database, std::int64_t id, const std::vecto
   }
 }
 
+void replace_plan(SQLite::Database& database, std::int64_t id, int view, const Plan* plan) {
+  SQLite::Statement remove(database, "delete from plan where inspection = ? and view = ?");
+  remove.bind(1, id);
+  remove.bind(2, view);
+  remove.exec();
+  if (plan == nullptr) return;
+  SQLite::Statement insert(database, "insert into plan (inspection, view, plan) values (?, ?, ?)");
+  insert.bind(1, id);
+  insert.bind(2, view);
+  insert.bind(3, json_text(json_of(*plan)));
+  insert.exec();
+}
+
 void insert_side(SQLite::Database& database, std::int64_t id, Side side, const BegunSide& round,
                  const std::optional<std::string>& taken_at) {
   SQLite::Statement insert(database,
@@ -163,6 +186,7 @@ void remove_unused_inspection(SQLite::Database& database, std::int64_t id) {
   }
   for (const char* const remove :
        {"delete from view where inspection = ?", "delete from ignored_region where inspection = ?",
+        "delete from plan where inspection = ?",
         "delete from inspection where id = ?"}) {
     SQLite::Statement statement(database, remove);
     statement.bind(1, id);

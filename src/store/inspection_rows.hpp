@@ -18,6 +18,9 @@ namespace rva {
 void require_open_inspection(SQLite::Database& database, std::int64_t id);
 
 /// Replaces the views of an inspection.
+/// Replaces the plan of a view; null removes it.
+void replace_plan(SQLite::Database& database, std::int64_t id, int view, const Plan* plan);
+
 void replace_views(SQLite::Database& database, std::int64_t id, const std::vector<PanTilt>& views);
 
 /// Adds a round of a side, or completes one that was begun.

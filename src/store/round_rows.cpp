@@ -35,6 +35,22 @@ std::vector<FindableShare> findable_in(const SQLite::Column& column) {
   return shares;
 }
 
+nlohmann::json list_of(const std::vector<PlannedWork>& planned) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const PlannedWork& work : planned)
+    list.push_back(
+        {work.name, name_of(work.kind), work.planned, work.found, work.missing, work.not_inspected});
+  return list;
+}
+
+std::vector<PlannedWork> planned_in(const std::string& text) {
+  std::vector<PlannedWork> planned;
+  for (const nlohmann::json& row : nlohmann::json::parse(text))
+    planned.push_back({row.at(0), value_of<ChangeKind>(row.at(1).get<std::string>()).value(), row.at(2),
+                       row.at(3), row.at(4), row.at(5)});
+  return planned;
+}
+
 }  // namespace
 
 std::optional<RecordedComparison> comparison_of(SQLite::Database& database, std::int64_t id, int number) {
@@ -66,9 +82,8 @@ std::vector<std::string> unfinished_comparisons_of(SQLite::Database& database, s
 std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int64_t id, int comparison) {
   SQLite::Statement query(
       database,
-      "select view, method, compared, unseen, invalid, judged, warnings, left_out, findable from "
-      "compared_view "
-      "where inspection = ? and comparison = ? order by view");
+      "select view, method, compared, unseen, invalid, judged, warnings, left_out, findable, planned "
+      "from compared_view where inspection = ? and comparison = ? order by view");
   query.bind(1, id);
   query.bind(2, comparison);
   std::vector<ComparedView> views;
@@ -82,6 +97,7 @@ std::vector<ComparedView> compared_views_of(SQLite::Database& database, std::int
     view.judged = query.getColumn(5);
     view.warnings = nlohmann::json::parse(query.getColumn(6).getString()).get<std::vector<std::string>>();
     view.findable = findable_in(query.getColumn(8));
+    view.planned = planned_in(query.getColumn(9));
     views.push_back(std::move(view));
   }
   return views;
@@ -129,7 +145,7 @@ void insert_compared_views(SQLite::Database& database, std::int64_t id, int comp
     SQLite::Statement insert(
         database,
         "insert into compared_view (inspection, comparison, view, method, compared, unseen, invalid, judged, "
-        "warnings, left_out, findable) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "warnings, left_out, findable, planned) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, id);
     insert.bind(2, comparison);
     insert.bind(3, view.view);
@@ -141,6 +157,7 @@ void insert_compared_views(SQLite::Database& database, std::int64_t id, int comp
     insert.bind(9, json_text(nlohmann::json(view.warnings)));
     if (view.coverage.left_out) insert.bind(10, *view.coverage.left_out);
     insert.bind(11, json_text(list_of(view.findable)));
+    insert.bind(12, json_text(list_of(view.planned)));
     insert.exec();
   }
 }

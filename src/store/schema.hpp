@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 6;
+inline constexpr int schema_version = 7;
 
 /// The tables of version 1. Lists within a row are JSON. Rows of `decision` are only added: the latest one of
 /// a finding applies.
@@ -223,6 +223,17 @@ create table snapshot (
   picture text not null, note text not null, person text not null, taken_at text not null,
   primary key (inspection, number)
 ) strict, without rowid;
+)sql";
+
+/// Changes from version 6 to 7: plans of the work, and what comparisons found of them.
+inline constexpr const char* schema_7_from_6 = R"sql(
+create table plan (
+  inspection integer not null references inspection, view integer not null, plan text not null,
+  primary key (inspection, view)
+) strict, without rowid;
+alter table finding add column planned text not null default '';
+alter table finding add column planned_item text not null default '';
+alter table compared_view add column planned text not null default '[]';
 )sql";
 
 }  // namespace rva

@@ -157,6 +157,15 @@ void SqliteRecords::set_ignored(std::int64_t id, int view, const std::vector<Pol
   });
 }
 
+void SqliteRecords::set_plan(std::int64_t id, int view, const Plan* plan) {
+  change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    replace_plan(database, id, view, plan);
+    set_current_comparison(database, id, 0);
+    return true;
+  });
+}
+
 void SqliteRecords::begin_comparison(std::int64_t id, const RecordedComparison& comparison) {
   change([&](SQLite::Database& database) {
     require_open_inspection(database, id);

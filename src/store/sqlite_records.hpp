@@ -30,6 +30,7 @@ class SqliteRecords : public Records, public Accounts {
   [[nodiscard]] std::vector<ComparedRound> rounds(std::int64_t id) const override;
   [[nodiscard]] std::optional<InspectionHistory> history(std::int64_t id) const override;
   void set_views(std::int64_t id, const std::vector<PanTilt>& views) override;
+  void set_plan(std::int64_t id, int view, const Plan* plan) override;
   void set_ignored(std::int64_t id, int view, const std::vector<Polygon>& ignored) override;
   void begin_side(std::int64_t id, Side side, const BegunSide& begun) override;
   void set_side(std::int64_t id, Side side, const TakenSide& taken) override;

@@ -189,6 +189,50 @@ TEST_F(Standing, WhatIsLeftOutIsNotFoundAndTheComparisonIsMadeAgain) {
   EXPECT_EQ(inspector_->inspection(id).findings.size(), 1U);
 }
 
+TEST_F(Standing, FindingsAreComparedWithThePlanOfTheirView) {
+  const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
+  const auto square = [](double u, double v) {
+    return std::vector<PlanPoint>{
+        {{u - 20, v - 20}}, {{u + 20, v - 20}}, {{u + 20, v + 20}}, {{u - 20, v + 20}}};
+  };
+  Plan plan{PlanCoordinates::pixels,
+            {{.name = "box", .height_mm = {10, 15}, .areas = {square(80, 60)}},
+             {.name = "bracket", .height_mm = {20, 25}, .places = {{{130, 90}}}}}};
+  EXPECT_THROW(inspector_->set_plan(id, 0, &plan), Error) << "there is no picture to draw on";
+  take(id, Side::initial);
+  EXPECT_THROW(inspector_->set_plan(id, 1, &plan), Error) << "no such view";
+  plug_->bump_mm = 12;
+  take(id, Side::final);
+  EXPECT_FALSE(inspector_->inspection(id).findings.at(0).planned);
+  inspector_->set_plan(id, 0, &plan);
+  EXPECT_EQ(stage_of(inspector_->inspection(id)), Stage::work) << "it was compared without the plan";
+  inspector_->compare(id);
+  EXPECT_EQ(wait().end, TaskEnd::done) << wait().problem;
+  Inspection inspection = inspector_->inspection(id);
+  ASSERT_EQ(inspection.findings.size(), 2U);
+  const ReviewedFinding& missing = inspection.findings[0];
+  EXPECT_EQ(missing.planned, PlannedState::missing);
+  EXPECT_EQ(missing.planned_item, "bracket");
+  EXPECT_TRUE(missing.finding.box.x <= 130 && missing.finding.box.x + missing.finding.box.width > 130);
+  EXPECT_NEAR(missing.finding.position_m->z(), 0.8, 0.005) << "of the surface where it should be";
+  EXPECT_EQ(inspection.findings[1].planned, PlannedState::planned);
+  EXPECT_EQ(inspection.findings[1].planned_item, "box");
+  EXPECT_EQ(inspection.compared.at(0).planned,
+            (std::vector<PlannedWork>{{"box", ChangeKind::added, 1, 1, 0, 0},
+                                      {"bracket", ChangeKind::added, 1, 0, 1, 0}}));
+  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).result(inspection, 0) / "plan.json"));
+  EXPECT_EQ(undecided(inspection), 2U) << "a missing part is decided on, as a finding is";
+  inspector_->decide(id, inspection.comparison->number, 1, {Verdict::installed_work, "", "Ann", ""});
+  EXPECT_EQ(undecided(inspector_->inspection(id)), 1U);
+
+  inspector_->set_plan(id, 0, nullptr);
+  inspector_->compare(id);
+  wait();
+  inspection = inspector_->inspection(id);
+  EXPECT_EQ(inspection.findings.size(), 1U);
+  EXPECT_TRUE(inspection.compared.at(0).planned.empty());
+}
+
 TEST_F(Standing, WhereNothingChangedNothingIsFound) {
   const std::int64_t id = inspector_->begin({"", "", "", "Ann"});
   take(id, Side::initial);

@@ -57,6 +57,23 @@ TEST(RankedFindings, OfAThingThatWasMovedNameWhereItWasByItsNumber) {
   EXPECT_FALSE(ranked[0].moved_from || ranked[1].moved_from);
 }
 
+TEST(RankedFindings, WhatWasNotPlannedComesFirstAndWhatWasPlannedLast) {
+  const auto with = [](ReviewedFinding finding, PlannedState state) {
+    finding.planned = state;
+    return finding;
+  };
+  ReviewedFinding absent = with(at(1, 0.0, 0.0), PlannedState::missing);
+  absent.finding.score.reset();
+  const std::vector<ReviewedFinding> ranked =
+      rank({with(at(0, 0.0, 90.0), PlannedState::planned), with(at(0, 0.3, 80.0), PlannedState::surplus), absent,
+            with(at(0, 0.6, 2.0), PlannedState::unplanned)});
+  EXPECT_EQ(ranked[0].planned, PlannedState::unplanned);
+  EXPECT_EQ(ranked[1].planned, PlannedState::missing);
+  EXPECT_EQ(ranked[2].planned, PlannedState::surplus);
+  EXPECT_EQ(ranked[3].planned, PlannedState::planned);
+  EXPECT_EQ(ranked[3].same_as, 4) << "a part that is missing is not the one that another view shows there";
+}
+
 TEST(RankedFindings, WithoutAPositionStandAlone) {
   ReviewedFinding placeless = at(1, 0.0, 5.0);
   placeless.in_foot_m.reset();

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/error.hpp"
 #include "plan/plan.hpp"
 
@@ -89,6 +91,26 @@ TEST(PlanFile, AcceptsAreasWithACommonBorder) {
   EXPECT_EQ(fault_of(head + part("a", "count: 1, " + square) +
                      part("b", "count: 1, areas: [[[20, 0], [40, 0], [40, 20], [20, 20]]]")),
             "accepted");
+}
+
+TEST(PlanFile, WhatIsWrittenIsReadBack) {
+  const Plan plan = parsed(head + part("nuts \"A\"", "kind: removed, count: 3, size_mm: [9, 12], " + square) +
+                           part("collars", "places: [[50.5, 7], [60, 7.25]], tolerance_mm: 4") +
+                           "  - { name: sealant, kind: appearance, count: 1, "
+                           "areas: [[[90, 0], [99, 0], [99, 9]]] }\n");
+  EXPECT_EQ(parsed(json_of(plan).dump()), plan);
+
+  const Plan metres = parsed("format: rva-plan\nversion: 1\ncoordinates: metres\nparts:\n" +
+                             part("collars", "places: [[0.1, -0.2, 0.5], [0.15, -0.2, 0.7]]"));
+  const Plan again = parsed(json_of(metres).dump());
+  ASSERT_EQ(again.items.size(), 1U);
+  EXPECT_EQ(again.coordinates, PlanCoordinates::metres);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PlanPoint& before = metres.items[0].places[i];
+    const PlanPoint& after = again.items[0].places[i];
+    EXPECT_TRUE(after.at.isApprox(before.at, 1e-12));
+    EXPECT_EQ(after.depth_m, before.depth_m);
+  }
 }
 
 TEST(PlanFile, RefusesOtherFiles) {

@@ -140,6 +140,29 @@ TEST_F(Asked, RegionsToLeaveOutNeedABaselineAndPolygons) {
     EXPECT_GE(ask("GET", std::string("/api/inspections/1/baseline/") + picture).status, 400) << picture;
 }
 
+TEST_F(Asked, APlanIsAPlanFile) {
+  ASSERT_EQ(ask("POST", "/api/inspections", R"({"person":"Ann"})").status, 201);
+  served_.records.set_side(1, Side::initial, {"t", "Ann", "b"});
+  const std::string path = "/api/inspections/1/views/0/plan";
+  const std::string part = R"({"name":"collar","count":1,"height_mm":[8,10],"areas":[[[0,0],[9,0],[9,9]]]})";
+  const auto request = [](const std::string& parts) {
+    return json_text(Json{{"text", R"({"format":"rva-plan","version":1,"parts":[)" + parts + "]}"}});
+  };
+  const ApiResponse kept = ask("PUT", path, request(part));
+  EXPECT_EQ(kept.status, 200);
+  const Json plan = Json::parse(kept.body)["views"][0]["plan"];
+  EXPECT_EQ(plan["coordinates"], "pixels");
+  EXPECT_EQ(plan["parts"][0]["name"], "collar");
+  EXPECT_EQ(plan["parts"][0]["areas"][0].size(), 3U);
+  EXPECT_EQ(code("PUT", path, request(part + "," + part)), "refused") << "two of one name";
+  EXPECT_EQ(code("PUT", path, R"({"text":"no plan"})"), "refused");
+  EXPECT_EQ(code("PUT", path, R"({"text":7})"), "bad-request");
+  EXPECT_EQ(code("PUT", "/api/inspections/1/views/7/plan", request(part)), "refused");
+  EXPECT_EQ(ask("PUT", "/api/inspections/1/views/x/plan", request(part)).status, 404);
+  EXPECT_EQ(Json::parse(ask("GET", "/api/inspections/1").body)["views"][0]["plan"], plan) << "as before";
+  EXPECT_FALSE(Json::parse(ask("PUT", path, R"({"text":""})").body)["views"][0].contains("plan"));
+}
+
 TEST_F(Asked, WhatIsMissingOrMalformedIsSaidWithACode) {
   EXPECT_EQ(code("GET", "/api/nothing"), "not-found");
   EXPECT_EQ(code("DELETE", "/api/inspections"), "method-not-allowed");

@@ -207,6 +207,38 @@ TEST_F(Kept, AThingThatWasMovedNamesWhereItWas) {
   EXPECT_FALSE(records_->find(id)->findings[1].moved_from);
 }
 
+TEST_F(Kept, APlanIsOfItsViewAndMakesAComparisonOutdated) {
+  const std::int64_t id = add();
+  const Plan plan{PlanCoordinates::pixels,
+                  {{.name = "collars", .count = 2, .height_mm = {8, 10}, .places = {{{5, 6}}, {{50, 6}}}}}};
+  records_->set_comparison(id, comparison(1), {}, {});
+  records_->set_plan(id, 1, &plan);
+  open();
+  EXPECT_EQ(records_->find(id)->planned, (std::map<int, Plan>{{1, plan}}));
+  EXPECT_FALSE(records_->find(id)->comparison) << "it was made without the plan";
+  records_->set_plan(id, 1, nullptr);
+  EXPECT_TRUE(records_->find(id)->planned.empty());
+  EXPECT_THROW(records_->set_plan(7, 0, &plan), Error);
+  EXPECT_TRUE(records_->find(id)->planned.empty());
+}
+
+TEST_F(Kept, AComparisonStatesWhatItFoundOfThePlan) {
+  const std::int64_t id = add();
+  ReviewedFinding missing = finding(1);
+  missing.planned = PlannedState::missing;
+  missing.planned_item = "collars";
+  const PlannedWork work{"collars", ChangeKind::added, 24, 22, 1, 1};
+  ComparedView view{.view = 0, .method = "spatial"};
+  view.planned = {work};
+  records_->set_comparison(id, comparison(1), {view}, {missing, finding(2)});
+  open();
+  const Inspection back = *records_->find(id);
+  EXPECT_THAT(back.compared.at(0).planned, ElementsAre(work));
+  EXPECT_EQ(back.findings[0].planned, PlannedState::missing);
+  EXPECT_EQ(back.findings[0].planned_item, "collars");
+  EXPECT_FALSE(back.findings[1].planned) << "without a plan";
+}
+
 // The program wrote such files before regions could be left out.
 TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   records_.reset();
@@ -240,7 +272,7 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   EXPECT_NO_THROW(records.decide(1, 1, 1, {Verdict::false_alarm, "", "Ann", "t3"}));
   EXPECT_NO_THROW(records.set_comparison(1, comparison(2), {}, {finding(1)}));
   EXPECT_FALSE(back.findings[0].moved_from || back.compared.at(0).coverage.left_out);
-  EXPECT_TRUE(back.ignored.empty());
+  EXPECT_TRUE(back.ignored.empty() && back.planned.empty() && back.compared.at(0).planned.empty());
   EXPECT_NO_THROW(records.set_ignored(1, 0, {{{0, 0}, {1, 0}, {0, 1}}}));
   EXPECT_THAT(records.summaries({.text = "bay n1"}), SizeIs(1));
   EXPECT_EQ(records.add_inspection({}, "t4", 1, {{0, 0}}, 0), 2);
