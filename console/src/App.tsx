@@ -13,6 +13,8 @@ import { LiveView } from './live/LiveView';
 import { SnapshotForm } from './live/SnapshotForm';
 import { SnapshotList } from './live/SnapshotList';
 import { page as shownPage, type Page } from './pages';
+import { PlanEditor } from './plan/PlanEditor';
+import { PlanPanel } from './plan/PlanPanel';
 import { RegionEditor } from './regions/RegionEditor';
 import { RegionPanel } from './regions/RegionPanel';
 import { FindingList } from './review/FindingList';
@@ -77,6 +79,7 @@ function PageTabs({ page, inspection, onPick }: { page: Page; inspection: Inspec
   const tabs: [Page, string, boolean][] = [
     ['live', words.page.live, true],
     ['regions', words.page.regions, inspection.initial !== undefined],
+    ['plan', words.page.plan, inspection.initial !== undefined],
     ['review', words.page.review, compared],
     ['space', words.page.space, compared],
   ];
@@ -110,6 +113,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
   const past = inspection && round ? asItWas(inspection, round) : inspection;
   const mayMark = inspection !== null && !inspection.closing && session.role !== 'viewer';
   const drawing = page === 'regions' && inspection?.initial !== undefined;
+  const planning = page === 'plan' && inspection?.initial !== undefined;
 
   if (ended) {
     return (
@@ -157,6 +161,8 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           <LazySpace inspection={inspection} />
         ) : drawing ? (
           <RegionEditor inspection={inspection} session={session} />
+        ) : planning ? (
+          <PlanEditor inspection={inspection} session={session} />
         ) : (
           <LiveView onMark={mayMark ? (bbox, stream) => (newMark.value = { bbox, where: { stream } }) : undefined} mayExpose={session.role !== 'viewer'} mayKeep={mayMark} />
         )}
@@ -164,8 +170,9 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       <aside aria-label={words.page.whatToDo} key={`${inspection?.id} ${inspection?.stage}`}>
         {!inspection && <Begin session={session} />}
         {drawing && <RegionPanel inspection={inspection} session={session} />}
-        {!drawing && inspection && !inspection.compared_at && <Steps session={session} />}
-        {round && !drawing && (
+        {planning && <PlanPanel inspection={inspection} session={session} />}
+        {!drawing && !planning && inspection && !inspection.compared_at && <Steps session={session} />}
+        {round && !drawing && !planning && (
           <div class="note earlier-round" role="status" data-testid="earlier-round">
             <span>{words.page.earlierRound}</span>
             <button type="button" onClick={() => showRound(null)}>
@@ -174,7 +181,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
           </div>
         )}
         {page === 'review' && past?.compared_at && <ViewNotes inspection={past} />}
-        {!drawing && past?.compared_at && <FindingList inspection={past} session={session} past={round !== null} />}
+        {!drawing && !planning && past?.compared_at && <FindingList inspection={past} session={session} past={round !== null} />}
         {inspection && <SnapshotList inspection={inspection} />}
         {inspection && <MarkForm inspection={inspection} session={session} />}
         {inspection && mayMark && <SnapshotForm inspection={inspection} session={session} />}

@@ -21,6 +21,12 @@ export type Verdict =
   | 'false-alarm'
   | 'second-look';
 
+/** What a finding is according to the plan of its view. `missing`: a planned part that was not found. */
+export type PlannedState = 'unplanned' | 'surplus' | 'planned' | 'missing';
+
+/** Pixels of the baseline's depth image, or metres in the frame of its camera. */
+export type PlanCoordinates = 'pixels' | 'metres';
+
 export type FindingKind = 'added' | 'removed' | 'appearance';
 
 export type Evidence = 'depth' | 'appearance';
@@ -96,9 +102,47 @@ export interface Joints {
   tilt_deg: number;
 }
 
+/** Parts of one kind, as in a plan file (docs/planned-work.md). */
+export interface PlanPart {
+  /** Unique in its plan. */
+  name: string;
+  kind: FindingKind;
+  count: number;
+  /** Above what they are on; missing for parts that images alone show. */
+  height_mm?: Range;
+  /** Of their largest extents; missing for any size. */
+  size_mm?: Range;
+  /** Polygons. */
+  areas: PlanPoints[];
+  /** The centre of each part; missing where only areas are known. */
+  places?: PlanPoints;
+  /** How far from its place a part may be. */
+  tolerance_mm: number;
+}
+
+/** Two pixels or three metres. */
+export type PlanPoint = number[];
+
+export type PlanPoints = PlanPoint[];
+
+/** What the work order states will change: a plan file. */
+export interface Plan {
+  format: 'rva-plan';
+  version: 1;
+  coordinates: PlanCoordinates;
+  parts: PlanPart[];
+}
+
+export interface PlanRequest {
+  /** A plan file, YAML or JSON; empty removes the plan. */
+  text: string;
+}
+
 export interface View extends Joints {
   /** Regions left out of the comparison; missing if there are none. */
   ignore?: Polygon[];
+  /** Missing if there is none. */
+  plan?: Plan;
 }
 
 export interface TakenSide {
@@ -152,6 +196,10 @@ export interface Finding {
   evidence: Evidence[];
   /** The removed finding of about the same size: the object may have been moved. */
   moved_from?: number;
+  /** Missing if its view has no plan. */
+  planned?: PlannedState;
+  /** Name of the part of the plan; missing if it is unplanned. */
+  planned_item?: string;
   decision?: Decision;
 }
 
@@ -205,6 +253,18 @@ export interface FindableShare {
   share: number;
 }
 
+/** What a comparison found of one part of a plan: numbers of parts. */
+export interface PlannedWork {
+  name: string;
+  kind: FindingKind;
+  planned: number;
+  found: number;
+  /** Those that would have been found, and were not. */
+  missing: number;
+  /** The others. */
+  not_inspected: number;
+}
+
 export interface ComparedView {
   view: number;
   /** As of `rva detect --method`. */
@@ -215,6 +275,8 @@ export interface ComparedView {
   warnings: string[];
   /** Small to large; empty if it is not known. */
   findable: FindableShare[];
+  /** Missing if the view has no plan. */
+  planned?: PlannedWork[];
 }
 
 export interface InspectionSummary {

@@ -1,5 +1,5 @@
 // Names and phrases that the console uses.
-import type { ComparedView, FindableShare, Finding, FindingKind, InspectionSummary, Levels, LevelsAtDistance } from '../types';
+import type { ComparedView, FindableShare, Finding, InspectionSummary, Levels, LevelsAtDistance } from '../types';
 import { decimal, percentText, timeText, words } from '../words/words';
 
 /** By how much narrower than it is an object appears in the depth image (docs/calibrated.md); levels refer to its width in that image. */
@@ -36,11 +36,14 @@ export function suspicion(finding: Finding): { level: 1 | 2 | 3; name: string } 
 }
 
 export function whatChanged(finding: Finding): string {
+  if (finding.planned === 'missing') return words.plan.missingPart(finding.planned_item ?? '');
+  if (finding.planned === 'surplus') return words.plan.surplus(words.finding.kinds[finding.kind], finding.planned_item ?? '');
   return words.finding.kinds[finding.kind];
 }
 
-/** The character that stands for a kind, beside the finding's number. */
-export function signOf(kind: FindingKind): string {
+/** The character that stands for a finding, beside its number. */
+export function signOf({ kind, planned }: Pick<Finding, 'kind' | 'planned'>): string {
+  if (planned === 'missing') return '?';
   return { added: '+', removed: '−', appearance: '≈' }[kind];
 }
 

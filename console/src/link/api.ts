@@ -18,6 +18,7 @@ import type {
   Measurement,
   MeasureRequest,
   Order,
+  PlanRequest,
   Point3,
   Polygon,
   RegionsRequest,
@@ -91,6 +92,8 @@ export const api = {
   /** Replaces what is left out of one view; an earlier comparison becomes outdated. */
   setRegions: (id: number, view: number, ignore: Polygon[]) =>
     send<RegionsRequest, Inspection>('PUT', `/api/inspections/${id}/regions`, { view, ignore }),
+  /** Replaces the plan of one view by a plan file, or removes it; an earlier comparison becomes outdated. */
+  setPlan: (id: number, view: number, text: string) => send<PlanRequest, Inspection>('PUT', `/api/inspections/${id}/views/${view}/plan`, { text }),
   capture: (id: number, side: SideName, person: string, replaced: boolean) =>
     send<CaptureRequest, Empty>('POST', `/api/inspections/${id}/capture`, { side, person, replaced }),
   compare: (id: number) => post<Empty>(`/api/inspections/${id}/compare`),

@@ -30,11 +30,11 @@ function FindingBox({ marked: { finding, label, selected, settled }, frame }: { 
   // Above the box, or below it where there is no room.
   const above = v - gap - 1.5 * text_px * frame.screen_px > frame.shown[1];
   return (
-    <g class={`finding-box ${finding.kind} ${selected ? 'selected' : ''} ${settled ? 'settled' : ''} ${isClose(finding, frame) ? 'close' : ''}`} data-testid={`box-${finding.number}`}>
+    <g class={`finding-box ${finding.planned === 'missing' ? 'missing' : finding.kind} ${selected ? 'selected' : ''} ${settled ? 'settled' : ''} ${isClose(finding, frame) ? 'close' : ''}`} data-testid={`box-${finding.number}`}>
       <rect class="halo" {...outline} />
       <rect class="outline" {...outline} />
       <text x={u - gap} y={above ? v - gap - 7 * frame.screen_px : v + height + gap + text_px * frame.screen_px} font-size={text_px * frame.screen_px} stroke-width={4 * frame.screen_px}>
-        {`${settled ? '✓ ' : ''}${label} ${finding.number < 0 ? '✎' : signOf(finding.kind)}`}
+        {`${settled ? '✓ ' : ''}${label} ${finding.number < 0 ? '✎' : signOf(finding)}`}
       </text>
     </g>
   );

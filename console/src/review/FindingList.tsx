@@ -13,6 +13,7 @@ import { DecisionForm } from './DecisionForm';
 import { bestSeen, decisionOf, groupsOf, isSettled, type Group } from './groups';
 import { Moved } from './Moved';
 import { review, reviewSize, selectionOf, several, show } from './review_state';
+import { isPlanned, PlannedWork } from './PlannedWork';
 import { RoundsCard } from './RoundsCard';
 import { SeveralForm, toggleSeveral } from './SeveralForm';
 import { useSwipe, type Direction } from './swipe';
@@ -87,13 +88,13 @@ function FindingCard({ inspection, groups, group, session, past, selected, ticke
             {ticked ? '☑' : '☐'}
           </span>
         )}
-        <span class={`finding-number ${lead.kind}`}>
+        <span class={`finding-number ${lead.planned === 'missing' ? 'missing' : lead.kind}`}>
           {group.label}
-          <span aria-hidden="true">{marked ? '✎' : signOf(lead.kind)}</span>
+          <span aria-hidden="true">{marked ? '✎' : signOf(lead)}</span>
         </span>
         <span>
           <strong>{marked ? marked.note || words.review.markedByPerson : whatChanged(lead)}</strong>
-          {marked ? <small>{words.review.markedBy(marked.person, timeOf(marked.marked_at))}</small> : <SuspicionBar level={level} name={name} />}
+          {marked ? <small>{words.review.markedBy(marked.person, timeOf(marked.marked_at))}</small> : lead.planned === 'missing' ? <small>{words.plan.missingHelp}</small> : <SuspicionBar level={level} name={name} />}
           <small>
             {whereAndHow(lead, marked !== undefined)}
             {all.length > 1 && words.review.inViews(all.length)}
@@ -172,6 +173,9 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
   const chosen = useStore(several);
   const mayChoose = !past && !inspection.closing && session.role === 'inspector';
   const ticks = mayChoose ? chosen : null;
+  const card = (group: Group) => (
+    <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} past={past} selected={group.lead.number === state.group} ticked={ticks?.includes(group.lead.number)} />
+  );
   if (!state.findings && state.group === 0) return <FirstLook groups={groups} />;
   return (
     <>
@@ -185,11 +189,8 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
             </button>
           )}
         </div>
-        <ul class="list">
-          {groups.map((group) => (
-            <FindingCard key={group.lead.number} inspection={inspection} groups={groups} group={group} session={session} past={past} selected={group.lead.number === state.group} ticked={ticks?.includes(group.lead.number)} />
-          ))}
-        </ul>
+        <ul class="list">{groups.filter((group) => !isPlanned(group)).map(card)}</ul>
+        <PlannedWork inspection={inspection} groups={groups} session={session} mayDecide={mayChoose} card={card} />
         {!past && <RoundsCard inspection={inspection} />}
       </div>
       {!past && <UndoBar inspection={inspection} session={session} />}

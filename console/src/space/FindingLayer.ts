@@ -24,7 +24,7 @@ function picture(number: number, kind: FindingKind, selected: boolean): CanvasTe
     draw.font = 'bold 52px sans-serif';
     draw.textAlign = 'center';
     draw.textBaseline = 'middle';
-    draw.fillText(`${number}${signOf(kind)}`, middle, middle + 3);
+    draw.fillText(`${number}${signOf({ kind })}`, middle, middle + 3);
   }
   return new CanvasTexture(canvas);
 }

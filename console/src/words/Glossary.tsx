@@ -10,7 +10,8 @@ const termsOf: Record<Page | 'list', Term[]> = {
   list: ['baseline', 'finding', 'decision', 'close', 'lease', 'panTilt', 'depth'],
   live: ['view', 'capture', 'baseline', 'baselineCheck', 'level', 'height', 'noise', 'depth', 'approach', 'lease', 'panTilt', 'deadZone', 'leftOut', 'marked'],
   regions: ['leftOut', 'coverage', 'view', 'baseline', 'comparison'],
-  review: ['finding', 'suspicion', 'height', 'decision', 'debris', 'installed', 'falseAlarm', 'coverage', 'level', 'marked', 'view', 'round', 'comparison', 'close'],
+  plan: ['planned', 'installed', 'finding', 'view', 'baseline', 'comparison'],
+  review: ['finding', 'planned', 'suspicion', 'height', 'decision', 'debris', 'installed', 'falseAlarm', 'coverage', 'level', 'marked', 'view', 'round', 'comparison', 'close'],
   space: ['finding', 'depth', 'view', 'comparison'],
 };
 
