@@ -439,7 +439,7 @@ export const de: Words = {
     compared: 'Diese Inspektion wurde schon verglichen. Wird der Plan geändert, muss neu verglichen werden; Entscheidungen über die Befunde bleiben im Protokoll, werden aber nicht übernommen.',
     count: 'Anzahl',
     counted: (count: number, name: string) => `${count} × ${name}`,
-    decideAll: (count: number) => (count === 1 ? 'Ist eingebaute Arbeit' : `Alle ${count} sind eingebaute Arbeit`),
+    decideAll: (count: number) => (count === 1 ? 'Gehört zur Arbeit' : `Alle ${count} gehören zur Arbeit`),
     draw: 'Bereich zeichnen',
     found: (found: number, planned: number, name: string) => `${found} von ${planned} ${name}`,
     guide: 'Ziehen Sie einen Rahmen um den Bereich, in dem die Teile sein werden. Zwei Finger vergrößern.',
