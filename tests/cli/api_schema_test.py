@@ -99,6 +99,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.get('inspections/1/baseline-check', 'BaselineCheck')
         left_out = [[-0.5, -0.5], [40.0, -0.5], [40.0, 40.0]]
         self.ask('PUT', 'inspections/1/regions', 'RegionsRequest', {'view': 0, 'ignore': [left_out]}, 'Inspection', 200)
+        self.plan()
         self.post('simulation', 'SimulationRequest', {'done': True})
         self.take('final', then='comparison')
         self.review()
@@ -165,9 +166,22 @@ class ApiSchemaTest(program.ProgramTest):
                         {'tool': 'height', 'points': line[:1], 'bbox': [300, 320, 80, 40]}):
             self.post('measure', 'MeasureRequest', {'stream': 'depth', **request}, 'Measurement')
 
+    def plan(self):
+        area = [[60, 60], [840, 60], [840, 470], [60, 470]]
+        parts = [{'name': 'tools', 'kind': 'added', 'count': 1, 'height_mm': [1, 400], 'areas': [area]},
+                 {'name': 'bracket', 'kind': 'removed', 'height_mm': [20, 25], 'size_mm': [20, 90], 'areas': [],
+                  'places': [[420, 240]]}]
+        text = json.dumps({'format': 'rva-plan', 'version': 1, 'coordinates': 'pixels', 'parts': parts})
+        self.ask('PUT', 'inspections/1/views/0/plan', 'PlanRequest', {'text': text}, 'Inspection', 200)
+        self.refuse('PUT', 'inspections/1/views/0/plan', {'text': 'parts: []'}, 409)
+
     def review(self):
         found = self.get('inspections/1', 'Inspection')
         self.assertTrue(found['findings'])
+        planned = {work['name']: work for work in found['compared'][0]['planned']}
+        self.assertEqual(planned['tools']['found'], 1)
+        self.assertEqual((planned['bracket']['planned'], planned['bracket']['found']), (1, 0))
+        self.assertIn('planned', {finding['planned'] for finding in found['findings']})
         self.post('inspections/1/findings/1/decision', 'DecisionRequest',
                   {'comparison': found['comparison'], 'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
         self.get('inspections', 'InspectionList')
