@@ -29,7 +29,7 @@ test('suspicion follows the p-value', () => {
 test('every kind has a phrase and a sign', () => {
   for (const kind of ['added', 'removed', 'appearance'] as const) {
     expect(whatChanged(finding(1, { kind }))).not.toBe('');
-    expect(signOf(kind)).toHaveLength(1);
+    expect(signOf({ kind })).toHaveLength(1);
   }
 });
 
