@@ -65,8 +65,8 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
                        sources_of(capture_paths(folder, inspection, Side::final, view), result.final)};
   result.changes = detect(result.initial, result.final, {}, progress, left_out);
   if (const auto plan = inspection.planned.find(view); plan != inspection.planned.end())
-    result.match = match_plan(plan->second, result.detection(),
-                              {camera, result.final.front()->info().depth}, PlanOptions{});
+    result.match = match_plan(plan->second, result.detection(), {camera, result.final.front()->info().depth},
+                              PlanOptions{});
   return result;
 }
 
@@ -74,8 +74,7 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
 ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
   std::error_code ignored;  // write_result() reports the error
   std::filesystem::create_directories(folder, ignored);
-  nlohmann::ordered_json detections =
-      detections_json(result.changes.detection.findings, result.provenance);
+  nlohmann::ordered_json detections = detections_json(result.changes.detection.findings, result.provenance);
   if (result.match) {
     add_plan(*result.match, detections);
     write_file(folder / result_file::plan, json_file_text(json_of(*result.match)));
@@ -164,8 +163,8 @@ int urgency(const ReviewedFinding& finding) {
 }
 
 bool is_same_thing(const ReviewedFinding& a, const ReviewedFinding& b, double reach_m) {
-  return a.view != b.view && is_missing(a) == is_missing(b) && a.finding.kind == b.finding.kind && a.in_foot_m && b.in_foot_m &&
-         (*a.in_foot_m - *b.in_foot_m).norm() < reach_m;
+  return a.view != b.view && is_missing(a) == is_missing(b) && a.finding.kind == b.finding.kind &&
+         a.in_foot_m && b.in_foot_m && (*a.in_foot_m - *b.in_foot_m).norm() < reach_m;
 }
 
 // Converts Finding::moved_from, an id within one view, to the number within the inspection.
@@ -195,8 +194,7 @@ std::vector<std::string> comparison_files() {
 
 std::vector<ReviewedFinding> rank(std::vector<ReviewedFinding> findings, double reach_m) {
   std::ranges::stable_sort(findings, std::greater<>{}, [](const ReviewedFinding& finding) {
-    return std::tuple(urgency(finding), finding.finding.evidence.depth,
-                      finding.finding.score.value_or(0.0));
+    return std::tuple(urgency(finding), finding.finding.evidence.depth, finding.finding.score.value_or(0.0));
   });
   int number = 0;
   for (ReviewedFinding& finding : findings) {

@@ -110,12 +110,11 @@ CaptureInfo SimulatedCamera::info() const {
 }
 
 std::optional<ExposureControl> SimulatedCamera::exposure_control() const {
-  return ExposureControl{
-      .set = {.automatic = options_.exposure == 0.0,
-              .time_us = sensor_ ? sensor_->exposure_us() : options_.exposure / e_per_us,
-              .gain = least_gain * options_.gain},
-      .time_us = {1.0, us_per_s * longest_exposure_s},
-      .gain = {least_gain, greatest_gain}};
+  return ExposureControl{.set = {.automatic = options_.exposure == 0.0,
+                                 .time_us = sensor_ ? sensor_->exposure_us() : options_.exposure / e_per_us,
+                                 .gain = least_gain * options_.gain},
+                         .time_us = {1.0, us_per_s * longest_exposure_s},
+                         .gain = {least_gain, greatest_gain}};
 }
 
 void SimulatedCamera::set_exposure(const Exposure& exposure) {

@@ -62,8 +62,7 @@ std::map<int, Plan> plans_of(SQLite::Database& database, std::int64_t id) {
   SQLite::Statement query(database, "select view, plan from plan where inspection = ?");
   query.bind(1, id);
   std::map<int, Plan> plans;
-  while (query.executeStep())
-    plans[query.getColumn(0)] = parse_plan(query.getColumn(1).getString(), "plan");
+  while (query.executeStep()) plans[query.getColumn(0)] = parse_plan(query.getColumn(1).getString(), "plan");
   return plans;
 }
 
@@ -186,8 +185,7 @@ void remove_unused_inspection(SQLite::Database& database, std::int64_t id) {
   }
   for (const char* const remove :
        {"delete from view where inspection = ?", "delete from ignored_region where inspection = ?",
-        "delete from plan where inspection = ?",
-        "delete from inspection where id = ?"}) {
+        "delete from plan where inspection = ?", "delete from inspection where id = ?"}) {
     SQLite::Statement statement(database, remove);
     statement.bind(1, id);
     statement.exec();

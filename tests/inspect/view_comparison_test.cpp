@@ -65,8 +65,8 @@ TEST(RankedFindings, WhatWasNotPlannedComesFirstAndWhatWasPlannedLast) {
   ReviewedFinding absent = with(at(1, 0.0, 0.0), PlannedState::missing);
   absent.finding.score.reset();
   const std::vector<ReviewedFinding> ranked =
-      rank({with(at(0, 0.0, 90.0), PlannedState::planned), with(at(0, 0.3, 80.0), PlannedState::surplus), absent,
-            with(at(0, 0.6, 2.0), PlannedState::unplanned)});
+      rank({with(at(0, 0.0, 90.0), PlannedState::planned), with(at(0, 0.3, 80.0), PlannedState::surplus),
+            absent, with(at(0, 0.6, 2.0), PlannedState::unplanned)});
   EXPECT_EQ(ranked[0].planned, PlannedState::unplanned);
   EXPECT_EQ(ranked[1].planned, PlannedState::missing);
   EXPECT_EQ(ranked[2].planned, PlannedState::surplus);

@@ -208,8 +208,8 @@ TEST_F(Asked, MeasuresWhatTheCameraSees) {
 TEST_F(Asked, TheExposureIsSetWithinTheCamerasRange) {
   ASSERT_TRUE(test::eventually([&] { return served_.camera.exposure_control().has_value(); }));
   const auto set = [&] { return served_.camera.exposure_control()->set; };
-  EXPECT_EQ(
-      ask("PUT", "/api/camera/exposure", R"({"automatic":false,"time_us":4000,"gain":32})").status, 200);
+  EXPECT_EQ(ask("PUT", "/api/camera/exposure", R"({"automatic":false,"time_us":4000,"gain":32})").status,
+            200);
   const Exposure fixed{.automatic = false, .time_us = 4000.0, .gain = 32.0};
   EXPECT_TRUE(test::eventually([&] { return set() == fixed; }));
   for (const char* const wrong :

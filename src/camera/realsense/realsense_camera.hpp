@@ -49,7 +49,7 @@ class RealSenseCamera : public Camera {
   int rate_hz_ = 0;                          // of the open pipeline
   std::optional<ExposureControl> exposure_;  // as read back last
   std::optional<Exposure> chosen_exposure_;  // since the camera was opened first; set again when reopened
-  mutable std::mutex mutex_;  // guards the next
+  mutable std::mutex mutex_;                 // guards the next
   CaptureInfo info_;
   std::uint64_t number_ = 0;                      // of the last frame returned
   std::optional<std::uint64_t> device_number_{};  // its number by the camera's counter

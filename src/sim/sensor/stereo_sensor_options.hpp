@@ -89,8 +89,8 @@ struct StereoSensorOptions {
     visit(self.exposure_target,
           OptionField{"exposure-target", "", 0.01, 10,
                       "where that control puts the view's brighter parts, of what saturates a pixel"});
-    visit(self.gain, OptionField{"gain", "", 1, 16,
-                                 "of the imagers' signal: how many times earlier a pixel saturates"});
+    visit(self.gain,
+          OptionField{"gain", "", 1, 16, "of the imagers' signal: how many times earlier a pixel saturates"});
     visit(self.imager_difference,
           OptionField{"imager-difference", "", -0.9, 9,
                       "how much more light the right imager records; -0.1 is a tenth less"});
