@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/arguments.hpp"
 #include "core/random.hpp"
 #include "detect/detect.hpp"
 #include "evaluate/capture_room.hpp"
@@ -224,22 +225,19 @@ void study(const StudyOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto argument = [&](std::size_t k, const char* otherwise) {
-    return arguments.size() > k ? arguments[k] : std::string(otherwise);
-  };
+  const Arguments arguments(argc, argv);
   try {
-    const auto method = value_of<DetectionMethod>(argument(5, "auto"));
-    if (arguments.size() >= 2 && arguments.size() <= 8 && method &&
-        (arguments[0] == "exact" || arguments[0] == "rest")) {
-      study({.how = arguments[0] == "rest" ? CameraReturn::rest : CameraReturn::exact,
-             .captures = std::stoi(arguments[1]),
-             .inspections = std::stoi(argument(2, "20")),
-             .first_seed = std::stoull(argument(3, "1")),
-             .cameras = argument(4, "random:1"),
+    const auto method = value_of<DetectionMethod>(arguments.at(5, "auto"));
+    if (arguments.count() >= 2 && arguments.count() <= 8 && method &&
+        (arguments.at(0) == "exact" || arguments.at(0) == "rest")) {
+      study({.how = arguments.at(0) == "rest" ? CameraReturn::rest : CameraReturn::exact,
+             .captures = std::stoi(arguments.at(1)),
+             .inspections = std::stoi(arguments.at(2, "20")),
+             .first_seed = std::stoull(arguments.at(3, "1")),
+             .cameras = arguments.at(4, "random:1"),
              .method = *method,
-             .wider_px = std::stoi(argument(6, "0")),
-             .times = std::stod(argument(7, "1"))});
+             .wider_px = std::stoi(arguments.at(6, "0")),
+             .times = std::stod(arguments.at(7, "1"))});
       return 0;
     }
   } catch (const std::exception& error) {

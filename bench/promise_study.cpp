@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/arguments.hpp"
 #include "core/quantile.hpp"
 #include "core/random.hpp"
 #include "detect/detect.hpp"
@@ -103,14 +104,11 @@ void study(const fs::path& room, int inspections, std::uint64_t first_seed, cons
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto argument = [&](std::size_t k, const char* otherwise) {
-    return arguments.size() > k ? arguments[k] : std::string(otherwise);
-  };
+  const Arguments arguments(argc, argv);
   try {
-    if (!arguments.empty() && arguments.size() <= 5) {
-      study(arguments[0], std::stoi(argument(1, "8")), std::stoull(argument(2, "1510001")),
-            argument(3, "random:1"), argument(4, ""));
+    if (arguments.count() >= 1 && arguments.count() <= 5) {
+      study(arguments.at(0), std::stoi(arguments.at(1, "8")), std::stoull(arguments.at(2, "1510001")),
+            arguments.at(3, "random:1"), arguments.at(4));
       return 0;
     }
   } catch (const std::exception& error) {
