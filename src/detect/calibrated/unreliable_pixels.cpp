@@ -12,7 +12,7 @@ namespace {
 constexpr int time_window_px = 9;
 constexpr int hole_window_px = 17;  // a hole disturbs the matches within a window on each side of it
 constexpr double steady_share = 0.8;
-constexpr double most_missing = 0.02;
+constexpr int most_missing = 7;  // of the 289 pixels of that window
 constexpr std::size_t sampling = 17;
 
 float steady_px(const DisparityChange& change) {
@@ -23,10 +23,11 @@ float steady_px(const DisparityChange& change) {
   return deviations_px.empty() ? 0.0F : quantile(deviations_px, steady_share);
 }
 
-// Share of the window's pixels that have a disparity, 0 to 255.
-cv::Mat measured_around(const Image<float>& disparity_px) {
+// The number of the window's pixels that have no disparity.
+cv::Mat missing_around(const Image<float>& disparity_px) {
   cv::Mat around;
-  cv::blur(as_mat(disparity_px) > 0.0, around, cv::Size(hole_window_px, hole_window_px));
+  const cv::Mat missing = (as_mat(disparity_px) <= 0.0) / mask_set;
+  cv::boxFilter(missing, around, CV_32S, cv::Size(hole_window_px, hole_window_px), cv::Point(-1, -1), false);
   return around;
 }
 
@@ -41,14 +42,11 @@ Mask unreliable_pixels(const DisparityChange& change) {
   }
   cv::Mat excess_around = as_mat(excess);
   cv::blur(excess_around, excess_around, cv::Size(time_window_px, time_window_px));
-  const cv::Mat before = measured_around(change.before_px);
-  const cv::Mat after = measured_around(change.after_px);
-  const auto least = static_cast<std::uint8_t>((1.0 - most_missing) * mask_set);
+  const cv::Mat missing =
+      (missing_around(change.before_px) > most_missing) & (missing_around(change.after_px) > most_missing);
   Mask unreliable(excess.width(), excess.height());
-  for (std::size_t i = 0; i < unreliable.size(); ++i) {
-    const bool missing = before.data[i] < least && after.data[i] < least;
-    unreliable[i] = missing || excess[i] > 0.0F ? mask_set : std::uint8_t{0};
-  }
+  for (std::size_t i = 0; i < unreliable.size(); ++i)
+    unreliable[i] = missing.data[i] != 0 || excess[i] > 0.0F ? mask_set : std::uint8_t{0};
   return unreliable;
 }
 

@@ -30,6 +30,16 @@ TEST(UnreliablePixels, LieAroundHoles) {
   EXPECT_EQ(unreliable(185, 105), 0);
 }
 
+TEST(UnreliablePixels, LackEightOfThePixelsAround) {
+  for (const int missing : {7, 8}) {
+    test::NoisyCapture capture;
+    capture.disparity_px = [&](int u, int v) {
+      return v == 100 && u >= 200 && u < 200 + missing ? 0.0 : 25.0;
+    };
+    EXPECT_EQ(unsure_of(capture.take(1), capture.take(2))(203, 106), missing > 7 ? mask_set : 0) << missing;
+  }
+}
+
 TEST(UnreliablePixels, DoNotLieAroundHolesThatDebrisMade) {
   const test::NoisyCapture clean;
   const Mask unreliable = unsure_of(clean.take(1), with_hole(clean).take(2));
