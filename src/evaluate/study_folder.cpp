@@ -15,7 +15,7 @@
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "evaluate/evaluation_json.hpp"
-#include "evaluate/moved_report.hpp"
+#include "evaluate/moved_evaluation_json.hpp"
 #include "scene/file/scene_file.hpp"
 #include "sim/sensor/camera_models.hpp"
 

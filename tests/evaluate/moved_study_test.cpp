@@ -8,7 +8,9 @@
 
 #include "core/error.hpp"
 #include "core/json_object.hpp"
+#include "evaluate/moved_evaluation_json.hpp"
 #include "evaluate/moved_report.hpp"
+#include "evaluate/moved_tally.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "scene/camera_stand.hpp"
 

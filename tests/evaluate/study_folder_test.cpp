@@ -11,7 +11,7 @@
 #include "core/json_object.hpp"
 #include "core/output_folder.hpp"
 #include "evaluate/evaluation_json.hpp"
-#include "evaluate/moved_report.hpp"
+#include "evaluate/moved_evaluation_json.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace rva {
