@@ -20,18 +20,34 @@ inline constexpr int status_usage = 2;
 /// Exit status of `rva detect` when it found a change.
 inline constexpr int status_detected = 3;
 
+/// `rva account`: adds, removes and lists the accounts of the console.
 void add_account_command(CLI::App& program);
+/// `rva calibrate`: estimates the geometry of the robot from its captures.
 void add_calibrate_command(CLI::App& program);
+/// `rva cameras`: lists the cameras that are plugged in.
 void add_cameras_command(CLI::App& program);
+/// `rva detect`: what changed between two sides.
+/// @param outcome its status becomes status_detected if a change was found; must outlive `program`
 void add_detect_command(CLI::App& program, Outcome& outcome);
+/// `rva evaluate`: how much debris is found, and how many false findings there are, in many inspections.
 void add_evaluate_command(CLI::App& program);
+/// `rva export`: an inspection of the console as a folder.
 void add_export_command(CLI::App& program);
+/// `rva info`: what a capture contains.
 void add_info_command(CLI::App& program);
+/// `rva map`: drives the waypoints and builds one point cloud of the bay.
 void add_map_command(CLI::App& program);
+/// `rva noise`: how much the depth of a still scene varies.
+/// @param outcome its status becomes status_detected if the camera differs from its history; must outlive
+/// `program`
 void add_noise_command(CLI::App& program, Outcome& outcome);
+/// `rva options`: the numeric options of all commands, as docs/options.md.
 void add_options_command(CLI::App& program);
+/// `rva record`: records a capture, or dithered captures, from a camera.
 void add_record_command(CLI::App& program);
+/// `rva serve`: the console, in a browser.
 void add_serve_command(CLI::App& program);
+/// `rva simulate`: a capture of a scene, with its truth.
 void add_simulate_command(CLI::App& program);
 
 }  // namespace rva::cli

@@ -48,6 +48,7 @@ CLI::Validator name_among() {
   return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
 }
 
+/// The start of a sequence of random numbers: any whole number of 64 bits, without a sign.
 inline CLI::Validator any_seed() {
   return number_within<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max());
 }
