@@ -139,7 +139,7 @@ class Target {
       compared.at<float>(pixel) = 1.0F;
     }
     const cv::Mat level = masked_mean(difference, compared, wide, cv::Mat::zeros(difference.size(), CV_32F));
-    Eigen::Matrix3d normal = prior * Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d normal = damping * Eigen::Matrix3d::Identity();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (const cv::Point& pixel : pixels_) {
       const float r = difference.at<float>(pixel) - level.at<float>(pixel);
@@ -162,11 +162,12 @@ class Target {
   cv::Mat along_u_;
   cv::Mat along_v_;
   std::vector<cv::Point> pixels_;
-  // Prior of a rotation, which keeps poses unchanged if images show nothing: a standard deviation of a sixth
-  // of a degree, for residuals whose noise ten neighbouring pixels share.
+  // Damping of each step, which keeps poses unchanged if images show nothing: the information of a prior of
+  // the rotation with a standard deviation of a sixth of a degree, for residuals whose noise ten neighbouring
+  // pixels share.
   static constexpr double usual_turn_rad = radians(0.16);
   static constexpr double noise_log = 0.02;
-  static constexpr double prior = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
+  static constexpr double damping = 10.0 * noise_log * noise_log / (usual_turn_rad * usual_turn_rad);
 };
 
 std::vector<Transform> stepped(const Target& target, const std::vector<SmoothView>& smooth,

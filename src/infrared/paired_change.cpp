@@ -1,7 +1,6 @@
 #include "infrared/paired_change.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
 #include <span>
@@ -103,14 +102,13 @@ PairedChange median_over(const std::vector<PairEvidence>& pairs, std::size_t few
   PairedChange change{Image<float>(lit.width(), lit.height()), Image<float>(lit.width(), lit.height()),
                       Mask(lit.width(), lit.height())};
   const std::size_t least = std::max(fewest, pairs.size() / 2);
-  const float independent = std::sqrt(static_cast<float>(pairs.size()));
   const auto judge_row = [&](int v, PixelValues& values) {
     for (int u = 0; u < lit.width(); ++u) {
       if (lit(u, v) == 0) continue;
       values.collect(pairs, u, v);
       if (values.deviations.size() < least) continue;
       change.judged(u, v) = mask_set;
-      change.deviations(u, v) = median_of(values.deviations) * independent;
+      change.deviations(u, v) = median_of(values.deviations);
       change.contrast(u, v) = median_of(values.contrasts);
     }
   };
