@@ -42,12 +42,7 @@ class EvaluateTest(program.ProgramTest):
         self.assertEqual(len(rows), 3 * len(report['tallies']), 'three tables, since all columns are too many for one')
         self.assertLessEqual(max(map(len, done.stdout.splitlines()[:-1])), 100)
 
-    def test_same_seeds_same_figures(self):
-        _, report = self.evaluate('--scene', TOOLS)
-        _, again = self.evaluate('--scene', TOOLS, '--overwrite')
-        self.assertEqual(report, again)
-
-    def test_goes_on_where_it_was_interrupted(self):
+    def test_same_seeds_same_figures_also_where_it_was_interrupted(self):
         def run(inspections, *options):
             self.succeed('evaluate', '--out', self.out, '--inspections', inspections, '--frames', '2', '--scene',
                          TOOLS, *options)
