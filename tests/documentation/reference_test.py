@@ -14,8 +14,8 @@ import unittest
 ROOT = pathlib.Path(sys.argv[1])
 SKIPPED = 77
 # Folders of src/ in whose headers every member has a description.
-COMPLETE = ('camera', 'capture', 'cli', 'core', 'depth', 'evaluate', 'geometry', 'infrared', 'map', 'measure', 'plan', 'robot',
-            'scene', 'sim', 'stereo', 'views')
+COMPLETE = ('audit', 'camera', 'capture', 'cli', 'core', 'depth', 'evaluate', 'geometry', 'infrared', 'map', 'measure', 'plan',
+            'robot', 'scene', 'sim', 'stereo', 'views')
 
 
 def warnings(*settings):
