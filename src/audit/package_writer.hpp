@@ -1,0 +1,31 @@
+// Signs an exported inspection and makes it a package.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audit/signing_key.hpp"
+#include "audit/statement.hpp"
+
+namespace rva {
+
+/// By whom a package is signed, and the log that gets its record.
+struct PackageSigning {
+  std::vector<SigningKey> signers;  ///< at least one
+  SigningKey log_key;               ///< may be one of the signers
+  std::filesystem::path log;        ///< folder of the site's log
+};
+
+/// Makes a folder with the payload in `data/` a package: writes its checksums, the signed statement, appends
+/// the record to the log, and writes its proof. For use within an OutputFolder: if this throws, the folder is
+/// incomplete.
+/// @param folder  contains `data/` and nothing else
+/// @param made_at ISO 8601 in UTC
+/// @throws Error when the payload has a file that no package can contain, the log is damaged or of another
+/// key
+///         (append_to_log()), or the disk refuses; Interrupted
+void seal_package(const std::filesystem::path& folder, const StatedInspection& inspection,
+                  const std::string& made_at, const PackageSigning& signing);
+
+}  // namespace rva
