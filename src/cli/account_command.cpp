@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -24,14 +22,6 @@ struct AccountArguments {
   std::string role;
   std::string data;
 };
-
-// Passwords are not taken from the command line, where others can read them.
-std::string read_password() {
-  if (::isatty(STDIN_FILENO) == 1) return read_hidden_line("Password: ");
-  std::string line;
-  std::getline(std::cin, line);
-  return line;
-}
 
 std::unique_ptr<SqliteRecords> open_records(const std::string& data) {
   std::error_code failure;
@@ -61,7 +51,7 @@ void add_account(const AccountArguments& arguments) {
                   "give a name that cannot be confused with it");
   }
   const PersonRole role = role_of(arguments, *records);
-  records->set_account({arguments.name, role, hash_password(read_password())});
+  records->set_account({arguments.name, role, hash_password(read_password("Password: "))});
   print("{} may sign in as {}\n", arguments.name, name_of(role));
 }
 

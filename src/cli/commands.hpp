@@ -35,6 +35,10 @@ void add_evaluate_command(CLI::App& program);
 void add_export_command(CLI::App& program);
 /// `rva info`: what a capture contains.
 void add_info_command(CLI::App& program);
+/// `rva inspection`: packages of inspections that stand on their own.
+void add_inspection_command(CLI::App& program);
+/// `rva key`: keys that sign packages.
+void add_key_command(CLI::App& program);
 /// `rva map`: drives the waypoints and builds one point cloud of the bay.
 void add_map_command(CLI::App& program);
 /// `rva noise`: how much the depth of a still scene varies.
@@ -49,5 +53,8 @@ void add_record_command(CLI::App& program);
 void add_serve_command(CLI::App& program);
 /// `rva simulate`: a capture of a scene, with its truth.
 void add_simulate_command(CLI::App& program);
+
+/// Adds `verify` to the command `inspection`.
+void add_verify_command(CLI::App& inspection);
 
 }  // namespace rva::cli

@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "capture/mcap/mcap_export.hpp"
@@ -14,6 +12,7 @@
 #include "cli/option_flags.hpp"
 #include "cli/output_file.hpp"
 #include "cli/printing.hpp"
+#include "cli/recorded_inspection.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -22,7 +21,6 @@
 #include "map/capture_points.hpp"
 #include "map/point_files.hpp"
 #include "server/inspection_export.hpp"
-#include "store/sqlite_records.hpp"
 
 namespace fs = std::filesystem;
 
@@ -67,17 +65,8 @@ void export_capture(const ExportArguments& arguments) {
 }
 
 void export_recorded_inspection(const ExportArguments& arguments) {
-  const fs::path database = fs::path(arguments.data) / "rva.db";
-  std::error_code ignored;  // a folder that cannot be read has no records either
-  if (!fs::exists(database, ignored))
-    throw Error(printable(arguments.data), "contains no inspections (no rva.db)",
-                "give the data folder of rva serve");
-  const SqliteRecords records(database);
-  const std::optional<InspectionHistory> history = records.history(arguments.inspection);
-  if (!history)
-    throw Error(printable(database), fmt::format("has no inspection {}", arguments.inspection),
-                "give a number of the console's list");
-  export_inspection(*history, arguments.data, arguments.out, arguments.existing(), terminal_progress());
+  const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
+  export_inspection(history, arguments.data, arguments.out, arguments.existing(), terminal_progress());
 }
 
 // Either a capture in a format of another program, or an inspection of a data folder.

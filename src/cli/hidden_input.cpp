@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <iostream>
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
@@ -55,6 +56,13 @@ std::string read_hidden_line(const std::string& prompt) {
     if (::read(STDIN_FILENO, &typed, 1) != 1 || typed == '\n') return line;
     line += typed;
   }
+}
+
+std::string read_password(const std::string& prompt) {
+  if (::isatty(STDIN_FILENO) == 1) return read_hidden_line(prompt);
+  std::string line;
+  std::getline(std::cin, line);
+  return line;
 }
 
 }  // namespace rva::cli

@@ -11,4 +11,8 @@ namespace rva::cli {
 /// @throws Error when stdin is not a terminal; Interrupted
 [[nodiscard]] std::string read_hidden_line(const std::string& prompt);
 
+/// Reads a password: on a terminal as read_hidden_line() does, otherwise the next line of stdin, without a
+/// prompt. Passwords are not taken from the command line, where others can read them.
+[[nodiscard]] std::string read_password(const std::string& prompt);
+
 }  // namespace rva::cli

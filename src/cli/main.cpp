@@ -43,6 +43,8 @@ int run(int argc, char** argv) {
   rva::cli::add_calibrate_command(program);
   rva::cli::add_serve_command(program);
   rva::cli::add_account_command(program);
+  rva::cli::add_inspection_command(program);
+  rva::cli::add_key_command(program);
   rva::cli::add_options_command(program);
   require_known_command(program, argc, argv);
   try {

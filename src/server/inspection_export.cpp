@@ -29,7 +29,9 @@ namespace {
 constexpr const char* records_file = "inspection.json";
 constexpr const char* restore = "restore the data folder from a backup";
 
-std::vector<std::string> export_files() {
+}  // namespace
+
+std::vector<std::string> exported_files() {
   std::vector<std::string> files{records_file, "regions/[0-9][0-9][0-9].json",
                                  InspectionFolder::marks_name + std::string("/*.png"),
                                  InspectionFolder::snapshots_name + std::string("/*.png")};
@@ -43,6 +45,8 @@ std::vector<std::string> export_files() {
   add("", comparison_files());  // an inspection of an earlier version has them beside its captures
   return files;
 }
+
+namespace {
 
 /// What an inspection's folder contains, by path relative to it.
 class Contents {
@@ -110,16 +114,16 @@ class Contents {
   std::set<fs::path> files_;
 };
 
-void copy(const Contents& contents, const OutputFolder& out, const Progress& progress) {
+void copy(const Contents& contents, const fs::path& out, const Progress& progress) {
   std::size_t done = 0;
   for (const fs::path& file : contents.files()) {
     throw_if_interrupted();
     std::error_code failure;
-    fs::create_directories(out.path(file).parent_path(), failure);
-    fs::copy_file(contents.folder() / file, out.path(file), failure);
+    fs::create_directories((out / file).parent_path(), failure);
+    fs::copy_file(contents.folder() / file, out / file, failure);
     if (failure)
       throw Error(printable(contents.folder() / file),
-                  "cannot be copied to " + printable(out.path(file)) + ": " + failure.message(),
+                  "cannot be copied to " + printable(out / file) + ": " + failure.message(),
                   "check the disk and the permissions of both folders");
     if (progress) progress("copying files", ++done, contents.files().size());
   }
@@ -130,12 +134,12 @@ fs::path regions_file(int view) {
   return fs::path("regions") / (view_name(static_cast<std::size_t>(view)) + ".json");
 }
 
-void write_regions(const Inspection& inspection, const OutputFolder& out) {
+void write_regions(const Inspection& inspection, const fs::path& out) {
   for (const auto& [view, polygons] : inspection.ignored) {
     if (polygons.empty()) continue;
     std::error_code ignored;  // write_file() reports the error
-    fs::create_directories(out.path("regions"), ignored);
-    write_file(out.path(regions_file(view)), json_file_text(json_of(IgnoredRegions{polygons, {}})));
+    fs::create_directories(out / "regions", ignored);
+    write_file(out / regions_file(view), json_file_text(json_of(IgnoredRegions{polygons, {}})));
   }
 }
 
@@ -190,10 +194,9 @@ Json decisions_of(const InspectionHistory& history) {
 
 }  // namespace
 
-void export_inspection(const InspectionHistory& history, const fs::path& data, const fs::path& out,
-                       Existing existing, const Progress& progress) {
+void write_exported_inspection(const InspectionHistory& history, const fs::path& data, const fs::path& folder,
+                               const Progress& progress) {
   const Contents contents(history, data);
-  OutputFolder folder(out, export_files(), existing);
   copy(contents, folder, progress);
   write_regions(history.inspection, folder);
   const Json json{{"format", "rva-inspection"},
@@ -203,7 +206,13 @@ void export_inspection(const InspectionHistory& history, const fs::path& data, c
                   {"rounds", rounds_of(history)},
                   {"decisions", decisions_of(history)},
                   {"provenance", provenance_json(time_of_making())}};
-  write_file(folder.path(records_file), json_file_text(json));
+  write_file(folder / records_file, json_file_text(json));
+}
+
+void export_inspection(const InspectionHistory& history, const fs::path& data, const fs::path& out,
+                       Existing existing, const Progress& progress) {
+  OutputFolder folder(out, exported_files(), existing);
+  write_exported_inspection(history, data, folder.path(""), progress);
   folder.commit();
 }
 

@@ -2,12 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/output_folder.hpp"
 #include "core/progress.hpp"
 #include "inspect/inspection.hpp"
 
 namespace rva {
+
+/// The files of an exported inspection, as patterns for an OutputFolder; the first is in each.
+[[nodiscard]] std::vector<std::string> exported_files();
+
+/// Writes into a folder what export_inspection() does, for a caller that makes it appear as a whole.
+/// @param folder exists; what is written is incomplete if this throws
+void write_exported_inspection(const InspectionHistory& history, const std::filesystem::path& data,
+                               const std::filesystem::path& folder, const Progress& progress);
 
 /// Writes a folder with everything that belongs to an inspection, whole or not at all (OutputFolder):
 ///   - `inspection.json`: the records in the JSON of the API, with the paths of all files and the provenance

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "audit/key_file.hpp"
+#include "audit/package_files.hpp"
+#include "audit/package_writer.hpp"
+#include "audit/site_log.hpp"
+#include "cli/commands.hpp"
+#include "cli/hidden_input.hpp"
+#include "cli/printing.hpp"
+#include "cli/recorded_inspection.hpp"
+#include "cli/terminal_progress.hpp"
+#include "core/error.hpp"
+#include "core/file_origin.hpp"
+#include "core/output_folder.hpp"
+#include "core/path_text.hpp"
+#include "server/inspection_export.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva::cli {
+namespace {
+
+struct ExportArguments {
+  std::string data;
+  std::int64_t inspection = 0;
+  std::vector<std::string> keys;
+  std::string log_key;
+  std::string log;
+  std::string out;
+};
+
+SigningKey signing_key(const std::string& file) {
+  return read_signing_key(file, [](const PublicKey& key, const fs::path& of) {
+    return read_password(fmt::format("Password of {} ({}): ", printable(key.name), printable(of)));
+  });
+}
+
+PackageSigning signing_from(const ExportArguments& arguments) {
+  std::vector<SigningKey> signers;
+  for (const std::string& file : arguments.keys) signers.push_back(signing_key(file));
+  SigningKey log_key = arguments.log_key.empty() ? signers.front() : signing_key(arguments.log_key);
+  fs::path log = arguments.log.empty() ? fs::path(arguments.data) / "log" : fs::path(arguments.log);
+  return {std::move(signers), std::move(log_key), std::move(log)};
+}
+
+// A log of another key is refused before a large inspection is copied.
+void require_usable_log(const PackageSigning& signing) {
+  if (is_log(signing.log)) static_cast<void>(read_log(signing.log, signing.log_key.public_key()));
+}
+
+std::vector<std::string> files_of_package() {
+  std::vector<std::string> files = package_files();
+  for (const std::string& file : exported_files()) files.push_back(package_file::payload + file);
+  return files;
+}
+
+// What was signed is never replaced.
+OutputFolder new_package(const std::string& out) {
+  try {
+    return {out, files_of_package(), Existing::refuse};
+  } catch (const ExistsError& error) {
+    throw Error(error.source(), "already exists, and signed packages are never replaced",
+                "choose another folder");
+  }
+}
+
+void export_package(const ExportArguments& arguments) {
+  const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
+  const Inspection& inspection = history.inspection;
+  if (!inspection.closing)
+    fmt::print(stderr, "rva: warning: inspection {} is not closed; it is signed as it is now\n",
+               inspection.id);
+  const PackageSigning signing = signing_from(arguments);
+  require_usable_log(signing);
+  OutputFolder package = new_package(arguments.out);
+  fs::create_directory(package.path(package_file::payload));
+  write_exported_inspection(history, arguments.data, package.path(package_file::payload),
+                            terminal_progress());
+  seal_package(package.path(""),
+               {inspection.id, inspection.order.aircraft, inspection.order.zone, inspection.order.work_order},
+               time_of_making(), signing);
+  package.commit();
+  print("{}\n", arguments.out);
+}
+
+void add_package_export(CLI::App& command) {
+  CLI::App& exporting = *command.add_subcommand(
+      "export", "writes an inspection with all its files as a package that is signed and in the site's log");
+  const auto arguments = std::make_shared<ExportArguments>();
+  exporting.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
+      ->required()
+      ->type_name("DIR");
+  exporting.add_option("--inspection", arguments->inspection, "number of the inspection")
+      ->required()
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  exporting
+      .add_option("--key", arguments->keys,
+                  "private key of a person who signs (rva key create); give the option once for each")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  exporting
+      .add_option("--log-key", arguments->log_key,
+                  "private key of the site's log; by default the first --key")
+      ->type_name("FILE");
+  exporting.add_option("--log", arguments->log, "folder of the site's log; by default DIR/log")
+      ->type_name("DIR");
+  exporting.add_option("--out", arguments->out, "folder of the package")->required()->type_name("PACKAGE");
+  exporting.callback([arguments] { export_package(*arguments); });
+}
+
+}  // namespace
+
+void add_inspection_command(CLI::App& program) {
+  CLI::App& command = *program.add_subcommand("inspection", "signs inspections, and verifies signed ones");
+  command.require_subcommand(1);
+  add_package_export(command);
+  add_verify_command(command);
+}
+
+}  // namespace rva::cli

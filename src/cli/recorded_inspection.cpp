@@ -1,0 +1,30 @@
+#include "cli/recorded_inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+#include "store/sqlite_records.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva::cli {
+
+InspectionHistory recorded_inspection(const std::string& data, std::int64_t number) {
+  const fs::path database = fs::path(data) / "rva.db";
+  std::error_code ignored;  // a folder that cannot be read has no records either
+  if (!fs::exists(database, ignored))
+    throw Error(printable(data), "contains no inspections (no rva.db)", "give the data folder of rva serve");
+  std::optional<InspectionHistory> history = SqliteRecords(database).history(number);
+  if (!history)
+    throw Error(printable(database), fmt::format("has no inspection {}", number),
+                "give a number of the console's list");
+  return *std::move(history);
+}
+
+}  // namespace rva::cli

@@ -1,0 +1,15 @@
+// Inspections in the data folder of `rva serve`, for commands that read them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "inspect/inspection.hpp"
+
+namespace rva::cli {
+
+/// All that the records of a data folder contain of an inspection.
+/// @throws Error when the folder has no records, or these have no such inspection
+[[nodiscard]] InspectionHistory recorded_inspection(const std::string& data, std::int64_t number);
+
+}  // namespace rva::cli
