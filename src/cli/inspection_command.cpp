@@ -73,9 +73,6 @@ OutputFolder new_package(const std::string& out) {
 void export_package(const ExportArguments& arguments) {
   const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
   const Inspection& inspection = history.inspection;
-  if (!inspection.closing)
-    fmt::print(stderr, "rva: warning: inspection {} is not closed; it is signed as it is now\n",
-               inspection.id);
   const PackageSigning signing = signing_from(arguments);
   require_usable_log(signing);
   OutputFolder package = new_package(arguments.out);
@@ -86,6 +83,9 @@ void export_package(const ExportArguments& arguments) {
                {inspection.id, inspection.order.aircraft, inspection.order.zone, inspection.order.work_order},
                time_of_making(), signing);
   package.commit();
+  if (!inspection.closing)
+    fmt::print(stderr, "rva: warning: inspection {} is not closed; it was signed as it is now\n",
+               inspection.id);
   print("{}\n", arguments.out);
 }
 
