@@ -31,6 +31,7 @@ import { ThemeSwitch } from './ThemeSwitch';
 import type { Inspection, Session } from './types';
 import { Glossary } from './words/Glossary';
 import { LanguageSwitch } from './words/LanguageSwitch';
+import { RefusalText } from './words/RefusalText';
 import { decimal, words } from './words/words';
 
 function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => void }) {
@@ -58,16 +59,16 @@ function Chips({ session, onSignedOut }: { session: Session; onSignedOut: () => 
 }
 
 function Trouble() {
-  const text = useStore(trouble);
+  const shown = useStore(trouble);
   const refused = useStore(link.refused);
   useEffect(() => {
-    if (refused) trouble.value = refused.message;
+    if (refused) trouble.value = refused;
   }, [refused]);
-  if (!text) return null;
+  if (!shown) return null;
   return (
     <div class="trouble" role="alert" data-testid="trouble">
-      <span>{text}</span>
-      <button type="button" onClick={() => (trouble.value = '')}>
+      <RefusalText refusal={shown} />
+      <button type="button" onClick={() => (trouble.value = null)}>
         {words.page.close}
       </button>
     </div>
@@ -120,7 +121,9 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       <main class="sign-in">
         <div class="card">
           <h1>RVA</h1>
-          <p role="alert">{ended}</p>
+          <p role="alert">
+            <RefusalText refusal={ended} />
+          </p>
           <button type="button" class="primary" onClick={() => location.reload()}>
             {words.page.reload}
           </button>

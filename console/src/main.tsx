@@ -13,27 +13,29 @@ import { followTasks } from './inspection/inspections';
 import { followInspection } from './regions/region_state';
 import { api } from './link/api';
 import { link } from './link/live_link';
+import { refusalOf, type Refusal } from './link/refusal';
 import { followRounds } from './review/rounds';
 import { SignIn } from './SignIn';
 import { useStore } from './store';
 import { followTheme } from './theme';
 import type { Session } from './types';
 import { beginLanguage, language } from './words/language';
+import { RefusalText } from './words/RefusalText';
 import { words } from './words/words';
 
 function Console() {
   const [session, setSession] = useState<Session | null>(null);
-  const [problem, setProblem] = useState('');
+  const [problem, setProblem] = useState<Refusal | null>(null);
   // Another language draws everything again.
   useStore(language);
   const ask = () =>
     api.session().then(
       (answer) => {
-        setProblem('');
+        setProblem(null);
         setSession(answer);
       },
-      (error: Error) => {
-        setProblem(error.message);
+      (error: unknown) => {
+        setProblem(refusalOf(error));
         setTimeout(ask, 1000);
       },
     );
@@ -48,7 +50,12 @@ function Console() {
     followRounds();
     void openAddress().then(followAddress, followAddress);
   }, [known]);
-  if (problem) return <p class="alone" role="alert">{problem}</p>;
+  if (problem)
+    return (
+      <p class="alone" role="alert">
+        <RefusalText refusal={problem} />
+      </p>
+    );
   if (!session) return <p class="alone">{words.page.loading}</p>;
   if (!session.role) return <SignIn onSignedIn={() => void ask()} />;
   return <App session={session} onSignedOut={() => location.reload()} />;

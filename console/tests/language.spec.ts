@@ -3,6 +3,50 @@ import { expectAccessible, expectTouchable } from './accessibility';
 import { openReview } from './review_page';
 import { expect, test } from './served';
 
+test('a language is chosen before the sign-in, is kept, and so are the reasons why a sign-in fails', async ({ console: page, served }) => {
+  served.account('add', 'vera', ['--role', 'viewer'], 'correct horse');
+  await page.reload();
+  const html = page.locator('html');
+  const alert = page.getByRole('alert');
+  await expect(page.getByTestId('language-en')).toBeChecked();
+  await page.getByTestId('language-de').click();
+  await expect(html).toHaveAttribute('lang', 'de');
+  await expect(page.getByTestId('language-de')).toBeChecked();
+  await page.getByLabel('Name').fill('vera');
+  await page.getByLabel('Passwort').fill('wrong horse');
+  await page.getByRole('button', { name: 'Anmelden' }).click();
+  await expect(alert).toHaveText('Name oder Passwort ist falsch. Versuchen Sie es noch einmal.');
+  await expectTouchable(page);
+  await expectAccessible(page);
+  await page.getByTestId('language-en').click();
+  await expect(alert).toHaveText('The name or password is wrong. Try again.');
+  await expect(html).toHaveAttribute('lang', 'en');
+  await page.getByTestId('language-de').click();
+
+  await page.reload();
+  await expect(html).toHaveAttribute('lang', 'de');
+  await page.getByLabel('Name').fill('vera');
+  await page.getByLabel('Passwort').fill('correct horse');
+  await page.getByTestId('sign-in').click();
+  await expect(page.getByLabel('Flugzeug')).toBeVisible();
+  await page.getByRole('button', { name: 'vera · abmelden' }).click();
+  await expect(page.getByTestId('language-de')).toBeChecked();
+});
+
+test('what the server refuses is stated in German, with its English sentence marked as such', async ({ console: page }) => {
+  await page.getByTestId('language').click();
+  await page.route('**/api/inspections', (route) => (route.request().method() === 'POST' ? route.fulfill({ status: 409, json: { error: { code: 'somebody-drives', message: 'robot: Bob is driving' } } }) : route.fallback()));
+  await page.getByLabel('Flugzeug').fill('OE-ABC');
+  await page.getByLabel('Zone').fill('Tragfläche links');
+  await page.getByLabel('Ihr Name').fill('Ann');
+  await page.getByTestId('begin').click();
+  await expect(page.getByTestId('trouble')).toContainText('Jemand anderes steuert gerade.');
+  await expect(page.getByTestId('trouble').locator('[lang=en]')).toHaveText('robot: Bob is driving');
+  await expectAccessible(page);
+  await page.getByTestId('language').click();
+  await expect(page.getByTestId('trouble')).toContainText('Somebody else is driving.');
+});
+
 test('the console is switched to German, which is kept, and a review is done in it', async ({ console: page }) => {
   await openReview(page);
   await expect(page.locator('html')).toHaveAttribute('lang', 'en');

@@ -1,6 +1,7 @@
 // The inspection that is open, and the list of all.
-import { api, Refusal } from '../link/api';
+import { api } from '../link/api';
 import { link } from '../link/live_link';
+import { refusalOf, type Refusal } from '../link/refusal';
 import { Store } from '../store';
 import type { Inspection, InspectionSummary, Stage, TaskStatus } from '../types';
 import { words } from '../words/words';
@@ -21,17 +22,17 @@ export interface ListFilter {
 }
 export const wholeList: ListFilter = { text: '', stage: '', from: '', until: '' };
 export const listFilter = new Store<ListFilter>(wholeList);
-/** The message of the last action that failed, for the user; empty if the last one succeeded. */
-export const trouble = new Store<string>('');
+/** Why the last action failed; null if it succeeded. */
+export const trouble = new Store<Refusal | null>(null);
 
 /** Runs an action of the user, and shows the reason if it fails. Returns whether it succeeded. */
 export async function attempt(work: () => Promise<unknown>): Promise<boolean> {
-  trouble.value = '';
+  trouble.value = null;
   try {
     await work();
     return true;
   } catch (error) {
-    trouble.value = error instanceof Refusal ? error.message : String(error);
+    trouble.value = refusalOf(error);
     return false;
   }
 }

@@ -33,18 +33,8 @@ import type {
   ViewsRequest,
 } from '../types';
 import { clientId } from './client';
+import { Refusal } from './refusal';
 import { words } from '../words/words';
-
-/** A refused request, with the server's message. */
-export class Refusal extends Error {
-  constructor(
-    readonly status: number,
-    readonly code: string,
-    message: string,
-  ) {
-    super(message);
-  }
-}
 
 async function call<T>(method: string, path: string, body?: unknown): Promise<T> {
   let response: Response;
@@ -55,12 +45,12 @@ async function call<T>(method: string, path: string, body?: unknown): Promise<T>
       ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     });
   } catch {
-    throw new Refusal(0, 'no-server', words.page.noServer);
+    throw new Refusal('console', words.page.noServer);
   }
   const answer: unknown = await response.json().catch(() => ({}));
   if (response.ok) return answer as T;
   const { error } = answer as Partial<ErrorAnswer>;
-  throw new Refusal(response.status, error?.code ?? 'unknown', error?.message ?? response.statusText);
+  throw new Refusal(error?.code ?? 'unknown', error?.message ?? response.statusText, response.status);
 }
 
 /** A request that needs no body. */

@@ -1,8 +1,9 @@
 // The WebSocket, which receives pictures and status and sends the deflections of the sticks.
 import { Store } from '../store';
-import type { ClientMessage, Lease, PictureHead, Pointed, Pointing, Protocol, Refused, ServerMessage, Status, Stream } from '../types';
+import type { ClientMessage, Lease, PictureHead, Pointed, Pointing, Protocol, ServerMessage, Status, Stream } from '../types';
 import { api } from './api';
 import { clientId, person } from './client';
+import { Refusal } from './refusal';
 import { words } from '../words/words';
 
 export interface LivePicture {
@@ -23,11 +24,11 @@ class LiveLink {
   readonly status = new Store<Status | null>(null);
   readonly lease = new Store<Lease>({ type: 'lease', yours: false });
   /** Why the last message was refused, or why the controls were lost. */
-  readonly refused = new Store<Pick<Refused, 'message'> | null>(null);
+  readonly refused = new Store<Refusal | null>(null);
   /** What people point at in the live picture, the oldest first. */
   readonly pointed = new Store<Pointed[]>([]);
-  /** Why the server ended the connection for good, if it did. */
-  readonly ended = new Store<string>('');
+  /** Why the server ended the connection for good; null if it did not. */
+  readonly ended = new Store<Refusal | null>(null);
   onPicture: (picture: LivePicture) => void = () => undefined;
 
   private socket: WebSocket | null = null;
@@ -93,7 +94,7 @@ class LiveLink {
       this.state.value = 'lost';
       this.lease.value = { type: 'lease', yours: false };
       const policyViolation = 1008;
-      if (event.code === policyViolation) this.ended.value = event.reason;
+      if (event.code === policyViolation) this.ended.value = new Refusal('unknown', event.reason);
       else setTimeout(() => void this.reconnect(), retry_ms);
     };
   }
@@ -101,7 +102,7 @@ class LiveLink {
   // A restarted server has forgotten all sign-ins: it responds, but the session is no longer valid.
   private async reconnect(): Promise<void> {
     const session = await api.session().catch(() => null);
-    if (session && !session.role) this.ended.value = words.page.ended;
+    if (session && !session.role) this.ended.value = new Refusal('console', words.page.ended);
     else this.connect();
   }
 
@@ -129,7 +130,7 @@ class LiveLink {
         this.pointed.value = [...this.pointed.value, message];
         break;
       case 'refused':
-        this.refused.value = message;
+        this.refused.value = new Refusal(message.code, message.message);
         break;
     }
   }
@@ -140,7 +141,7 @@ class LiveLink {
       const message = now.holder !== undefined
         ? words.drive.takenOver(now.holder || words.page.somebody)
         : words.drive.handedBack;
-      this.refused.value = { message };
+      this.refused.value = new Refusal('console', message);
     }
     if (!now.yours) this.releasing = false;
   }

@@ -6,6 +6,7 @@ import type { MeasureTool } from '../types';
 import { pointsOf, type Measuring } from './measuring';
 import { ProfileChart } from './ProfileChart';
 import { resultText } from './result';
+import { RefusalText } from '../words/RefusalText';
 import { words } from '../words/words';
 
 interface Props<Point> {
@@ -23,8 +24,7 @@ export function MeasureButton<Point>({ measuring }: { measuring: Measuring<Point
   );
 }
 
-function textOf<Point>({ measured, refused, points, tool }: Measuring<Point>): string {
-  if (refused) return refused;
+function textOf<Point>({ measured, points, tool }: Measuring<Point>): string {
   if (measured) return resultText(measured);
   return points.length < pointsOf[tool] ? words.measure.guides[tool][points.length]! : words.measure.measuring;
 }
@@ -51,7 +51,7 @@ export function MeasureBar<Point>({ measuring, onMiddle }: Props<Point>) {
         {words.measure.leave}
       </button>
       <strong class="measure-result" role="status" data-testid="measure-result">
-        {textOf(measuring)}
+        {measuring.refused ? <RefusalText refusal={measuring.refused} /> : textOf(measuring)}
       </strong>
       {measured?.profile && <ProfileChart profile={measured.profile} />}
     </div>

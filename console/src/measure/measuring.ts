@@ -1,5 +1,6 @@
 // Measuring in a picture: the points that were selected, and what the server measured there.
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { refusalOf, type Refusal } from '../link/refusal';
 import type { Measurement, MeasureTool, Pixel } from '../types';
 
 /** The number of points that a tool needs. */
@@ -14,8 +15,8 @@ export interface Measuring<Point = Pixel> {
   tool: MeasureTool;
   points: Point[];
   measured: Measurement | null;
-  /** Why the request was refused. */
-  refused: string;
+  /** Why the request was refused; null if it was not. */
+  refused: Refusal | null;
   begin: () => void;
   leave: () => void;
   clear: () => void;
@@ -25,10 +26,10 @@ export interface Measuring<Point = Pixel> {
 
 interface Found {
   measured: Measurement | null;
-  refused: string;
+  refused: Refusal | null;
 }
 
-const nothing: Found = { measured: null, refused: '' };
+const nothing: Found = { measured: null, refused: null };
 
 /**
  * @param ask measures; rejects where the request is refused
@@ -54,8 +55,8 @@ export function useMeasuring<Point = Pixel>(ask: (tool: MeasureTool, points: Poi
     const mine = ++asked.current;
     const keep = (next: Found) => mine === asked.current && setFound(next);
     ask(wanted, at).then(
-      (measured) => keep({ measured, refused: '' }),
-      (error: Error) => keep({ measured: null, refused: error.message }),
+      (measured) => keep({ measured, refused: null }),
+      (error: unknown) => keep({ measured: null, refused: refusalOf(error) }),
     );
   };
   const pick = (at: Point) => {

@@ -1,12 +1,12 @@
 // Changes to the next language.
-import { attempt } from '../inspection/inspections';
 import { useStore } from '../store';
-import { chooseLanguage, language, otherLanguage } from './language';
+import { pickLanguage } from './LanguageChoice';
+import { language, nameOf, otherLanguage } from './language';
 
 export function LanguageSwitch() {
-  const { code, name } = otherLanguage(useStore(language));
+  const code = otherLanguage(useStore(language));
   return (
-    <button type="button" class="quiet language-switch" lang={code} aria-label={`${code.toUpperCase()}: ${name}`} data-testid="language" onClick={() => void attempt(() => chooseLanguage(code))}>
+    <button type="button" class="quiet language-switch" lang={code} aria-label={`${code.toUpperCase()}: ${nameOf(code)}`} data-testid="language" onClick={() => pickLanguage(code)}>
       {code.toUpperCase()}
     </button>
   );

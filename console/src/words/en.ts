@@ -1,6 +1,8 @@
 // Every text of the console, in English. Parts between two asterisks are emphasised (Rich.tsx). Numbers arrive as
 // they are to be shown, counts as numbers.
 
+import type { RefusalCode } from '../link/refusal';
+
 function counted(count: number, one: string, several: string): string {
   return count === 1 ? `1 ${one}` : `${count} ${several}`;
 }
@@ -18,6 +20,7 @@ export const en = {
     ended: 'You are no longer signed in.',
     inspection: (id: number) => `Inspection ${id}`,
     live: 'Live',
+    language: 'Language',
     loading: 'Loading…',
     noConnection: 'No connection',
     noServer: 'The server does not respond. Is the program running?',
@@ -72,6 +75,26 @@ export const en = {
     } satisfies Record<string, [string, string]>,
     title: 'Terms',
   },
+
+  refusals: {
+    'bad-request': 'The server does not understand this request.',
+    'sign-in-required': 'You are not signed in. Sign in first.',
+    'wrong-password': 'The name or password is wrong. Try again.',
+    'not-allowed': 'You are not allowed to do this. Ask somebody with the required role.',
+    'wrong-origin': 'The request came from another web site.',
+    'not-found': 'This does not exist, or not any more.',
+    'method-not-allowed': 'The server does not support this request.',
+    'not-json': 'The server does not understand this request.',
+    'wrong-host': 'The server is not reached under this address.',
+    refused: 'This is not possible now.',
+    'somebody-drives': 'Somebody else is driving.',
+    'not-driving': 'You do not have the controls. Take them first.',
+    'too-large': 'The request is too large.',
+    'too-many': 'Too often. Wait a minute, then try again.',
+    internal: 'The server has made a mistake.',
+    unavailable: 'The server cannot check who is signed in. Try again.',
+    unknown: 'This has failed.',
+  } satisfies Record<Exclude<RefusalCode, 'console'>, string>,
 
   signIn: {
     name: 'Name',

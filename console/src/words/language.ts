@@ -1,7 +1,8 @@
 // The language of the console: that of the browser until the user chooses another one.
+import { Refusal } from '../link/refusal';
 import { Store } from '../store';
 import { en, type Words } from './en';
-import { setWords } from './words';
+import { setWords, words } from './words';
 
 /** Another language is one more file, loaded when it is needed, and one more line here. */
 const loaders = {
@@ -10,7 +11,7 @@ const loaders = {
 } satisfies Record<string, { name: string; load: () => Promise<Words> }>;
 
 export type Language = keyof typeof loaders;
-const languages = Object.keys(loaders) as Language[];
+export const languages = Object.keys(loaders) as Language[];
 
 const key = 'rva-language';
 
@@ -50,15 +51,21 @@ export async function beginLanguage(): Promise<void> {
   await show(chosen() ?? ofBrowser()).catch(() => show('en'));
 }
 
-/** The language after the one that is shown, and its name in itself. */
-export function otherLanguage(now: Language): { code: Language; name: string } {
-  const code = languages[(languages.indexOf(now) + 1) % languages.length] ?? 'en';
-  return { code, name: loaders[code].name };
+/** The name of a language in itself. */
+export function nameOf(code: Language): string {
+  return loaders[code].name;
 }
 
-/** A browser that stores nothing keeps the choice until the page is closed. @throws when the texts cannot be loaded */
+/** The language after the one that is shown. */
+export function otherLanguage(now: Language): Language {
+  return languages[(languages.indexOf(now) + 1) % languages.length] ?? 'en';
+}
+
+/** A browser that stores nothing keeps the choice until the page is closed. @throws Refusal when the texts cannot be loaded */
 export async function chooseLanguage(next: Language): Promise<void> {
-  await show(next);
+  await show(next).catch(() => {
+    throw new Refusal('console', words.page.noServer);
+  });
   try {
     localStorage.setItem(key, next);
   } catch (error) {
