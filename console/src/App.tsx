@@ -1,7 +1,7 @@
 // The console: pictures in the middle, the next step beside them, the robot below.
 import './App.css';
 import { useEffect } from 'preact/hooks';
-import { takeRequested } from './follow_address';
+import { showRequested } from './follow_address';
 import { DrivePanel } from './drive/DrivePanel';
 import { Begin } from './inspection/Begin';
 import { attempt, open, openInspection, trouble } from './inspection/inspections';
@@ -101,14 +101,20 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
   const page = useStore(shownPage);
   const comparison = inspection?.comparison;
   // New findings are shown first.
-  useEffect(() => {
-    beginReview();
-    const requested = takeRequested();
-    shownPage.value = requested?.page ?? (comparison ? 'review' : 'live');
-    const chosen = inspection && groupsOf(inspection).find((group) => group.lead.number === requested?.finding);
-    if (chosen || inspection?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
-    if (chosen) show(selectionOf(chosen));
-  }, [inspection?.id, comparison]);
+  useEffect(
+    () =>
+      showRequested((requested) => {
+        beginReview();
+        if (requested?.earlier) showRound(requested.earlier);
+        shownPage.value = requested?.page ?? (comparison ? 'review' : 'live');
+        const earlier = earlierRound.value;
+        const seen = inspection && earlier ? asItWas(inspection, earlier) : inspection;
+        const chosen = seen && groupsOf(seen).find((group) => group.lead.number === requested?.finding);
+        if (chosen || seen?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
+        if (chosen) show(selectionOf(chosen));
+      }),
+    [inspection?.id, comparison],
+  );
 
   const round = useStore(earlierRound);
   const past = inspection && round ? asItWas(inspection, round) : inspection;
@@ -160,8 +166,8 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       <main>
         {page === 'review' && past?.compared_at ? (
           <ReviewPictures inspection={past} onMark={mayMark && !round ? (bbox, view) => (newMark.value = { bbox, where: { view } }) : undefined} />
-        ) : page === 'space' && inspection?.compared_at ? (
-          <LazySpace inspection={inspection} />
+        ) : page === 'space' && past?.compared_at ? (
+          <LazySpace inspection={past} />
         ) : drawing ? (
           <RegionEditor inspection={inspection} session={session} />
         ) : planning ? (
@@ -177,7 +183,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         {!drawing && !planning && inspection && !inspection.compared_at && <Steps session={session} />}
         {round && !drawing && !planning && (
           <div class="note earlier-round" role="status" data-testid="earlier-round">
-            <span>{words.page.earlierRound}</span>
+            <span>{words.page.earlierRound(round.number)}</span>
             <button type="button" onClick={() => showRound(null)}>
               {words.page.back}
             </button>

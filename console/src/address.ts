@@ -4,22 +4,24 @@ import { pages, type Page } from './pages';
 export interface Address {
   /** null: the list of inspections */
   id: number | null;
+  /** Number of an earlier comparison that is shown as it was; missing for the valid one. */
+  round?: number;
   page?: Page;
   /** Number of the finding that is selected. */
   finding?: number;
 }
 
-/** `#/inspections/12/review/3`; `#/` for the list. */
-export function textOf({ id, page, finding }: Address): string {
+/** `#/inspections/12/review/3`, or of an earlier comparison `#/inspections/12/rounds/1/space`; `#/` for the list. */
+export function textOf({ id, round, page, finding }: Address): string {
   if (id === null) return '#/';
-  const parts = [id, ...(page ? [page] : []), ...(page === 'review' && finding ? [finding] : [])];
+  const parts = [id, ...(round ? ['rounds', round] : []), ...(page ? [page] : []), ...(page === 'review' && finding ? [finding] : [])];
   return `#/inspections/${parts.join('/')}`;
 }
 
 /** What an address leads to: the list if it is none of ours. */
 export function addressIn(hash: string): Address {
-  const [, id, page, finding] = /^#\/inspections\/(\d{1,15})(?:\/([a-z]+)(?:\/(-?\d{1,9}))?)?$/.exec(hash) ?? [];
+  const [, id, round, page, finding] = /^#\/inspections\/(\d{1,15})(?:\/rounds\/(\d{1,9}))?(?:\/([a-z]+)(?:\/(-?\d{1,9}))?)?$/.exec(hash) ?? [];
   if (id === undefined) return { id: null };
   const known = pages.find((name) => name === page);
-  return { id: Number(id), ...(known && { page: known }), ...(finding && { finding: Number(finding) }) };
+  return { id: Number(id), ...(round && { round: Number(round) }), ...(known && { page: known }), ...(finding && { finding: Number(finding) }) };
 }

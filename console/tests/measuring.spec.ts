@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expectAccessible, expectTouchable } from './accessibility';
 import type { Measurement } from '../src/types';
-import { openReview } from './review_page';
+import { openReview, wall } from './review_page';
 import { expect, test } from './served';
 
 const quantity = /\d(\.\d+)? mm ± \d+(\.\d+)? mm/;
@@ -88,18 +88,10 @@ test('before and after the work', async ({ console: page }) => {
   }
 });
 
-// A wall, 0.6 m in front of the foot, as an ASCII file.
-function wall(): string {
-  const points: string[] = [];
-  for (let x = -0.15; x <= 0.15; x += 0.003) for (let z = -0.1; z <= 0.1; z += 0.003) points.push(`${x.toFixed(4)} 0.6 ${z.toFixed(4)} 120 130 140`);
-  const properties = ['float x', 'float y', 'float z', 'uchar red', 'uchar green', 'uchar blue'].map((name) => `property ${name}`);
-  return ['ply', 'format ascii 1.0', `element vertex ${points.length}`, ...properties, 'end_header', ...points, ''].join('\n');
-}
-
 test('in the map, between two of its points', async ({ console: page }) => {
   await openReview(page);
   await answerMeasurements(page);
-  for (const name of ['map', 'changes']) await page.route(`**/api/inspections/1/${name}?*`, (route) => route.fulfill({ body: wall() }));
+  for (const name of ['map', 'changes']) await page.route(`**/api/inspections/1/rounds/1/${name}`, (route) => route.fulfill({ body: wall() }));
   await page.getByTestId('page-space').click();
   await expect(page.getByTestId('map-status')).toContainText('Drag to turn');
   await page.getByTestId('measure-begin').click();

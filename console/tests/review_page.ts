@@ -19,3 +19,11 @@ export async function openReview(page: Page): Promise<void> {
   });
   await expect(page.getByTestId('first-look')).toBeVisible();
 }
+
+/** The map of a wall, 0.6 m in front of the foot, as an ASCII file. */
+export function wall(): string {
+  const points: string[] = [];
+  for (let x = -0.15; x <= 0.15; x += 0.003) for (let z = -0.1; z <= 0.1; z += 0.003) points.push(`${x.toFixed(4)} 0.6 ${z.toFixed(4)} 120 130 140`);
+  const properties = ['float x', 'float y', 'float z', 'uchar red', 'uchar green', 'uchar blue'].map((name) => `property ${name}`);
+  return ['ply', 'format ascii 1.0', `element vertex ${points.length}`, ...properties, 'end_header', ...points, ''].join('\n');
+}

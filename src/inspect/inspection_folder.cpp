@@ -62,16 +62,19 @@ fs::path InspectionFolder::result(const Inspection& inspection, int view) const 
   return inspection.comparison ? result_in(path_ / inspection.comparison->folder, view) : fs::path();
 }
 
-fs::path InspectionFolder::map(const Inspection& inspection) const {
-  return in_comparison(inspection, "map.ply");
+fs::path InspectionFolder::map(const RecordedComparison& comparison) const {
+  return in_comparison(comparison, "map.ply");
 }
 
-fs::path InspectionFolder::changes(const Inspection& inspection) const {
-  return in_comparison(inspection, "changes.ply");
+fs::path InspectionFolder::changes(const RecordedComparison& comparison) const {
+  return in_comparison(comparison, "changes.ply");
 }
 
-fs::path InspectionFolder::in_comparison(const Inspection& inspection, const fs::path& name) const {
-  return inspection.comparison ? path_ / inspection.comparison->folder / name : fs::path();
+// All comparisons of the first versions have the same folder, whose files belong to the last of them, and of
+// that one alone the round of captures is known.
+fs::path InspectionFolder::in_comparison(const RecordedComparison& comparison, const fs::path& name) const {
+  const bool replaced = comparison.folder.empty() && comparison.final_round == 0;
+  return replaced ? fs::path() : path_ / comparison.folder / name;
 }
 
 void InspectionFolder::require_no_links(const fs::path& inside) const {

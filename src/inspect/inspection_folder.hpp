@@ -46,11 +46,14 @@ class InspectionFolder {
   /// The folder of a view's results within a comparison's folder.
   [[nodiscard]] static std::filesystem::path result_in(const std::filesystem::path& comparison, int view);
 
-  // Paths of the current comparison; empty if there is none.
-
+  /// The folder of a view's results of the valid comparison; empty if there is none.
   [[nodiscard]] std::filesystem::path result(const Inspection& inspection, int view) const;
-  [[nodiscard]] std::filesystem::path map(const Inspection& inspection) const;
-  [[nodiscard]] std::filesystem::path changes(const Inspection& inspection) const;
+
+  // The point clouds of a comparison, also of an earlier one. Empty where they were replaced by those of a
+  // later one: the first versions kept those of the last comparison alone.
+
+  [[nodiscard]] std::filesystem::path map(const RecordedComparison& comparison) const;
+  [[nodiscard]] std::filesystem::path changes(const RecordedComparison& comparison) const;
 
   /// Refuses symbolic links, which would redirect what is written here to another location.
   /// @param inside a folder within this one that is about to be written, or this one
@@ -58,7 +61,7 @@ class InspectionFolder {
   void require_no_links(const std::filesystem::path& inside) const;
 
  private:
-  [[nodiscard]] std::filesystem::path in_comparison(const Inspection& inspection,
+  [[nodiscard]] std::filesystem::path in_comparison(const RecordedComparison& comparison,
                                                     const std::filesystem::path& name) const;
 
   std::filesystem::path path_;

@@ -101,10 +101,10 @@ void add_rest_error(MeasuredMapPoint& measured, const FinalView& view) {
 }
 
 std::vector<FinalView> final_views(const InspectionFolder& folder, const Inspection& inspection,
-                                   const PanTiltChain& chain) {
+                                   const RecordedComparison& comparison, const PanTiltChain& chain) {
   std::vector<FinalView> views;
   for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
-    auto capture = open_capture(folder.capture(Side::final, inspection, view, 0));
+    auto capture = open_capture(first_capture(folder, inspection, Side::final, comparison.final_round, view));
     const Transform pose = map_from_camera(capture->info(), chain);
     views.push_back({std::move(capture), pose});
   }
@@ -146,10 +146,11 @@ MeasuredPicture measured_review(const InspectionFolder& folder, const Inspection
 }
 
 MapMeasurement measure_in_map(const InspectionFolder& folder, const Inspection& inspection,
-                              const PanTiltChain& chain, const std::array<Eigen::Vector3d, 2>& points_m,
-                              const MeasureOptions& options) {
-  if (!inspection.comparison) throw Error("map", "does not exist", "take both captures first");
-  const std::vector<FinalView> views = final_views(folder, inspection, chain);
+                              const RecordedComparison& comparison, const PanTiltChain& chain,
+                              const std::array<Eigen::Vector3d, 2>& points_m, const MeasureOptions& options) {
+  if (comparison.final_round == 0)
+    throw Error("map", "has no captures that can be measured", "compare the inspection again");
+  const std::vector<FinalView> views = final_views(folder, inspection, comparison, chain);
   MapMeasurement result;
   for (const FinalView* view : nearest_first(views, {points_m[0], points_m[1]})) {
     const UncertainView depth = measured(*view->capture, options);

@@ -33,13 +33,14 @@ struct MapMeasurement {
   std::optional<Quantity> length;  ///< empty unless both are measured
 };
 
-/// Measures the surface at two points of the map of the current comparison: in one view, if one shows both,
-/// otherwise each in the view that is nearest to it, with the error of the robot's rest at each.
+/// Measures the surface at two points of the map of a comparison, which may be an earlier one: in one view,
+/// if one shows both, otherwise each in the view that is nearest to it, with the error of the robot's rest at
+/// each.
 /// @param points_m of the map, in the frame of the robot's foot
 /// @param chain    the robot's geometry, from which the poses of captures that state none are taken
-/// @throws Error when there is no comparison, or a capture cannot be read
+/// @throws Error when the round that was compared is not known, or a capture cannot be read
 [[nodiscard]] MapMeasurement measure_in_map(const InspectionFolder& folder, const Inspection& inspection,
-                                            const PanTiltChain& chain,
+                                            const RecordedComparison& comparison, const PanTiltChain& chain,
                                             const std::array<Eigen::Vector3d, 2>& points_m,
                                             const MeasureOptions& options);
 

@@ -72,6 +72,8 @@ const std::vector<Api::Route>& Api::routes() {
       {"GET", "/api/inspections/{}/baseline-check", PersonRole::viewer, &Api::get_baseline_check},
       {"GET", "/api/inspections/{}/map", PersonRole::viewer, &Api::get_map},
       {"GET", "/api/inspections/{}/changes", PersonRole::viewer, &Api::get_changes},
+      {"GET", "/api/inspections/{}/rounds/{}/map", PersonRole::viewer, &Api::get_map},
+      {"GET", "/api/inspections/{}/rounds/{}/changes", PersonRole::viewer, &Api::get_changes},
       {"PUT", "/api/camera/exposure", PersonRole::operator_, &Api::set_exposure},
       {"POST", "/api/readiness", PersonRole::operator_, &Api::check_readiness},
       {"GET", "/api/findable.png", PersonRole::viewer, &Api::get_findable},
@@ -83,6 +85,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"POST", "/api/measure", PersonRole::viewer, &Api::measure_points},
       {"POST", "/api/inspections/{}/rounds/{}/views/{}/measure", PersonRole::viewer, &Api::measure_view},
       {"POST", "/api/inspections/{}/map/measure", PersonRole::viewer, &Api::measure_map},
+      {"POST", "/api/inspections/{}/rounds/{}/map/measure", PersonRole::viewer, &Api::measure_map},
       {"POST", "/api/simulation", PersonRole::operator_, &Api::simulate_work},
   };
   return all;

@@ -121,6 +121,7 @@ class Api {
   ApiResponse get_baseline_picture(const Call& call) const;
   ApiResponse get_baseline_check(const Call& call) const;
   ApiResponse get_findable(const Call& call) const;
+  [[nodiscard]] RecordedComparison comparison_of(const Call& call) const;
   ApiResponse get_map(const Call& call) const;
   ApiResponse get_changes(const Call& call) const;
   ApiResponse simulate_work(const Call& call) const;

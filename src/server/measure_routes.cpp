@@ -112,13 +112,15 @@ ApiResponse Api::measure_view(const Call& call) const {
   return {200, "application/json", json_text(measure(picture, request, parts_.measure))};
 }
 
+// In the map of a comparison, by default of the valid one.
 ApiResponse Api::measure_map(const Call& call) const {
   const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
+  const RecordedComparison comparison = comparison_of(call);
   const auto list = call.body.find("points_m");
   if (list == call.body.end() || !list->is_array() || list->size() != 2)
     throw ApiError(400, "bad-request", "points_m", "is not a list of two points", "see docs/api.md");
   const MapMeasurement measured =
-      measure_in_map(parts_.inspector.folder(inspection.id), inspection, parts_.inspector.chain(),
+      measure_in_map(parts_.inspector.folder(inspection.id), inspection, comparison, parts_.inspector.chain(),
                      {point_in((*list)[0]), point_in((*list)[1])}, parts_.measure);
   return {200, "application/json", json_text(json_of(measured))};
 }

@@ -26,6 +26,10 @@ bool is_picture(std::string_view name) {
 
 ApiError not_there() { return {404, "not-found", "picture", "does not exist", "take both captures first"}; }
 
+ApiError no_map() {
+  return {404, "not-found", "map", "does not exist", "see the pictures of the inspection"};
+}
+
 int view_number(const std::string& text) {
   const std::optional<int> view = number_in_path(text);
   if (!view) throw not_there();
@@ -39,10 +43,10 @@ std::string text_of(const std::vector<std::byte>& bytes) {
 // Browsers do not cache the file (http_response()), since it would outlive a sign-out. Links are refused,
 // since they could lead to any file of this computer.
 ApiResponse file_answer(const InspectionFolder& folder, const std::filesystem::path& path,
-                        const std::string& content_type) {
+                        const std::string& content_type, const ApiError& missing = not_there()) {
   std::error_code ignored;
   if (path.empty() || !std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
-    throw not_there();
+    throw ApiError(missing);
   folder.require_no_links(path.parent_path());
   return {200, content_type, text_of(read_file(path))};
 }
@@ -129,16 +133,24 @@ ApiResponse Api::get_findable(const Call& /*call*/) const {
           {{"Cache-Control", "no-store"}}};
 }
 
+// The comparison that the path names by its number, or else the valid one.
+RecordedComparison Api::comparison_of(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  const std::optional<RecordedComparison> comparison =
+      call.path_parts.size() == 1 ? parts_.inspector.inspection(id).comparison
+                                  : parts_.inspector.comparison(id, view_number(call.path_parts.at(1)));
+  if (!comparison) throw no_map();
+  return *comparison;
+}
+
 ApiResponse Api::get_map(const Call& call) const {
-  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
-  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
-  return file_answer(folder, folder.map(inspection), "application/octet-stream");
+  const InspectionFolder folder = parts_.inspector.folder(inspection_id(call));
+  return file_answer(folder, folder.map(comparison_of(call)), "application/octet-stream", no_map());
 }
 
 ApiResponse Api::get_changes(const Call& call) const {
-  const Inspection inspection = parts_.inspector.inspection(inspection_id(call));
-  const InspectionFolder folder = parts_.inspector.folder(inspection.id);
-  return file_answer(folder, folder.changes(inspection), "application/octet-stream");
+  const InspectionFolder folder = parts_.inspector.folder(inspection_id(call));
+  return file_answer(folder, folder.changes(comparison_of(call)), "application/octet-stream", no_map());
 }
 
 ApiResponse Api::simulate_work(const Call& call) const {

@@ -201,6 +201,8 @@ class ApiSchemaTest(program.ProgramTest):
         self.refuse('POST', at, {**by_region, 'side': 'left'}, 400)
         points = {'points_m': [finding['in_foot_m'] for finding in found['findings'] if 'in_foot_m' in finding][:2]}
         self.post('inspections/1/map/measure', 'MapMeasureRequest', points, 'Measurement')
+        of_round = f'inspections/1/rounds/{found["comparison"]}/map/measure'
+        self.post(of_round, 'MapMeasureRequest', points, 'Measurement')
         self.refuse('POST', 'inspections/1/map/measure', {'points_m': [[0, 0, 0]]}, 400)
 
     def mark(self):

@@ -8,6 +8,7 @@ import socket
 import sqlite3
 import ssl
 import subprocess
+import urllib.request
 
 import cv2
 import numpy as np
@@ -159,6 +160,42 @@ class Retake(Served):
         picture.unlink()
         picture.symlink_to('/etc/hostname')
         self.ask('GET', 'inspections/1/views/0/changes.png', status=404)
+
+    def test_each_round_keeps_its_map(self):
+        self.options += ['--dither', 1]
+        self.start()
+        self.ask('POST', 'inspections', {'person': 'Ann'}, 201)
+        self.ask('GET', 'inspections/1/rounds/1/map', status=404)
+        console = self.console()
+        for side in ('initial', 'final', 'final'):
+            self.capture(side, console)
+        inspection = self.data / 'inspections' / '000001'
+        for name in ('map', 'changes'):
+            for comparison in (1, 2):
+                kept = (inspection / f'comparison-{comparison}' / f'{name}.ply').read_bytes()
+                self.assertEqual(self.bytes_of(f'inspections/1/rounds/{comparison}/{name}'), kept)
+            self.assertEqual(self.bytes_of(f'inspections/1/{name}'), kept, 'of the valid comparison')
+        self.assertNotEqual(self.bytes_of('inspections/1/rounds/1/map'), self.bytes_of('inspections/1/map'))
+        for comparison in ('0', '3', 'x', '-1', '1e0', '..%2f..'):
+            self.ask('GET', f'inspections/1/rounds/{comparison}/map', status=404)
+        points = {'points_m': [[0, 0.6, 0], [0.1, 0.6, 0]]}
+        self.ask('POST', 'inspections/1/rounds/1/map/measure', points)
+        self.ask('POST', 'inspections/1/rounds/3/map/measure', points, 404)
+        (inspection / 'comparison-1' / 'changes.ply').unlink()
+        (inspection / 'comparison-1' / 'changes.ply').symlink_to('/etc/hostname')
+        self.ask('GET', 'inspections/1/rounds/1/changes', status=404)
+        self.end()
+        # The first versions kept one map for all comparisons, that of the last one.
+        (inspection / 'map.ply').write_text('of a later comparison')
+        with sqlite3.connect(self.data / 'rva.db') as records:
+            records.execute("update comparison set folder = '', final_round = 0 where number = 1")
+        self.start()
+        self.ask('GET', 'inspections/1/rounds/1/map', status=404)
+        self.ask('POST', 'inspections/1/rounds/1/map/measure', points, 409)
+
+    def bytes_of(self, path):
+        with urllib.request.urlopen(f'{self.address}/api/{path}', timeout=60) as answer:
+            return answer.read()
 
 
 class Accounts(Served):

@@ -83,7 +83,7 @@ TEST_F(Standing, AnInspectionAcrossARestartFindsWhatWasLeft) {
   ASSERT_EQ(findable.size(), 3U);
   for (const FindableShare& of : findable)
     EXPECT_DOUBLE_EQ(share_drawn(inspection, fmt::format("findable_{:g}mm.png", of.size_mm)), of.share);
-  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map(inspection)));
+  EXPECT_TRUE(std::filesystem::exists(inspector_->folder(id).map(*inspection.comparison)));
   EXPECT_THROW(inspector_->decide(id, 2, 1, {Verdict::false_alarm, "", "Ann", "t"}), Error)
       << "of findings that are shown no more";
   const int comparison = inspection.comparison->number;

@@ -35,9 +35,10 @@ class Compared : public testing::Test {
   [[nodiscard]] SurfacePoint point(Side side, const Eigen::Vector2d& pixel) const {
     return std::get<SurfacePoint>(picture(side).point(pixel, options_));
   }
-  [[nodiscard]] MapMeasurement in_map(const std::array<Eigen::Vector3d, 2>& points_m) const {
-    return measure_in_map(inspector_.folder(1), inspector_.inspection(1), inspector_.chain(), points_m,
-                          options_);
+  [[nodiscard]] MapMeasurement in_map(const std::array<Eigen::Vector3d, 2>& points_m,
+                                      int comparison = 1) const {
+    return measure_in_map(inspector_.folder(1), inspector_.inspection(1),
+                          inspector_.comparison(1, comparison).value(), inspector_.chain(), points_m, options_);
   }
   [[nodiscard]] Eigen::Vector3d in_foot_m(double u, double v, double depth_m) const {
     return foot_from_camera(inspector_.chain(), {}) *
@@ -75,6 +76,23 @@ TEST_F(Compared, InTheMapTheSurfaceAtThePointsIsMeasured) {
   EXPECT_NEAR(measured.length->value_mm, 800.0 * 120.0 / 212.0, measured.length->expanded_mm());
   EXPECT_NEAR((measured.points[0]->point.position_m - in_foot_m(20, 60, 0.8)).norm(), 0.0, 0.002);
   EXPECT_NEAR(measured.points[1]->distance.value_mm, 800.0 * std::hypot(1.0, 60.5 / 212.0, 0.5 / 212.0), 2.0);
+}
+
+TEST_F(Compared, TheMapOfAnEarlierRoundIsMeasuredByItsOwnCaptures) {
+  plug_->bump_mm = 0;
+  take(Side::final);
+  const std::array bump{in_foot_m(80, 60, 0.788), in_foot_m(20, 60, 0.8)};
+  EXPECT_TRUE(in_map(bump, 1).length);
+  plug_->bump_mm = 100;
+  take(Side::final);
+  EXPECT_TRUE(in_map(bump, 2).length) << "12 mm from the surface of that round";
+  EXPECT_FALSE(in_map(bump, 3).points[0]) << "the surface is 88 mm nearer";
+  EXPECT_TRUE(in_map(bump, 1).length);
+  RecordedComparison unknown = inspector_.comparison(1, 1).value();
+  unknown.final_round = 0;
+  EXPECT_THROW(static_cast<void>(measure_in_map(inspector_.folder(1), inspector_.inspection(1), unknown,
+                                                inspector_.chain(), bump, options_)),
+               Error);
 }
 
 TEST_F(Compared, PointsThatNoViewMeasuresAreRefused) {

@@ -36,21 +36,28 @@ import { clientId } from './client';
 import { Refusal } from './refusal';
 import { words } from '../words/words';
 
-async function call<T>(method: string, path: string, body?: unknown): Promise<T> {
-  let response: Response;
+async function answerTo(path: string, request: RequestInit): Promise<Response> {
   try {
-    response = await fetch(path, {
-      method,
-      headers: { 'Content-Type': 'application/json', 'X-RVA-Client': clientId },
-      ...(body === undefined ? {} : { body: JSON.stringify(body) }),
-    });
+    return await fetch(path, request);
   } catch {
     throw new Refusal('console', words.page.noServer);
   }
+}
+
+async function call<T>(method: string, path: string, body?: unknown): Promise<T> {
+  const response = await answerTo(path, {
+    method,
+    headers: { 'Content-Type': 'application/json', 'X-RVA-Client': clientId },
+    ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+  });
   const answer: unknown = await response.json().catch(() => ({}));
   if (response.ok) return answer as T;
+  throw refusalIn(response, answer);
+}
+
+function refusalIn({ status, statusText }: Response, answer: unknown): Refusal {
   const { error } = answer as Partial<ErrorAnswer>;
-  throw new Refusal(error?.code ?? 'unknown', error?.message ?? response.statusText, response.status);
+  return new Refusal(error?.code ?? 'unknown', error?.message ?? statusText, status);
 }
 
 /** A request that needs no body. */
@@ -106,8 +113,17 @@ export const api = {
   /** Measures in the pictures of a view of a comparison, before or after the work. */
   measureView: ({ id, comparison = 0 }: Inspection, view: number, request: ViewMeasureRequest) =>
     send<ViewMeasureRequest, Measurement>('POST', `/api/inspections/${id}/rounds/${comparison}/views/${view}/measure`, request),
-  /** Measures between two points of the map of the valid comparison. */
-  measureMap: (id: number, points_m: [Point3, Point3]) => send<MapMeasureRequest, Measurement>('POST', `/api/inspections/${id}/map/measure`, { points_m }),
+  /** A cloud of points of a comparison (.ply); null where it has none. */
+  cloud: async ({ id, comparison = 0 }: Inspection, name: 'map' | 'changes', signal: AbortSignal) => {
+    const response = await answerTo(`/api/inspections/${id}/rounds/${comparison}/${name}`, { signal });
+    if (response.ok) return response.arrayBuffer();
+    const notFound = 404;
+    if (response.status === notFound) return null;
+    throw refusalIn(response, await response.json().catch(() => ({})));
+  },
+  /** Measures between two points of the map of a comparison. */
+  measureMap: ({ id, comparison = 0 }: Inspection, points_m: [Point3, Point3]) =>
+    send<MapMeasureRequest, Measurement>('POST', `/api/inspections/${id}/rounds/${comparison}/map/measure`, { points_m }),
   simulateWork: (done: boolean) => send<SimulationRequest, Empty>('POST', '/api/simulation', { done }),
 };
 

@@ -4,6 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { markedAddress, pictureAddress } from '../link/api';
 import { CloseUp } from '../picture/CloseUp';
 import { percent } from '../regions/region_words';
+import { openInspection } from '../inspection/inspections';
 import { findableText, leastFindable, signOf, suspicion, timeOf, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
 import type { Inspection, Session, Verdict } from '../types';
@@ -169,6 +170,7 @@ function FirstLook({ groups }: { groups: Group[] }) {
 /** @param past whether an earlier round is shown, of which nothing can be changed */
 export function FindingList({ inspection, session, past }: { inspection: Inspection; session: Session; past: boolean }) {
   const state = useStore(review);
+  const now = useStore(openInspection);
   const groups = groupsOf(inspection);
   const chosen = useStore(several);
   const mayChoose = !past && !inspection.closing && session.role === 'inspector';
@@ -191,7 +193,7 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
         </div>
         <ul class="list">{groups.filter((group) => !isPlanned(group)).map(card)}</ul>
         <PlannedWork inspection={inspection} groups={groups} session={session} mayDecide={mayChoose} card={card} />
-        {!past && <RoundsCard inspection={inspection} />}
+        {now && <RoundsCard inspection={now} />}
       </div>
       {!past && <UndoBar inspection={inspection} session={session} />}
       {ticks ? <SeveralForm inspection={inspection} groups={groups} session={session} /> : !past && <ClosingCard inspection={inspection} session={session} />}

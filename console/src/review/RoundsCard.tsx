@@ -5,7 +5,7 @@ import { api } from '../link/api';
 import { useStore } from '../store';
 import type { Inspection, Round } from '../types';
 import { groupsOf } from './groups';
-import { asItWas, earlierRound, showRound } from './rounds';
+import { asItWas, earlierRound, numbered, showRound, type NumberedRound } from './rounds';
 import { words } from '../words/words';
 
 /** "3 findings: 2 debris removed, 1 false alarm". */
@@ -24,13 +24,14 @@ export function outcomeOf(inspection: Inspection, round: Round): string {
   return `${words.review.all(groups.length)}: ${named.join(', ')}`;
 }
 
+/** @param inspection as it is now */
 export function RoundsCard({ inspection }: { inspection: Inspection }) {
-  const [rounds, setRounds] = useState<Round[]>([]);
+  const [rounds, setRounds] = useState<NumberedRound[]>([]);
   const shown = useStore(earlierRound);
   useEffect(() => {
     let current = true;
     api.rounds(inspection.id).then(
-      (answer) => current && setRounds(answer.rounds),
+      (answer) => current && setRounds(numbered(answer.rounds)),
       () => undefined,
     );
     return () => {
@@ -42,14 +43,14 @@ export function RoundsCard({ inspection }: { inspection: Inspection }) {
     <div class="card" data-testid="rounds">
       <h2>{words.review.rounds}</h2>
       <ul class="list">
-        {rounds.map((round, i) => {
+        {rounds.map((round) => {
           const isCurrent = round.comparison === inspection.comparison;
           const isShown = shown ? shown.comparison === round.comparison : isCurrent;
           return (
             <li key={round.comparison}>
-              <button type="button" class="row" aria-pressed={isShown} data-testid={`round-${rounds.length - i}`} onClick={() => showRound(isCurrent ? null : round)}>
+              <button type="button" class="row" aria-pressed={isShown} data-testid={`round-${round.number}`} onClick={() => showRound(round)}>
                 <strong>
-                  {words.review.round(rounds.length - i)}
+                  {words.review.round(round.number)}
                   {isCurrent && ` ${words.review.roundNow}`}
                 </strong>
                 <span>{outcomeOf(inspection, round)}</span>

@@ -1,19 +1,33 @@
 // Earlier rounds of an inspection, of which the pictures and findings are shown as they were.
 import { openInspection } from '../inspection/inspections';
 import { Store } from '../store';
-import type { Inspection, Round } from '../types';
+import type { Inspection, MarkedFinding, Round } from '../types';
 import { beginReview, show } from './review_state';
 
-/** The round that the review shows instead of the current one; null for the current one. */
-export const earlierRound = new Store<Round | null>(null);
+export interface NumberedRound extends Round {
+  /** From 1, as people count them; numbers of comparisons may have gaps. */
+  number: number;
+}
+
+export function numbered(rounds: Round[]): NumberedRound[] {
+  return rounds.map((round, i) => ({ ...round, number: rounds.length - i }));
+}
+
+/** The round that the review and the 3D page show instead of the current one; null for the current one. */
+export const earlierRound = new Store<NumberedRound | null>(null);
+
+const noMarks: MarkedFinding[] = [];
 
 /** An inspection as it was after a round. Nothing of it can be changed. */
 export function asItWas(inspection: Inspection, { comparison, compared_at, final, compared, findings }: Round): Inspection {
-  return { ...inspection, comparison, compared_at, compared, findings, marked: [], ...(final && { final }) };
+  return { ...inspection, comparison, compared_at, compared, findings, marked: noMarks, ...(final && { final }) };
 }
 
-export function showRound(round: Round | null): void {
-  earlierRound.value = round;
+/** @param round null for the current one, as is the round of the comparison that is valid */
+export function showRound(round: NumberedRound | null): void {
+  const earlier = round && round.comparison !== openInspection.value?.comparison ? round : null;
+  if (earlier?.comparison === earlierRound.value?.comparison) return;
+  earlierRound.value = earlier;
   beginReview();
   show({ findings: true, uninspected: true });
 }

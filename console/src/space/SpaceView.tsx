@@ -1,89 +1,46 @@
 // The bay in 3D, with the findings.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Vector3 } from 'three';
+import { Choice } from '../Choice';
 import { api } from '../link/api';
+import { Refusal } from '../link/refusal';
 import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
 import { useMeasuring } from '../measure/measuring';
 import { groupsOf } from '../review/groups';
 import { review, show } from '../review/review_state';
 import { useStore } from '../store';
 import type { Inspection, Point3 } from '../types';
-import { FindingLayer } from './FindingLayer';
-import { MeasureLayer } from './MeasureLayer';
-import { PointLayer, type Coloring } from './PointLayer';
-import { Scene3d } from './Scene3d';
+import { RefusalText } from '../words/RefusalText';
 import { words } from '../words/words';
+import type { Coloring } from './PointLayer';
+import { showAll, useStage, type StageState } from './stage';
 
 const colorings: Coloring[] = ['color', 'height', 'change'];
 
-interface Stage {
-  scene: Scene3d;
-  findings: FindingLayer;
-  measure: MeasureLayer;
-  points?: PointLayer;
-  changes?: PointLayer;
-}
-
-async function load(inspection: Inspection, name: 'map' | 'changes', signal: AbortSignal): Promise<ArrayBuffer> {
-  const response = await fetch(`/api/inspections/${inspection.id}/${name}?v=${inspection.comparison ?? 0}`, { signal });
-  if (!response.ok) throw new Error(words.space.noMap);
-  return response.arrayBuffer();
+// Why nothing is shown; null where the map is.
+function Missing({ state }: { state: StageState }) {
+  if (state === 'ready' || state === 'no-changes') return null;
+  const texts = { loading: words.space.loading, 'no-map': words.space.noMap, 'no-web-gl': words.space.noWebGl };
+  return (
+    <p class="space-missing" role="status" data-testid="map-missing">
+      {state instanceof Refusal ? <RefusalText refusal={state} /> : texts[state]}
+    </p>
+  );
 }
 
 export function SpaceView({ inspection }: { inspection: Inspection }) {
   const box = useRef<HTMLDivElement>(null);
-  const stage = useRef<Stage | null>(null);
+  const { stage, state } = useStage(box, inspection);
   const [coloring, setColoring] = useState<Coloring>('color');
-  const [hint, setHint] = useState(words.space.loading);
   const selected = useStore(review).group;
-
-  useEffect(() => {
-    if (!box.current) return;
-    let scene: Scene3d;
-    try {
-      scene = new Scene3d(box.current);
-    } catch {
-      setHint(words.space.noWebGl);
-      return;
-    }
-    const findings = new FindingLayer();
-    const measure = new MeasureLayer();
-    const now: Stage = { scene, findings, measure };
-    stage.current = now;
-    scene.add(findings.group);
-    scene.add(measure.group);
-    scene.onMoving = (moving) => now.points?.setMoving(moving);
-    const loading = new AbortController();
-    Promise.all([load(inspection, 'map', loading.signal), load(inspection, 'changes', loading.signal)])
-      .then(([map, changes]) => {
-        now.points = new PointLayer(map);
-        scene.add(now.points.points);
-        const largerThanOthers_m = 0.006;
-        now.changes = new PointLayer(changes, largerThanOthers_m);
-        scene.add(now.changes.points);
-        scene.lookAt(now.points.center, now.points.radius_m);
-        setHint(words.space.help);
-      })
-      .catch((error: Error) => {
-        if (!loading.signal.aborted) setHint(error.message);
-      });
-    return () => {
-      loading.abort();
-      findings.dispose();
-      measure.dispose();
-      now.points?.dispose();
-      now.changes?.dispose();
-      scene.dispose();
-      stage.current = null;
-    };
-  }, [inspection.id, inspection.comparison]);
+  const shown = state === 'ready' || state === 'no-changes';
 
   useEffect(() => {
     const now = stage.current;
     now?.points?.setColoring(coloring);
     if (now?.changes) now.changes.points.visible = coloring !== 'color';
     now?.scene.draw();
-  }, [coloring, hint]);
+  }, [coloring, state]);
 
   useEffect(() => {
     const now = stage.current;
@@ -91,9 +48,9 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     const at = inspection.findings.find((finding) => finding.number === selected)?.in_foot_m;
     if (at && now?.points) now.scene.focus(new Vector3(...at));
     now?.scene.draw();
-  }, [inspection, selected, hint]);
+  }, [inspection.id, inspection.comparison, inspection.findings, inspection.marked, selected, state]);
 
-  const measuring = useMeasuring<Point3>((_, [from, to]) => api.measureMap(inspection.id, [from!, to!]), String(inspection.comparison), ['length']);
+  const measuring = useMeasuring<Point3>((_, [from, to]) => api.measureMap(inspection, [from!, to!]), String(inspection.comparison), ['length']);
   useEffect(() => {
     stage.current?.measure.set(measuring.points);
     stage.current?.scene.draw();
@@ -119,32 +76,28 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
 
   return (
     <section class="view" aria-label={words.space.view}>
-      {measuring.active ? (
-        <MeasureBar measuring={measuring} onMiddle={() => pickPoint()} />
-      ) : (
+      {shown && measuring.active && <MeasureBar measuring={measuring} onMiddle={() => pickPoint()} />}
+      {shown && !measuring.active && (
         <div class="view-bar">
-          <div class="switch" role="radiogroup" aria-label={words.space.coloring}>
-            {colorings.map((name) => (
-              <button key={name} type="button" role="radio" aria-checked={coloring === name} data-testid={`coloring-${name}`} onClick={() => setColoring(name)}>
-                {words.space.colorings[name]}
-              </button>
-            ))}
-          </div>
-          <button type="button" data-testid="whole-map" onClick={() => stage.current?.points && stage.current.scene.lookAt(stage.current.points.center, stage.current.points.radius_m)}>
+          <Choice label={words.space.coloring} name="coloring" options={colorings.map((name) => [name, words.space.colorings[name]])} value={coloring} onPick={setColoring} />
+          <button type="button" data-testid="whole-map" onClick={() => stage.current && showAll(stage.current)}>
             {words.space.all}
           </button>
           <MeasureButton measuring={measuring} />
-          {coloring === 'change' && (
+          {coloring === 'change' && state === 'ready' && (
             <span>
               <span class="changed-mark" aria-hidden="true" /> {words.review.changed}
             </span>
           )}
           <span class="hint" role="status" data-testid="map-status">
-            {hint}
+            {coloring === 'change' && state === 'no-changes' ? words.space.noChanges : words.space.help}
           </span>
         </div>
       )}
-      <div class={`space ${measuring.active ? 'measuring' : ''}`} ref={box} data-testid="space" onPointerDown={(event) => (pressed.current = { x: event.clientX, y: event.clientY })} onClick={pick} />
+      <div class="space-frame">
+        <div class={`space ${measuring.active ? 'measuring' : ''}`} ref={box} data-testid="space" onPointerDown={(event) => (pressed.current = { x: event.clientX, y: event.clientY })} onClick={pick} />
+        <Missing state={state} />
+      </div>
     </section>
   );
 }

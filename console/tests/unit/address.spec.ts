@@ -9,6 +9,9 @@ const known: [string, Address][] = [
   ['#/inspections/12/review', { id: 12, page: 'review' }],
   ['#/inspections/12/review/3', { id: 12, page: 'review', finding: 3 }],
   ['#/inspections/12/review/-1', { id: 12, page: 'review', finding: -1 }],
+  ['#/inspections/12/rounds/2', { id: 12, round: 2 }],
+  ['#/inspections/12/rounds/2/space', { id: 12, round: 2, page: 'space' }],
+  ['#/inspections/12/rounds/2/review/3', { id: 12, round: 2, page: 'review', finding: 3 }],
 ];
 
 for (const [text, address] of known) {
@@ -18,7 +21,7 @@ for (const [text, address] of known) {
   });
 }
 
-for (const text of ['', '#', '#/inspections', '#/inspections/x', '#/inspections/-1', '#/inspections/1/2/3/4', '#/inspections/1e9', '#/../api/session', 'javascript:1']) {
+for (const text of ['', '#', '#/inspections', '#/inspections/x', '#/inspections/-1', '#/inspections/1/2/3/4', '#/inspections/1e9', '#/inspections/rounds/1', '#/inspections/1/rounds/x', '#/inspections/1/rounds/-1/space', '#/inspections/1/rounds/1/2/3/4', '#/../api/session', 'javascript:1']) {
   test(`"${text}" leads to the list`, () => {
     expect(addressIn(text)).toEqual({ id: null });
   });
