@@ -2,9 +2,14 @@
 import { PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D, type Points } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { colorOf } from '../theme';
+import { brought, turned, type Xyz } from './orbit';
 
 /** How far from a tap a point of a cloud may be: more than half of the distance between neighbours. */
 const reach_m = 0.005;
+/** How far a key turns and moves the camera, and between which distances it brings it. */
+const turn_rad = Math.PI / 36;
+const move_share = 0.1;
+const reaches_m: [number, number] = [0.02, 50];
 
 export class Scene3d {
   onMoving: (moving: boolean) => void = () => undefined;
@@ -45,7 +50,38 @@ export class Scene3d {
   /** Views the bay as the robot does: along y, a little from above. */
   lookAt(center: Vector3, radius_m: number): void {
     this.controls.target.copy(center);
-    this.camera.position.copy(center).add(new Vector3(0, -1.35 * radius_m, 0.9 * radius_m));
+    this.place([0, -1.35 * radius_m, 0.9 * radius_m]);
+  }
+
+  /** Turns the camera about what is in the middle. @param right in steps, as `up` */
+  turn(right: number, up: number): void {
+    this.place(turned(this.fromTarget(), -right * turn_rad, up * turn_rad));
+  }
+
+  /** Moves the camera together with what is in the middle. @param right in steps, as `up` */
+  move(right: number, up: number): void {
+    const far_m = move_share * Math.hypot(...this.fromTarget());
+    const way = new Vector3(right, up, 0).multiplyScalar(far_m).applyQuaternion(this.camera.quaternion);
+    this.controls.target.add(way);
+    this.camera.position.add(way);
+    this.redraw();
+  }
+
+  /** @param times the distance of the camera from what is in the middle, over that of before */
+  zoom(times: number): void {
+    this.place(brought(this.fromTarget(), times, reaches_m));
+  }
+
+  private fromTarget(): Xyz {
+    return this.camera.position.clone().sub(this.controls.target).toArray();
+  }
+
+  private place(from_target: Xyz): void {
+    this.camera.position.copy(this.controls.target).add(new Vector3(...from_target));
+    this.redraw();
+  }
+
+  private redraw(): void {
     this.controls.update();
     this.draw();
   }
@@ -53,9 +89,7 @@ export class Scene3d {
   focus(point: Vector3): void {
     const way = this.camera.position.clone().sub(this.controls.target).setLength(0.5);
     this.controls.target.copy(point);
-    this.camera.position.copy(point).add(way);
-    this.controls.update();
-    this.draw();
+    this.place(way.toArray());
   }
 
   /** The nearest of the objects under a point of the page, or null. */

@@ -12,8 +12,9 @@ import { useStore } from '../store';
 import type { Inspection, Point3 } from '../types';
 import { RefusalText } from '../words/RefusalText';
 import { words } from '../words/words';
+import { actionOf } from './keys';
 import type { Coloring } from './PointLayer';
-import { showAll, useStage, type StageState } from './stage';
+import { perform, showAll, useStage, type StageState } from './stage';
 
 const colorings: Coloring[] = ['color', 'height', 'change'];
 
@@ -74,6 +75,21 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
     if (typeof number === 'number') show({ group: number, findings: true });
   };
 
+  // A key that turns the map does not turn the camera as well, which arrow keys do elsewhere.
+  const pressKey = (event: KeyboardEvent) => {
+    const action = actionOf(event);
+    const now = stage.current;
+    if (!action || !now?.points) return;
+    event.preventDefault();
+    event.stopPropagation();
+    now.points.setMoving(event.repeat);
+    perform(now, action);
+  };
+  const rest = () => {
+    stage.current?.points?.setMoving(false);
+    stage.current?.scene.draw();
+  };
+
   return (
     <section class="view" aria-label={words.space.view}>
       {shown && measuring.active && <MeasureBar measuring={measuring} onMiddle={() => pickPoint()} />}
@@ -95,7 +111,20 @@ export function SpaceView({ inspection }: { inspection: Inspection }) {
         </div>
       )}
       <div class="space-frame">
-        <div class={`space ${measuring.active ? 'measuring' : ''}`} ref={box} data-testid="space" onPointerDown={(event) => (pressed.current = { x: event.clientX, y: event.clientY })} onClick={pick} />
+        <div
+          ref={box}
+          class={`space ${measuring.active ? 'measuring' : ''}`}
+          role="group"
+          tabIndex={0}
+          aria-label={words.space.keys}
+          aria-keyshortcuts="+ - 0"
+          data-testid="space"
+          onPointerDown={(event) => (pressed.current = { x: event.clientX, y: event.clientY })}
+          onClick={pick}
+          onKeyDown={pressKey}
+          onKeyUp={rest}
+          onBlur={rest}
+        />
         <Missing state={state} />
       </div>
     </section>

@@ -5,6 +5,7 @@ import { api } from '../link/api';
 import { refusalOf, type Refusal } from '../link/refusal';
 import type { Inspection } from '../types';
 import { FindingLayer } from './FindingLayer';
+import type { SpaceAction } from './keys';
 import { MeasureLayer } from './MeasureLayer';
 import { PointLayer } from './PointLayer';
 import { Scene3d } from './Scene3d';
@@ -26,6 +27,14 @@ const larger_m = 0.006;
 /** Shows the map from where most of it is seen. */
 export function showAll({ scene, points }: Stage): void {
   if (points) scene.lookAt(points.center, points.radius_m);
+}
+
+export function perform(stage: Stage, action: SpaceAction): void {
+  const { scene } = stage;
+  if (action.kind === 'turn') scene.turn(action.right, action.up);
+  else if (action.kind === 'move') scene.move(action.right, action.up);
+  else if (action.kind === 'zoom') scene.zoom(action.times);
+  else showAll(stage);
 }
 
 async function load(stage: Stage, inspection: Inspection, signal: AbortSignal): Promise<StageState> {

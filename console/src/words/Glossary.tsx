@@ -1,8 +1,9 @@
-// What the terms mean, behind a question mark: those of the page first.
+// What the terms mean, behind a question mark: those of the page first, and then its keys.
 import './glossary.css';
 import { useRef } from 'preact/hooks';
 import type { Page } from '../pages';
-import type { Term } from './en';
+import type { Key, Term } from './en';
+import { Rich } from './Rich';
 import { words } from './words';
 
 /** The terms that each page uses; 'list' is the list of inspections. */
@@ -14,6 +15,30 @@ const termsOf: Record<Page | 'list', Term[]> = {
   review: ['finding', 'planned', 'suspicion', 'height', 'decision', 'debris', 'installed', 'falseAlarm', 'coverage', 'level', 'marked', 'view', 'round', 'comparison', 'close'],
   space: ['finding', 'depth', 'view', 'comparison'],
 };
+
+/** The keys of each page. Those for driving work on all of them. */
+const keysOf: Record<Page | 'list', Key[]> = {
+  list: ['picture', 'drive', 'stop'],
+  live: ['picture', 'drive', 'stop'],
+  regions: ['region', 'drive', 'stop'],
+  review: ['decide', 'next', 'undo', 'picture', 'drive', 'stop'],
+  space: ['turn', 'move', 'zoom', 'all', 'next', 'decide', 'undo', 'drive', 'stop'],
+};
+
+function Keys({ keys }: { keys: Key[] }) {
+  return (
+    <>
+      <h3>{words.glossary.keysTitle}</h3>
+      <ul>
+        {keys.map((key) => (
+          <li key={key} data-testid={`key-${key}`}>
+            <Rich text={words.glossary.keys[key]} />
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
 
 function Terms({ title, terms }: { title: string; terms: Term[] }) {
   return (
@@ -61,6 +86,7 @@ export function Glossary({ page }: { page: Page | 'list' }) {
           </button>
         </div>
         <Terms title={words.glossary.here} terms={here} />
+        <Keys keys={keysOf[page]} />
         <Terms title={words.glossary.more} terms={further} />
       </dialog>
     </>

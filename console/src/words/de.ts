@@ -42,6 +42,20 @@ export const de: Words = {
 
   glossary: {
     here: 'Auf dieser Seite',
+    keys: {
+      all: '*0*: zeigt die ganze Karte.',
+      decide: '*1* bis *6*: entscheiden über den gewählten Befund.',
+      drive: '*Pfeiltasten* oder *W A S D*: drehen die Kamera, mit *Umschalt* langsam, solange Sie die Steuerung haben.',
+      move: '*Umschalt* und *Pfeiltasten*: verschieben die Karte.',
+      next: '*N*: geht zum nächsten Befund ohne Entscheidung.',
+      picture: '*+*, *−* und *0*: vergrößern das Bild, das mit Tab oder Antippen gewählt ist, verkleinern es, zeigen es ganz. *Pfeiltasten* verschieben es, solange es vergrößert ist.',
+      region: '*Pfeiltasten*: verschieben den gewählten Bereich, mit *Umschalt* ändern sie seine Größe. *Entf* entfernt ihn.',
+      stop: '*Escape*: stoppt den Roboter.',
+      turn: '*Pfeiltasten*: drehen die Karte, wenn sie mit Tab oder Antippen gewählt ist.',
+      undo: '*Strg+Z*: nimmt die letzte Entscheidung zurück.',
+      zoom: '*+* und *−*: holen die Karte näher und schieben sie weg.',
+    },
+    keysTitle: 'Tasten auf dieser Seite',
     more: 'Weitere Begriffe',
     open: 'Was die Begriffe bedeuten',
     terms: {
@@ -516,7 +530,8 @@ export const de: Words = {
     all: 'Alles zeigen',
     coloring: 'Färbung',
     colorings: { color: 'Farbe', height: 'Höhe', change: 'Änderung' },
-    help: 'Ziehen dreht, zwei Finger oder das Rad zoomen, Ziehen mit der rechten Taste verschiebt.',
+    help: 'Ziehen dreht. Zwei Finger, das Rad oder + und − zoomen. Zwei Finger oder die rechte Maustaste verschieben.',
+    keys: 'Die Karte: Pfeiltasten drehen sie, mit Umschalt verschieben sie sie, + und − zoomen, 0 zeigt alles',
     loading: 'Karte wird geladen…',
     noChanges: 'Die Punkte dessen, was sich änderte, sind von dieser Runde nicht aufbewahrt. Die Nummern zeigen die Befunde.',
     noMap: 'Von dieser Runde gibt es keine Karte. Ihre Bilder und Befunde sind auf der Seite „Vorher / nachher“.',

@@ -44,6 +44,20 @@ export const en = {
 
   glossary: {
     here: 'On this page',
+    keys: {
+      all: '*0*: shows all of the map.',
+      decide: '*1* to *6*: decide on the selected finding.',
+      drive: '*Arrow keys* or *W A S D*: turn the camera, with *Shift* slowly, while you have the controls.',
+      move: '*Shift* and *arrow keys*: move the map.',
+      next: '*N*: goes to the next undecided finding.',
+      picture: '*+*, *−* and *0*: enlarge the picture that was selected with Tab or a tap, make it smaller, show all of it. *Arrow keys* move it while it is enlarged.',
+      region: '*Arrow keys*: move the selected region, with *Shift* they resize it. *Delete* removes it.',
+      stop: '*Escape*: stops the robot.',
+      turn: '*Arrow keys*: turn the map, once it was selected with Tab or a tap.',
+      undo: '*Ctrl+Z*: takes the last decision back.',
+      zoom: '*+* and *−*: bring the map nearer and farther away.',
+    },
+    keysTitle: 'Keys on this page',
     more: 'Further terms',
     open: 'What the terms mean',
     terms: {
@@ -519,7 +533,8 @@ export const en = {
     all: 'Show all',
     coloring: 'Colouring',
     colorings: { color: 'Colour', height: 'Height', change: 'Change' },
-    help: 'Drag to turn, pinch or use the wheel to zoom, drag with the right button to pan.',
+    help: 'Drag to turn. Two fingers, the wheel or + and − zoom. Two fingers or the right button move.',
+    keys: 'The map: arrow keys turn it, with Shift they move it, + and − zoom, 0 shows all of it',
     loading: 'Loading the map…',
     noChanges: 'The points of what changed are not kept for this round. The numbers show the findings.',
     noMap: 'There is no map of this round. Its pictures and findings are on the page “Before / after”.',
@@ -533,3 +548,6 @@ export type Term = keyof typeof en.glossary.terms;
 
 /** The texts in any language. */
 export type Words = typeof en;
+
+/** The keys that the glossary lists. */
+export type Key = keyof typeof en.glossary.keys;
