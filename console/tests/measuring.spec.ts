@@ -1,7 +1,7 @@
 // Measuring in the live picture, in those of the review and in the map, with uncertainties.
 import type { Page } from '@playwright/test';
 import { expectAccessible, expectTouchable } from './accessibility';
-import type { Measurement } from '../src/types';
+import type { Measurement, MeasureRequest, ViewMeasureRequest } from '../src/types';
 import { openReview, wall } from './review_page';
 import { expect, test } from './served';
 
@@ -15,6 +15,15 @@ async function tap(page: Page, x: number, y: number, testId = 'picture'): Promis
   await page.waitForTimeout(400);
 }
 
+async function drag(page: Page, [x1, y1]: [number, number], [x2, y2]: [number, number]): Promise<void> {
+  const box = (await page.getByTestId('picture').boundingBox())!;
+  await page.mouse.move(box.x + x1 * box.width, box.y + y1 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + ((x1 + x2) / 2) * box.width, box.y + ((y1 + y2) / 2) * box.height);
+  await page.mouse.move(box.x + x2 * box.width, box.y + y2 * box.height);
+  await page.mouse.up();
+}
+
 test('the tools of the live picture, by taps and by keyboard', async ({ console: page }) => {
   await expect.poll(async () => Number(await page.getByTestId('live').getAttribute('data-frame'))).toBeGreaterThan(0);
   await page.getByTestId('measure-begin').click();
@@ -25,14 +34,42 @@ test('the tools of the live picture, by taps and by keyboard', async ({ console:
   await expect(result(page)).toHaveText(quantity);
 
   await page.getByTestId('tool-height').click();
-  await expect(result(page)).toContainText('three points of the surface');
-  for (const [x, y] of [[0.35, 0.62], [0.65, 0.62], [0.5, 0.8]] as const) await tap(page, x, y);
+  await expect(result(page)).toContainText('Drag a rectangle over the flat surface');
+  await expectTouchable(page);
+  const asked = page.waitForRequest('**/api/measure');
+  await drag(page, [0.35, 0.62], [0.65, 0.8]);
+  await expect(page.getByTestId('surface')).toBeVisible();
+  await expect(result(page)).toHaveText('Now tap the top of the object.');
+  await tap(page, 0.5, 0.7);
+  await expect(result(page)).toContainText(/mm ± .* (above|below) the surface/);
+  const request = (await asked).postDataJSON() as MeasureRequest;
+  expect(request).toMatchObject({ tool: 'height', points: [{}] });
+  const drawn = [0.35 * 848, 0.62 * 480, 0.3 * 848, 0.18 * 480];
+  request.bbox!.forEach((value, i) => expect(Math.abs(value - drawn[i]!)).toBeLessThan(3));
+  // Another point above the same surface, and then another surface, by a tap.
+  await tap(page, 0.6, 0.65);
+  await expect(result(page)).toContainText(/mm ± .* (above|below) the surface/);
+  await expect(page.getByTestId('surface')).toBeVisible();
+  await page.getByTestId('measure-clear').click();
+  await expect(page.getByTestId('surface')).toHaveCount(0);
+  await tap(page, 0.4, 0.7);
+  expect(Number(await page.getByTestId('surface').getAttribute('width'))).toBe(64);
+  await page.getByTestId('measure-clear').click();
+
   // By keyboard, what is in the middle.
   await page.getByTestId('picture').focus();
   await page.keyboard.press('+');
   await page.keyboard.press('ArrowDown');
   await page.getByTestId('measure-middle').press('Enter');
+  await expect(page.getByTestId('mark-box')).toBeFocused();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Shift+ArrowRight');
+  await expectAccessible(page);
+  await page.keyboard.press('Enter');
+  await expect(page.getByTestId('surface')).toBeVisible();
+  await page.getByTestId('measure-middle').press('Enter');
   await expect(result(page)).toContainText(/mm ± .* (above|below) the surface/);
+  await page.getByTestId('picture').focus();
   await page.keyboard.press('0');
 
   await page.getByTestId('tool-profile').click();
@@ -53,6 +90,7 @@ const point = { position_m: [0, 0.6, 0], distance_m: 0.6, distance_uncertainty_m
 const answers: Record<string, Measurement> = {
   distance: { tool: 'distance', points: [point] as Measurement['points'] },
   length: { tool: 'length', points: [point, point] as Measurement['points'], length_mm: 123.42, length_uncertainty_mm: 0.83 },
+  height: { tool: 'height', points: [point] as Measurement['points'], height_mm: 12.34, height_uncertainty_mm: 0.83 },
   profile: {
     tool: 'profile', points: [point, point] as Measurement['points'],
     profile: [{ share: 0, along_mm: 0, height_mm: 0, height_uncertainty_mm: 0.4 }, { share: 0.5 }, { share: 1, along_mm: 50, height_mm: 6, height_uncertainty_mm: 0.4 }],
@@ -82,9 +120,18 @@ test('before and after the work', async ({ console: page }) => {
     await tap(page, 0.6, 0.7);
     await expect(page.getByTestId('profile')).toBeVisible();
     await expect(result(page)).toContainText('33 % not measured');
+    await page.getByTestId('tool-height').click();
+    const height = page.waitForRequest('**/rounds/1/views/0/measure');
+    await drag(page, [0.3, 0.3], [0.5, 0.6]);
+    await tap(page, 0.4, 0.45);
+    await expect(result(page)).toHaveText('12.3 mm ± 0.8 mm above the surface');
+    const { bbox, points } = (await height).postDataJSON() as ViewMeasureRequest;
+    expect(points).toHaveLength(1);
+    expect(Math.abs(bbox![2] - 0.2 * 848)).toBeLessThan(3);
     await expectTouchable(page);
     await expectAccessible(page);
     await page.getByTestId('measure-leave').click();
+    await expect(page.getByTestId('surface')).toHaveCount(0);
   }
 });
 

@@ -7,8 +7,9 @@ import { api, frozenAddress } from '../link/api';
 import { link } from '../link/live_link';
 import { Choice } from '../Choice';
 import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
-import { MeasureMarks, middleOf } from '../measure/MeasureMarks';
+import { MeasureMarks } from '../measure/MeasureMarks';
 import { useMeasuring } from '../measure/measuring';
+import { pickMiddle, useSurface } from '../measure/surface';
 import { MarkBar, MarkButton, useMarking } from '../picture/marking';
 import { shownPart, whole, type Zoom } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
@@ -88,9 +89,10 @@ export function LiveView({ children, onMark, mayExpose = false, mayKeep = false 
   const turning = status?.robot !== undefined && (status.robot.driving || status.robot.lent);
   const { frozen, toggle: freeze } = useFreeze(stream);
   const measuring = useMeasuring(
-    (tool, points) => api.measure({ stream, tool, points, ...(frozen && { frozen: frozen.frozen }) }),
+    (tool, points, bbox) => api.measure({ stream, tool, points, ...(bbox && { bbox }), ...(frozen && { frozen: frozen.frozen }) }),
     `${stream} ${frozen ? frozen.frozen : turning}`,
   );
+  const surface = useSurface(measuring, size);
   const [shape, setShape] = useState<PointingShape>('arrow');
   const pointing = usePointing(stream, shape, size);
   // Colour is exposed by an imager of its own.
@@ -108,7 +110,7 @@ export function LiveView({ children, onMark, mayExpose = false, mayKeep = false 
           <Choice label={words.live.shape} name="shape" options={shapes.map((one) => [one, words.live.shapes[one]])} value={shape} onPick={setShape} />
         </MarkBar>
       ) : measuring.active ? (
-        <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(liveZoom.value, size)))} />
+        <MeasureBar measuring={measuring} surface={surface} onMiddle={() => pickMiddle(measuring, surface, shownPart(liveZoom.value, size), size)} />
       ) : exposing && exposure ? (
         <ExposureBar exposure={exposure} onClose={() => setExposing(false)} />
       ) : (
@@ -176,7 +178,7 @@ export function LiveView({ children, onMark, mayExpose = false, mayKeep = false 
           </>
         }
         onTap={measuring.pick}
-        marking={pointing.active ? pointing : marking}
+        marking={surface.active ? surface : pointing.active ? pointing : marking}
       >
         <canvas ref={canvas} data-testid="live" aria-label={words.live.pictureOf[stream]} role="img" />
         {frozen && <img src={frozenAddress(frozen.frozen)} alt={words.live.frozenPicture} draggable={false} data-testid="frozen-picture" />}

@@ -16,13 +16,6 @@ function Label({ u, v, frame, text }: { u: number; v: number; frame: Frame; text
   );
 }
 
-// The lines that connect the points: a length or a profile between both ends, the three sides of a surface.
-function linesOf(tool: Measuring['tool'], points: Pixel[]): [Pixel, Pixel][] {
-  const [a, b, c] = points;
-  if (tool !== 'height') return a && b ? [[a, b]] : [];
-  return [a && b && [a, b], b && c && [b, c], a && c && [c, a]].filter((line) => line !== undefined) as [Pixel, Pixel][];
-}
-
 // Where the middle of the frame is, for selecting it.
 function Middle({ frame: { shown: [u, v, width, height], screen_px } }: { frame: Frame }) {
   const arm = 18 * screen_px;
@@ -30,18 +23,17 @@ function Middle({ frame: { shown: [u, v, width, height], screen_px } }: { frame:
 }
 
 export function MeasureMarks({ frame, measuring }: { frame: Frame; measuring: Measuring }) {
-  const { points, measured, tool, active } = measuring;
+  const { points, surface, measured, active } = measuring;
   const arm = 12 * frame.screen_px;
   const [a, b] = points;
   const last = points.at(-1);
-  const between = a && b && points.length === 2 && { u: (a.u + b.u) / 2, v: (a.v + b.v) / 2 };
+  const between = a && b && { u: (a.u + b.u) / 2, v: (a.v + b.v) / 2 };
   const label = between || last;
   return (
     <svg class="overlay" viewBox={frame.viewBox} aria-live="polite" data-testid="measure">
       {active && <Middle frame={frame} />}
-      {linesOf(tool, points).map(([from, to], i) => (
-        <line key={i} x1={from.u} y1={from.v} x2={to.u} y2={to.v} class="measure-line" />
-      ))}
+      {surface && <rect class="measure-surface" x={surface[0] - 0.5} y={surface[1] - 0.5} width={surface[2]} height={surface[3]} data-testid="surface" />}
+      {a && b && <line x1={a.u} y1={a.v} x2={b.u} y2={b.v} class="measure-line" />}
       {points.map(({ u, v }, i) => (
         <g key={i} class="measure-mark">
           <circle cx={u} cy={v} r={7 * frame.screen_px} />

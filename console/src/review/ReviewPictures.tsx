@@ -4,8 +4,9 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { api, pictureAddress } from '../link/api';
 import { MeasureBar, MeasureButton } from '../measure/MeasureBar';
-import { MeasureMarks, middleOf } from '../measure/MeasureMarks';
+import { MeasureMarks } from '../measure/MeasureMarks';
 import { useMeasuring, type Measuring } from '../measure/measuring';
+import { pickMiddle, useSurface } from '../measure/surface';
 import { MarkBar, MarkButton, useMarking, type Marking } from '../picture/marking';
 import { closeTo, shownPart, whole } from '../picture/zoom';
 import { ZoomButtons } from '../picture/ZoomButtons';
@@ -125,7 +126,7 @@ function ReviewBar({ inspection, view, marking, mayMark, measuring }: BarProps) 
 // Measures in the picture that is shown; while both alternate, in the one after the work.
 function useMeasureView(inspection: Inspection, view: number, before: boolean): Measuring {
   const side = before ? 'initial' : 'final';
-  const measuring = useMeasuring((tool, points) => api.measureView(inspection, view, { side, tool, points }), `${inspection.comparison} ${view} ${side}`);
+  const measuring = useMeasuring((tool, points, bbox) => api.measureView(inspection, view, { side, tool, points, ...(bbox && { bbox }) }), `${inspection.comparison} ${view} ${side}`);
   const begin = () => {
     if (review.value.moment === 'blink') show({ moment: 'after' });
     measuring.begin();
@@ -155,6 +156,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
   const marking = useMarking(onMark && ((box) => onMark(box, view)));
   useCloser(here?.finding, state.closer, size);
   const measuring = useMeasureView(inspection, view, before);
+  const surface = useSurface(measuring, size);
   const pick = (at: Pixel, { screen_px }: Frame) => {
     if (measuring.active) return measuring.pick(at);
     const hit = state.findings && findingAt(marked, at, screen_px);
@@ -165,7 +167,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
       {marking.active ? (
         <MarkBar marking={marking} size={size} zoom={reviewZoom} />
       ) : measuring.active ? (
-        <MeasureBar measuring={measuring} onMiddle={() => measuring.pick(middleOf(shownPart(reviewZoom.value, size)))} />
+        <MeasureBar measuring={measuring} surface={surface} onMiddle={() => pickMiddle(measuring, surface, shownPart(reviewZoom.value, size), size)} />
       ) : (
         <ReviewBar inspection={inspection} view={view} marking={marking} mayMark={onMark !== undefined} measuring={measuring} />
       )}
@@ -186,7 +188,7 @@ export function ReviewPictures({ inspection, onMark }: Props) {
           </>
         }
         onTap={pick}
-        marking={marking}
+        marking={surface.active ? surface : marking}
       >
         <Layers inspection={inspection} view={view} before={before} found={found} />
       </ZoomPicture>

@@ -510,11 +510,12 @@ export const de: Words = {
     below: (height) => `${height} unter der Fläche`,
     chart: 'Höhen entlang der Linie',
     clear: 'Löschen',
+    drawAgain: 'Neu zeichnen',
     gaps: (share) => `; ${share} nicht gemessen`,
     guides: {
       distance: ['Punkt antippen: Entfernung von der Kamera.'],
       length: ['Das erste Ende antippen.', 'Das andere Ende antippen.'],
-      height: ['Drei Punkte der Fläche antippen: den ersten.', 'Den zweiten Punkt der Fläche.', 'Den dritten Punkt der Fläche.', 'Den Punkt über der Fläche antippen.'],
+      height: ['Jetzt die höchste Stelle des Gegenstands antippen.'],
       profile: ['Das erste Ende der Linie antippen.', 'Ihr anderes Ende antippen.'],
     },
     leave: 'Fertig',
@@ -523,6 +524,9 @@ export const de: Words = {
     nearEdge: ' (nahe einer Kante, wo die Kamera die Fläche daneben zeigen kann)',
     nothing: 'entlang dieser Linie ist nichts gemessen',
     profile: (highest, lowest) => `höchster Punkt ${highest}, tiefster ${lowest}`,
+    surfaceGuide: 'Ein Rechteck über die ebene Fläche ziehen, neben dem Gegenstand oder um ihn herum.',
+    surfaceMiddle: 'Rechteck in der Mitte',
+    takeSurface: 'Diese Fläche nehmen',
     tools: { distance: 'Entfernung', length: 'Länge', height: 'Höhe', profile: 'Profil' },
   },
 

@@ -513,11 +513,12 @@ export const en = {
     below: (height: string) => `${height} below the surface`,
     chart: 'Heights along the line',
     clear: 'Clear',
+    drawAgain: 'Draw again',
     gaps: (share: string) => `; ${share} not measured`,
     guides: {
       distance: ['Tap a point for its distance from the camera.'],
       length: ['Tap the first end.', 'Tap the other end.'],
-      height: ['Tap three points of the surface: the first.', 'The second point of the surface.', 'The third point of the surface.', 'Tap the point above the surface.'],
+      height: ['Now tap the top of the object.'],
       profile: ['Tap the first end of the line.', 'Tap its other end.'],
     },
     leave: 'Done',
@@ -526,6 +527,9 @@ export const en = {
     nearEdge: ' (near an edge, where the camera may show the surface beside it)',
     nothing: 'nothing is measured along this line',
     profile: (highest: string, lowest: string) => `highest ${highest}, lowest ${lowest}`,
+    surfaceGuide: 'Drag a rectangle over the flat surface, beside the object or around it.',
+    surfaceMiddle: 'Rectangle in the middle',
+    takeSurface: 'Take this surface',
     tools: { distance: 'Distance', length: 'Length', height: 'Height', profile: 'Profile' },
   },
 
