@@ -21,6 +21,7 @@ const keysOf: Record<Page | 'list', Key[]> = {
   list: ['picture', 'drive', 'stop'],
   live: ['picture', 'drive', 'stop'],
   regions: ['region', 'drive', 'stop'],
+  plan: ['picture', 'drive', 'stop'],
   review: ['decide', 'next', 'undo', 'picture', 'drive', 'stop'],
   space: ['turn', 'move', 'zoom', 'all', 'next', 'decide', 'undo', 'drive', 'stop'],
 };
