@@ -14,8 +14,8 @@
 namespace rva {
 namespace {
 
-constexpr int captures = 4;
-constexpr int frames = 10;
+constexpr int side_captures = 4;
+constexpr int side_frames = 10;
 
 bool touches(const LoosePiece& piece, const std::vector<std::uint32_t>& pixels, int width, int within_px) {
   const Box& box = piece.box;
@@ -63,15 +63,15 @@ PlannedInspection inspect(const StudyOptions& options, std::uint64_t seed) {
   const PlannedBay bay = random_planned_bay(seed);
   const StereoSensorOptions sensor = options.sensor(seed);
   const RobotSideOptions before_options{
-      .captures = captures, .frames = frames, .rest_error_deg = half_a_step_deg};
+      .captures = side_captures, .frames = side_frames, .rest_error_deg = half_a_step_deg};
   RobotSideOptions after_options = before_options;
-  after_options.baseline = Baseline{room.path() / "before", static_cast<std::size_t>(captures), {}};
+  after_options.baseline = Baseline{room.path() / "before", static_cast<std::size_t>(side_captures), {}};
   const RobotSide before =
       take_by_robot(bay.before, sensor, before_options, mix(seed, 1), room.path() / "before");
   const RobotSide after =
       take_by_robot(bay.after, sensor, after_options, mix(seed, 2), room.path() / "after");
-  const Captures initial = before.open(captures);
-  const Captures final = after.open(captures);
+  const Captures initial = before.open(side_captures);
+  const Captures final = after.open(side_captures);
   const Detection detection = detect(initial, final, {}, {}).detection;
   const ComparedCameras cameras{initial.front()->info().depth, final.front()->info().depth};
   const std::vector<Target> lost = visible_targets(camera_at(bay.after, sensor, after.rested.front()));

@@ -14,9 +14,9 @@ constexpr double logit_of_nine_tenths = 2.1972245773362196;  // ln 9
 
 /// The likelihood of logistic curves, parametrised by their slope and the size `a90` at which their
 /// probability is 90 %.
-class Likelihood {
+class HitLikelihood {
  public:
-  explicit Likelihood(std::span<const DetectionTrial> trials) {
+  explicit HitLikelihood(std::span<const DetectionTrial> trials) {
     for (const DetectionTrial& trial : trials) {
       ln_sizes_.push_back(std::log(trial.size_mm));
       signs_.push_back(trial.found ? -1.0 : 1.0);
@@ -75,7 +75,7 @@ struct Profile {
   std::vector<double> ln_a90;
   std::vector<double> log_likelihood;
 
-  Profile(const Likelihood& likelihood, double least_mm, double most_mm) {
+  Profile(const HitLikelihood& likelihood, double least_mm, double most_mm) {
     constexpr int steps = 400;
     for (int i = 0; i <= steps; ++i) {
       ln_a90.push_back(std::lerp(std::log(least_mm), std::log(most_mm), static_cast<double>(i) / steps));
@@ -108,7 +108,7 @@ std::optional<DetectionSizes> fit_detection_sizes(std::span<const DetectionTrial
       std::ranges::minmax(trials | std::views::transform(&DetectionTrial::size_mm));
   if (smallest >= largest) return std::nullopt;
   const double least_mm = smallest / beyond;
-  const Likelihood likelihood(trials);
+  const HitLikelihood likelihood(trials);
   const Profile profile(likelihood, least_mm, largest * beyond);
   const std::size_t best = profile.best();
   const double ln_a90 = profile.ln_a90[best];

@@ -50,7 +50,7 @@ std::string kind_of(const RecordedScene& scene, const RecordedResult& result) {
 }
 
 /// The rows of the table.
-struct Rows {
+struct ResultRows {
   std::vector<TableColumn> keys{{"scene"}, {"captures"}, {"allowed"}};
   std::vector<TableColumn> columns{
       {"false each"}, {"found of those over 120 px"}, {"all found"}, {"refused"}};
@@ -98,7 +98,7 @@ Json json_of(const RecordedInspection& inspection) {
 }  // namespace
 
 std::string to_table(const std::vector<RecordedInspection>& inspections) {
-  Rows rows;
+  ResultRows rows;
   std::map<std::pair<std::string, double>, Counts> totals;
   for (const RecordedInspection& inspection : inspections) {
     for (const RecordedResult& result : inspection.results) {
