@@ -22,6 +22,20 @@ test('a frozen picture stands still, is measured, and is kept with a note', asyn
   await expect(page.getByTestId('snapshot-form')).toHaveCount(0);
   await page.getByTestId('snapshots').getByText('1 snapshot').click();
   await expect(page.getByTestId('snapshots')).toContainText('is this a crack? · Ann');
+  // However many there are, the button for the next step stays where it is seen.
+  for (let i = 0; i < 6; ++i)
+    await page.evaluate(() => fetch('/api/inspections/1/snapshots', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ stream: 'color', note: 'another', person: 'Ann' }) }));
+  await page.reload();
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 820, height: 1180 }]) {
+    await page.setViewportSize(viewport);
+    if (viewport.width > viewport.height) await page.getByTestId('snapshots').getByText('7 snapshots').click();
+    const list = (await page.getByTestId('snapshots').boundingBox())!;
+    const end = viewport.width > viewport.height ? viewport.height : (await page.locator('footer').boundingBox())!.y;
+    expect(list.y + list.height, 'not cut off').toBeLessThanOrEqual(end);
+    await expect(page.getByTestId('capture-initial')).toBeInViewport({ ratio: 1 });
+  }
+  await page.getByTestId('freeze').click();
+  await expect(page.getByTestId('frozen')).toBeVisible();
   await page.getByTestId('freeze').click();
   await expect(page.getByTestId('frozen')).toHaveCount(0);
 });
@@ -52,6 +66,18 @@ test('a viewer points at something, and everybody sees it with the name', async 
   await expert.mouse.up();
   for (const page of [ann, expert]) await expect(page.getByTestId('pointed')).toContainText('expert');
   expect(await ann.getByTestId('pointed').locator('path').count()).toBeGreaterThan(0);
+  // At the edges, the name stays within the picture.
+  for (const [x, y] of [[0.01, 0.5], [0.99, 0.3], [0.5, 0.02]] as const) {
+    await expert.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    await expert.waitForTimeout(400);
+  }
+  await expect(expert.getByTestId('pointed').locator('text')).toHaveCount(4);
+  for (const name of await expert.getByTestId('pointed').locator('text').all()) {
+    const text = (await name.boundingBox())!;
+    expect(text.x).toBeGreaterThanOrEqual(box.x - 1);
+    expect(text.x + text.width).toBeLessThanOrEqual(box.x + box.width + 1);
+    expect(text.y).toBeGreaterThanOrEqual(box.y - 1);
+  }
   // By keyboard, a circle in the middle.
   await expert.getByTestId('shape-circle').click();
   await expert.getByTestId('mark-middle').press('Enter');

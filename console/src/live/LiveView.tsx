@@ -106,7 +106,7 @@ export function LiveView({ children, onMark, mayExpose = false, mayKeep = false 
       {marking.active ? (
         <MarkBar marking={marking} size={size} zoom={liveZoom} />
       ) : pointing.active ? (
-        <MarkBar marking={pointing} size={size} zoom={liveZoom} guide={words.live.pointGuide}>
+        <MarkBar marking={pointing} size={size} zoom={liveZoom} texts={words.live.pointTexts}>
           <Choice label={words.live.shape} name="shape" options={shapes.map((one) => [one, words.live.shapes[one]])} value={shape} onPick={setShape} />
         </MarkBar>
       ) : measuring.active ? (

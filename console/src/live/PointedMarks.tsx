@@ -20,6 +20,22 @@ function Shape({ mark, size, px }: { mark: Pointed; size: Size; px: number }) {
   return <path d={`M${u1} ${v1}L${u2} ${v2}${wing(0.5)}M${u2} ${v2}${wing(-0.5)}`} />;
 }
 
+// Above the shape, or below it where the picture that is shown ends; never beyond its sides.
+function Name({ mark, size, frame }: { mark: Pointed; size: Size; frame: Frame }) {
+  const [left, top, width] = frame.shown;
+  const px = frame.screen_px;
+  const u = size.width * (mark.shape === 'circle' ? (mark.from.x + mark.to.x) / 2 : mark.from.x);
+  const [highest, lowest] = [size.height * Math.min(mark.from.y, mark.to.y), size.height * Math.max(mark.from.y, mark.to.y)];
+  const hasRoom = highest - 50 * px > top;
+  const sides = 0.15 * width;
+  const anchor = u < left + sides ? 'start' : u > left + width - sides ? 'end' : 'middle';
+  return (
+    <text x={u} y={hasRoom ? highest - 28 * px : lowest + 48 * px} text-anchor={anchor} font-size={20 * px} stroke-width={5 * px}>
+      {mark.name || words.page.somebody}
+    </text>
+  );
+}
+
 interface Props {
   stream: Stream;
   frame: Frame;
@@ -44,9 +60,7 @@ export function PointedMarks({ stream, frame, size }: Props) {
             <Shape mark={mark} size={size} px={px} />
           </g>
           <Shape mark={mark} size={size} px={px} />
-          <text x={mark.from.x * size.width} y={Math.min(mark.from.y, mark.to.y) * size.height - 26 * px} text-anchor="middle" font-size={20 * px} stroke-width={5 * px}>
-            {mark.name || words.page.somebody}
-          </text>
+          <Name mark={mark} size={size} frame={frame} />
         </g>
       ))}
     </svg>

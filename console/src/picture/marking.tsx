@@ -67,14 +67,15 @@ interface BarProps {
   marking: Marking;
   size: Size;
   zoom: Store<Zoom>;
-  /** What to do. */
-  guide?: string;
+  /** What to do, and what its buttons do; by default that something is marked. */
+  texts?: typeof words.live.pointTexts;
   /** Further choices. */
   children?: ComponentChildren;
 }
 
 /** Takes the place of the bar above the picture while something is marked. */
-export function MarkBar({ marking, size, zoom, guide = words.picture.guide, children }: BarProps) {
+export function MarkBar({ marking, size, zoom, texts, children }: BarProps) {
+  const { guide, middle, confirm, leave } = texts ?? words.picture.markTexts;
   const { draft, byKeys } = marking;
   const begin = () => marking.setDraft(boxInMiddle(shownPart(zoom.value, size), size), true);
   return (
@@ -84,16 +85,16 @@ export function MarkBar({ marking, size, zoom, guide = words.picture.guide, chil
       </span>
       {byKeys && draft ? (
         <button type="button" class="primary" data-testid="mark-confirm" onClick={() => marking.finish(draft)}>
-          {words.picture.markThis}
+          {confirm}
         </button>
       ) : (
         <button type="button" data-testid="mark-middle" onClick={begin}>
-          {words.picture.markInMiddle}
+          {middle}
         </button>
       )}
       {children}
       <button type="button" data-testid="mark-leave" onClick={marking.leave}>
-        {words.page.cancel}
+        {leave}
       </button>
     </div>
   );
