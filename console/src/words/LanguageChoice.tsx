@@ -1,4 +1,4 @@
-// All languages, each named in itself, for the page on which nothing else tells a person where to change it.
+// All languages, each named in itself: on the page of the sign-in, nothing else shows where to change it.
 import { trouble } from '../inspection/inspections';
 import { refusalOf } from '../link/refusal';
 import { useStore } from '../store';
