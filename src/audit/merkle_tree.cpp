@@ -1,8 +1,11 @@
 #include "audit/merkle_tree.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <string>
+#include <tuple>
 
 namespace rva {
 namespace {
@@ -46,12 +49,20 @@ struct Climb {
   }
 };
 
+// Whether a tree of no leaves, or of as many leaves as another, is a prefix of it: this needs no proof.
+bool is_empty_or_same(const TreeHead& old_tree, const TreeHead& new_tree) {
+  if (old_tree.size == new_tree.size) return old_tree.root == new_tree.root;
+  return old_tree.size == 0 && old_tree.root == tree_root({});
+}
+
 }  // namespace
 
 Digest leaf_hash(std::string_view entry) { return sha256(std::string(1, '\0').append(entry)); }
 
 Digest node_hash(const Digest& left, const Digest& right) {
-  return sha256(std::string(1, '\1').append(bytes_of(left)).append(bytes_of(right)));
+  std::array<unsigned char, 1 + 2 * std::tuple_size_v<Digest>> bytes{1};
+  std::copy(right.begin(), right.end(), std::copy(left.begin(), left.end(), bytes.begin() + 1));
+  return sha256(bytes_of(bytes));
 }
 
 Digest tree_root(std::span<const Digest> leaves) {
@@ -98,16 +109,16 @@ bool is_included(const Digest& leaf, std::uint64_t index, const TreeHead& tree,
 }
 
 bool is_consistent(const TreeHead& old_tree, const TreeHead& new_tree, std::span<const Digest> proof) {
-  if (old_tree.size > new_tree.size) return false;
-  if (old_tree.size == new_tree.size) return proof.empty() && old_tree.root == new_tree.root;
-  if (old_tree.size == 0) return proof.empty() && old_tree.root == tree_root({});
-  const bool starts_with_old_root = std::has_single_bit(old_tree.size);
-  if (proof.empty() && !starts_with_old_root) return false;
+  if (old_tree.size == 0 || old_tree.size >= new_tree.size)
+    return proof.empty() && is_empty_or_same(old_tree, new_tree);
+  std::vector<Digest> path(proof.begin(), proof.end());
+  if (std::has_single_bit(old_tree.size)) path.insert(path.begin(), old_tree.root);
+  if (path.empty()) return false;
   Climb climb{old_tree.size - 1, new_tree.size - 1};
   while (is_odd(climb.index)) climb.rise();
-  Digest old_root = starts_with_old_root ? old_tree.root : proof.front();
-  Digest new_root = old_root;
-  for (const Digest& sibling : starts_with_old_root ? proof : proof.subspan(1)) {
+  Digest old_root = path.front();
+  Digest new_root = path.front();
+  for (const Digest& sibling : std::span(path).subspan(1)) {
     if (climb.last == 0) return false;
     if (climb.sibling_is_left()) {
       old_root = node_hash(sibling, old_root);

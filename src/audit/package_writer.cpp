@@ -9,6 +9,7 @@
 #include "audit/envelope.hpp"
 #include "audit/package_files.hpp"
 #include "audit/site_log.hpp"
+#include "core/durability.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 
@@ -52,9 +53,9 @@ std::vector<PublicKey> public_keys_of(const std::vector<SigningKey>& keys) {
 void seal_package(const fs::path& folder, const StatedInspection& inspection, const std::string& made_at,
                   const PackageSigning& signing) {
   using namespace package_file;
-  const std::set<std::string> payload = files_in(folder);
+  const std::set<std::string> content = files_in(folder);
   write_file(folder / declaration, bag_declaration);
-  write_file(folder / information, information_text(folder, inspection, made_at, payload));
+  write_file(folder / information, information_text(folder, inspection, made_at, content));
   const std::vector<PublicKey> signer_keys = public_keys_of(signing.signers);
   const PublicKey& key_of_log = signing.log_key.public_key();
   const Statement statement{inspection, made_at, verifier_keys_of(signer_keys), verifier_key(key_of_log),
@@ -66,10 +67,11 @@ void seal_package(const fs::path& folder, const StatedInspection& inspection, co
   write_file(folder / envelope, text_of(envelope_of_statement));
   write_file(folder / signers, key_lines(signer_keys));
   write_file(folder / log_key, key_lines({key_of_log}));
+  sync_tree(folder);  // a full disk has to be noticed before the log has the record
   const Digest leaf = record_leaf(envelope_of_statement.payload_type, envelope_of_statement.payload);
   write_file(folder / proof, text_of(append_to_log(signing.log, leaf, signing.log_key)));
   std::set<std::string> tags = files_in(folder);
-  for (const std::string& file : payload) tags.erase(file);
+  for (const std::string& file : content) tags.erase(file);
   write_file(folder / tag_manifest, manifest_text(digests_of(folder, tags)));
 }
 

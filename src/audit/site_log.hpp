@@ -28,7 +28,7 @@ struct SiteLog {
 [[nodiscard]] SiteLog read_log(const std::filesystem::path& folder, const PublicKey& key);
 
 /// Appends a record and signs the new checkpoint; creates the log where there is none. Takes time and memory
-/// in proportion to the number of records: a second and 100 MB for a million.
+/// in proportion to the number of records: some seconds and 200 MB for a million.
 /// @return the proof that the record is in the log
 /// @throws Error when the log is damaged, of another key, used by another program or cannot be written; the
 ///         record is then not in it

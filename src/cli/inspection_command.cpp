@@ -44,9 +44,9 @@ SigningKey signing_key(const std::string& file) {
 PackageSigning signing_from(const ExportArguments& arguments) {
   std::vector<SigningKey> signers;
   for (const std::string& file : arguments.keys) signers.push_back(signing_key(file));
-  SigningKey log_key = arguments.log_key.empty() ? signers.front() : signing_key(arguments.log_key);
-  fs::path log = arguments.log.empty() ? fs::path(arguments.data) / "log" : fs::path(arguments.log);
-  return {std::move(signers), std::move(log_key), std::move(log)};
+  const SigningKey log_key = arguments.log_key.empty() ? signers.front() : signing_key(arguments.log_key);
+  const fs::path log = arguments.log.empty() ? fs::path(arguments.data) / "log" : fs::path(arguments.log);
+  return {signers, log_key, log};
 }
 
 // A log of another key is refused before a large inspection is copied.
