@@ -25,9 +25,9 @@ struct EnvelopeSignature {
 
 /// An envelope. Nothing in it may be believed before signers_of() has named somebody who is trusted.
 struct Envelope {
-  std::string payload_type;  ///< UTF-8
-  std::string payload;       ///< any bytes
-  std::vector<EnvelopeSignature> signatures;
+  std::string payload_type;                   ///< UTF-8
+  std::string payload;                        ///< any bytes
+  std::vector<EnvelopeSignature> signatures;  ///< in their order, of any number
 };
 
 /// Reads the JSON of an envelope. Unknown fields are ignored; base64 may be of either alphabet.

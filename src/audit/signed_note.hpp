@@ -22,8 +22,8 @@ struct NoteSignature {
 
 /// A note. Nothing in it may be believed before signers_of() has named somebody who is trusted.
 struct SignedNote {
-  std::string text;  ///< UTF-8, ends with a line feed; no other control characters
-  std::vector<NoteSignature> signatures;
+  std::string text;                       ///< UTF-8, ends with a line feed; no other control characters
+  std::vector<NoteSignature> signatures;  ///< in their order; at least one if it was parsed
 };
 
 /// Reads a note. At most 100 signatures and 1 MiB are accepted.

@@ -108,7 +108,7 @@ TEST_F(KeyFileTest, KeysAreNeverReplaced) {
 }
 
 TEST_F(KeyFileTest, PasswordsOfAWrongLengthLeaveNothing) {
-  for (const std::size_t length : {0, 7, 257})
+  for (const std::size_t length : {0U, 7U, 257U})
     EXPECT_THROW(write_key_files(file_, key_, std::string(length, 'x'), cheap), Error);
   EXPECT_TRUE(fs::is_empty(folder_.path()));
   EXPECT_THROW(write_key_files(folder_ / "none" / "key", key_, std::nullopt), Error);
