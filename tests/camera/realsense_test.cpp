@@ -11,6 +11,7 @@
 #include <librealsense2/hpp/rs_internal.hpp>
 #include <map>
 #include <thread>
+#include <tuple>
 
 #include "camera/live_camera.hpp"
 #include "camera/realsense/realsense_camera.hpp"

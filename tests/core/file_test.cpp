@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iterator>
+
 #include "core/error.hpp"
 #include "tests/temporary_folder.hpp"
 

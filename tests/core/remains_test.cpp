@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <iterator>
+
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/output_folder.hpp"
