@@ -31,7 +31,7 @@ export function PlanEditor({ inspection, session }: { inspection: Inspection; se
   return (
     <section class="view" aria-label={words.plan.title}>
       {marking.active ? (
-        <MarkBar marking={marking} size={size} zoom={planZoom} guide={words.plan.guide} />
+        <MarkBar marking={marking} size={size} zoom={planZoom} texts={words.plan.drawTexts} />
       ) : (
         <div class="view-bar">
           {views.length > 1 && <Choice label={words.page.viewLabel} name="plan-view" options={views} value={String(view)} onPick={(next) => change({ view: Number(next), drawn: null })} />}
