@@ -61,7 +61,8 @@ export function PlanPanel({ inspection, session }: { inspection: Inspection; ses
   const mayChange = session.role !== 'viewer' && !busy && !inspection.closing;
   return (
     <>
-      <div class="panel-body">
+      {/* It may scroll while nothing in it can be focused. */}
+      <div class="panel-body" tabIndex={0}>
         <div class="card" data-testid="plan-panel">
           <h2>{words.plan.title}</h2>
           <p>{words.plan.purpose}</p>
