@@ -195,9 +195,15 @@ TEST_F(Standing, FindingsAreComparedWithThePlanOfTheirView) {
     return std::vector<PlanPoint>{
         {{u - 20, v - 20}}, {{u + 20, v - 20}}, {{u + 20, v + 20}}, {{u - 20, v + 20}}};
   };
-  Plan plan{PlanCoordinates::pixels,
-            {{.name = "box", .height_mm = {10, 15}, .areas = {square(80, 60)}},
-             {.name = "bracket", .height_mm = {20, 25}, .places = {{{130, 90}}}}}};
+  PlannedItem box;
+  box.name = "box";
+  box.height_mm = {10, 15};
+  box.areas = {square(80, 60)};
+  PlannedItem bracket;
+  bracket.name = "bracket";
+  bracket.height_mm = {20, 25};
+  bracket.places = {{{130, 90}}};
+  const Plan plan{PlanCoordinates::pixels, {box, bracket}};
   EXPECT_THROW(inspector_->set_plan(id, 0, &plan), Error) << "there is no picture to draw on";
   take(id, Side::initial);
   EXPECT_THROW(inspector_->set_plan(id, 1, &plan), Error) << "no such view";

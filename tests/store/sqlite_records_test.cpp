@@ -156,8 +156,12 @@ TEST_F(Kept, AThingThatWasMovedNamesWhereItWas) {
 
 TEST_F(Kept, APlanIsOfItsViewAndMakesAComparisonOutdated) {
   const std::int64_t id = add();
-  const Plan plan{PlanCoordinates::pixels,
-                  {{.name = "collars", .count = 2, .height_mm = {8, 10}, .places = {{{5, 6}}, {{50, 6}}}}}};
+  PlannedItem collars;
+  collars.name = "collars";
+  collars.count = 2;
+  collars.height_mm = {8, 10};
+  collars.places = {{{5, 6}}, {{50, 6}}};
+  const Plan plan{PlanCoordinates::pixels, {collars}};
   records_->set_comparison(id, comparison(1), {}, {});
   records_->set_plan(id, 1, &plan);
   open();
