@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/clock.hpp"
+#include "core/json_object.hpp"
 #include "server/password.hpp"
 #include "tests/eventually.hpp"
 #include "tests/server/served.hpp"

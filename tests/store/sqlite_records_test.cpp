@@ -179,7 +179,8 @@ TEST_F(Kept, AComparisonStatesWhatItFoundOfThePlan) {
   missing.planned = PlannedState::missing;
   missing.planned_item = "collars";
   const PlannedWork work{"collars", ChangeKind::added, 24, 22, 1, 1};
-  ComparedView view{.view = 0, .method = "spatial"};
+  ComparedView view;
+  view.method = "spatial";
   view.planned = {work};
   records_->set_comparison(id, comparison(1), {view}, {missing, finding(2)});
   open();
