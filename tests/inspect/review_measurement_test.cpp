@@ -38,7 +38,8 @@ class Compared : public testing::Test {
   [[nodiscard]] MapMeasurement in_map(const std::array<Eigen::Vector3d, 2>& points_m,
                                       int comparison = 1) const {
     return measure_in_map(inspector_.folder(1), inspector_.inspection(1),
-                          inspector_.comparison(1, comparison).value(), inspector_.chain(), points_m, options_);
+                          inspector_.comparison(1, comparison).value(), inspector_.chain(), points_m,
+                          options_);
   }
   [[nodiscard]] Eigen::Vector3d in_foot_m(double u, double v, double depth_m) const {
     return foot_from_camera(inspector_.chain(), {}) *
