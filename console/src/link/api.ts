@@ -103,7 +103,7 @@ export const api = {
     send<CloseRequest, Inspection>('POST', `/api/inspections/${id}/close`, { comparison, note, person }),
   checkReadiness: () => post<Empty>('/api/readiness'),
   cancel: () => post<Empty>('/api/cancel'),
-  /** Sets the exposure of the infrared imagers; refused while the camera is being used. */
+  /** Sets the exposure of the infrared imagers; refused during a capture. */
   setExposure: (request: ExposureRequest) => send<ExposureRequest, Empty>('PUT', '/api/camera/exposure', request),
   measure: (request: MeasureRequest) => send<MeasureRequest, Measurement>('POST', '/api/measure', request),
   /** Keeps the live picture still, for measuring and for a snapshot. */

@@ -39,7 +39,7 @@ export function PartForm({ inspection, view, drawn }: { inspection: Inspection; 
         <input value={name} required maxLength={200} placeholder={words.plan.nameExample} data-testid="part-name" onInput={(event) => setName(event.currentTarget.value)} />
       </label>
       <Choice label={words.plan.kind} name="part-kind" options={kinds} value={kind} onPick={setKind} />
-      <div class="panel-pair">
+      <div class="part-numbers">
         <NumberField name="count" label={words.plan.count} value={count} step="1" onValue={setCount} />
         {kind !== 'appearance' && (
           <>

@@ -118,7 +118,7 @@ export const de: Words = {
     automatic: 'Automatisch',
     depthScale: (low_m, high_m) => `Farben der Tiefe: blau bis ${low_m} Meter, rot ab ${high_m} Meter, schwarz ohne Messwert`,
     exposure: 'Belichtung',
-    exposureHelp: 'Der Infrarotkameras, aus deren Bildern die Tiefe berechnet wird. Weiße Stellen sind zu hell, dunkle rauschen: an beiden fehlt Tiefe.',
+    exposureHelp: 'Eingestellt werden die Infrarotkameras, aus deren Bildern die Tiefe berechnet wird. Weiße Stellen sind zu hell, dunkle rauschen: an beiden fehlt Tiefe.',
     exposureTime: 'Zeit',
     fixed: 'Fest',
     freeze: 'Einfrieren',

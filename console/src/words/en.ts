@@ -120,7 +120,7 @@ export const en = {
     automatic: 'Automatic',
     depthScale: (low_m: string, high_m: string) => `Depth colours: blue up to ${low_m} metres, red from ${high_m} metres, black where no depth was measured`,
     exposure: 'Exposure',
-    exposureHelp: 'Of the infrared imagers, from whose pictures depth is computed. White areas are too bright, dark ones are noisy: both lose depth.',
+    exposureHelp: 'The infrared imagers, from whose pictures depth is computed, are set. White areas are too bright, dark ones are noisy: both lose depth.',
     exposureTime: 'Time',
     fixed: 'Fixed',
     freeze: 'Freeze',
