@@ -155,7 +155,7 @@ void RealSenseCamera::open() {
     const auto asked_hz = static_cast<int>(options_.rate_hz);
     // Some cameras have no colour; a slow port does not allow high rates, or infrared images as well.
     for (const int rate_hz : {asked_hz, 15, 10, 6}) {
-      for (const auto [color, infrared] :
+      for (const auto& [color, infrared] :
            {std::pair(true, true), {false, true}, {true, false}, {false, false}}) {
         if (infrared && !options_.infrared) continue;
         const rs2::config config = streams(serial_, rate_hz, color, infrared);

@@ -56,8 +56,8 @@ std::optional<ExposureControl> read_exposure(const rs2::sensor& depth_sensor, do
     return std::nullopt;
   const auto value = [&](rs2_option option) { return static_cast<double>(depth_sensor.get_option(option)); };
   const auto range = [&](rs2_option option) {
-    const rs2::option_range range = depth_sensor.get_option_range(option);
-    return SettingRange{static_cast<double>(range.min), static_cast<double>(range.max)};
+    const rs2::option_range accepted = depth_sensor.get_option_range(option);
+    return SettingRange{static_cast<double>(accepted.min), static_cast<double>(accepted.max)};
   };
   ExposureControl control;
   control.set = {.automatic = depth_sensor.supports(RS2_OPTION_ENABLE_AUTO_EXPOSURE) &&
