@@ -103,6 +103,18 @@ Json json_of(const ComparedView& view) {
   return json;
 }
 
+void add_heights(const Finding& finding, Json& json) {
+  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.above_surroundings_mm) {
+    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
+    if (finding.height_mm) json["background_jump"] = finding.background_jump;
+  }
+  if (finding.top_above_surroundings_mm) {
+    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
+    json["top_is_least"] = finding.top_is_least;
+  }
+}
+
 template <typename Values>
 Json json_list(const Values& values) {
   Json list = Json::array();
@@ -138,15 +150,7 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (finding.position_m) json["position_m"] = list_of(*finding.position_m);
   if (reviewed.in_foot_m) json["in_foot_m"] = list_of(*reviewed.in_foot_m);
   if (finding.size_mm) json["size_mm"] = *finding.size_mm;
-  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
-  if (finding.above_surroundings_mm) {
-    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
-    if (finding.height_mm) json["background_jump"] = finding.background_jump;
-  }
-  if (finding.top_above_surroundings_mm) {
-    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
-    json["top_is_least"] = finding.top_is_least;
-  }
+  add_heights(finding, json);
   if (reviewed.clear_px) json["clear_px"] = *reviewed.clear_px;
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
