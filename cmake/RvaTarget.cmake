@@ -37,14 +37,6 @@ function(rva_library name)
   target_precompile_headers(${name} REUSE_FROM rva_precompiled)
 endfunction()
 
-# rva_join_sources(NAME): compiles several files of a target together. nlohmann_json and CLI11 are templates that each
-# file instantiates anew: joined, the files that use them most take a third of the time. A name in an unnamed namespace
-# must differ from those of the other files of its folder.
-option(RVA_JOIN_SOURCES "Compile files that use large templates together" ON)
-function(rva_join_sources name)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${RVA_JOIN_SOURCES} UNITY_BUILD_BATCH_SIZE 10)
-endfunction()
-
 # OpenCV's headers cause warnings under -Wconversion, so they are included as system headers.
 add_library(rva_opencv INTERFACE)
 target_include_directories(rva_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
