@@ -108,7 +108,7 @@ constexpr std::array<std::pair<const char*, Change>, 10> changes_of_files{
      {"renamed file", rename_file},
      {"repeated line", repeat_line}}};
 
-// Makes both manifests anew, as somebody would who wants to cover a change.
+// Writes both manifests again, so that they fit a changed package: an attacker's way to hide the change.
 void cover(Contents& contents) {
   FileDigests payload;
   FileDigests tags;

@@ -12,7 +12,7 @@ async function openMap(page: Page): Promise<void> {
 
 test('keys turn, move and zoom the map, show all of it again, and do not turn the camera', async ({ console: page }) => {
   await openReview(page);
-  // Somebody who has the controls, and would turn the camera with the same keys.
+  // With the controls taken, the same keys would turn the camera.
   await page.getByTestId('page-live').click();
   await page.getByTestId('take').click();
   await expect(page.getByTestId('release')).toBeVisible();

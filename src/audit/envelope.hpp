@@ -23,7 +23,7 @@ struct EnvelopeSignature {
   friend bool operator==(const EnvelopeSignature&, const EnvelopeSignature&) = default;
 };
 
-/// An envelope. Nothing in it may be believed before signers_of() has named somebody who is trusted.
+/// An envelope. Do not rely on its content before signers_of() has returned a trusted key.
 struct Envelope {
   std::string payload_type;                   ///< UTF-8
   std::string payload;                        ///< any bytes

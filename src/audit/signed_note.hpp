@@ -20,7 +20,7 @@ struct NoteSignature {
   friend bool operator==(const NoteSignature&, const NoteSignature&) = default;
 };
 
-/// A note. Nothing in it may be believed before signers_of() has named somebody who is trusted.
+/// A note. Do not rely on its content before signers_of() has returned a trusted key.
 struct SignedNote {
   std::string text;                       ///< UTF-8, ends with a line feed; no other control characters
   std::vector<NoteSignature> signatures;  ///< in their order; at least one if it was parsed

@@ -35,7 +35,7 @@ class PackageTest : public testing::Test {
     std::string text = read_text_file(path(file));
     write_file(path(file), text.replace(text.find(from), from.size(), to));
   }
-  // The tag manifest made anew, as somebody would who covers a change.
+  // The tag manifest is written again to fit the change, as an attacker would.
   void cover() const {
     FileDigests tags;
     for (const std::string& file : files_in(package_.path()))

@@ -29,7 +29,7 @@ def flip_bit(path, at=0.5):
 
 
 def cover(package):
-    """Makes the tag manifest anew, as somebody would who wants to cover a change."""
+    """Writes the tag manifest again, so that it fits a changed package: an attacker's way to hide the change."""
     files = [path.relative_to(package).as_posix() for path in package.rglob('*') if path.is_file()]
     tags = sorted(file for file in files if not file.startswith('data/') and file != 'tagmanifest-sha256.txt')
     listed = subprocess.run(['sha256sum', *tags], cwd=package, capture_output=True, check=True).stdout

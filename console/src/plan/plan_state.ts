@@ -15,8 +15,18 @@ export interface PlanState {
   drawn: Box | null;
 }
 
-export const planState = new Store<PlanState>({ view: 0, size: null, drawn: null });
+const atFirst: PlanState = { view: 0, size: null, drawn: null };
+export const planState = new Store<PlanState>(atFirst);
 export const planZoom = new Store<Zoom>(whole);
+
+// What was drawn for one inspection is not added to the plan of another one.
+let inspection: number | undefined;
+openInspection.subscribe(() => {
+  if (openInspection.value?.id === inspection) return;
+  inspection = openInspection.value?.id;
+  planState.value = atFirst;
+  planZoom.value = whole;
+});
 
 export function change(part: Partial<PlanState>): void {
   planState.value = { ...planState.value, ...part };

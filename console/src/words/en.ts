@@ -106,7 +106,7 @@ export const en = {
     'too-large': 'The request is too large.',
     'too-many': 'Too often. Wait a minute, then try again.',
     internal: 'The server has made a mistake.',
-    unavailable: 'The server cannot check who is signed in. Try again.',
+    unavailable: 'The server cannot check your sign-in. Try again.',
     unknown: 'This has failed.',
   } satisfies Record<Exclude<RefusalCode, 'console'>, string>,
 
