@@ -11,11 +11,15 @@ test('an area is drawn, described and sent; a plan file is loaded; a part is rem
   await begin(page);
   await standIn(page, { stage: 'work', initial: taken, views: [ahead] });
   const asked: string[] = [];
-  await page.route('**/api/inspections/1/views/0/plan', async (route) => {
+  const inspection = await inspectionOf(page);
+  let views: Inspection['views'] = [ahead];
+  // The console loads the inspection again when a check ends.
+  await page.route('**/api/inspections/1', (route) => route.fulfill({ json: { ...inspection, views } }));
+  await page.route('**/api/inspections/1/views/0/plan', (route) => {
     const { text } = route.request().postDataJSON() as PlanRequest;
     asked.push(text);
-    const plan = text.startsWith('{') ? { plan: JSON.parse(text) as Plan } : {};
-    await route.fulfill({ json: { ...(await inspectionOf(page)), views: [{ ...ahead, ...plan }] } });
+    views = [{ ...ahead, ...(text.startsWith('{') && { plan: JSON.parse(text) as Plan }) }];
+    return route.fulfill({ json: { ...inspection, views } });
   });
   await page.getByTestId('page-plan').click();
   await expect(page.getByTestId('plan-parts')).toContainText('Nothing is planned');
