@@ -1,6 +1,6 @@
 // The console: pictures in the middle, the next step beside them, the robot below.
 import './App.css';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useLayoutEffect } from 'preact/hooks';
 import { showRequested } from './follow_address';
 import { DrivePanel } from './drive/DrivePanel';
 import { Begin } from './inspection/Begin';
@@ -100,8 +100,9 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
   const ended = useStore(link.ended);
   const page = useStore(shownPage);
   const comparison = inspection?.comparison;
-  // New findings are shown first.
-  useEffect(
+  // New findings are shown first. This happens before the page is painted, since afterwards it would undo what a person
+  // has pressed in the meantime.
+  useLayoutEffect(
     () =>
       showRequested((requested) => {
         beginReview();

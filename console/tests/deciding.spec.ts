@@ -70,6 +70,22 @@ test('a decision is for all views of a finding, leads to the next one, and is ta
   await expect(page.getByTestId('finding-3')).toHaveClass(/selected/);
 });
 
+test('what is pressed as soon as it is there counts', async ({ console: page }) => {
+  // Faster than any person: before the browser has painted what it was given.
+  await page.addInitScript(() => {
+    const press = new MutationObserver(() => {
+      const button = document.querySelector<HTMLElement>('[data-testid="reveal"]');
+      if (!button) return;
+      press.disconnect();
+      button.click();
+    });
+    press.observe(document, { childList: true, subtree: true });
+  });
+  await openReview(page, false);
+  await expect(page.getByTestId('finding-1')).toHaveClass(/selected/);
+  await expect(page.getByTestId('first-look')).toHaveCount(0);
+});
+
 test('several findings get one decision in one request', async ({ console: page }) => {
   const requests = await openDecidable(page);
   await page.getByTestId('several').click();

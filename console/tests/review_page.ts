@@ -8,8 +8,11 @@ const taken = { taken_at: '2025-01-01T12:00:00Z', person: 'Ann' } as NonNullable
 const ahead = { pan_deg: 0, tilt_deg: -20 };
 const finding = { centroid: [120, 115], same_as: 1, number: 1, view: 0, kind: 'added', bbox: [100, 100, 40, 30] };
 
-/** A review of two views, with two findings of which one is in both, and pictures of one colour. */
-export async function openReview(page: Page): Promise<void> {
+/**
+ * A review of two views, with two findings of which one is in both, and pictures of one colour.
+ * @param awaitFirstLook whether it returns once the page shows the first look
+ */
+export async function openReview(page: Page, awaitFirstLook = true): Promise<void> {
   await begin(page);
   await standIn(page, {
     stage: 'review', initial: taken, final: taken, comparison: 1, compared_at: taken.taken_at, views: [ahead, ahead],
@@ -17,7 +20,7 @@ export async function openReview(page: Page): Promise<void> {
     findings: [{ ...finding, clear_px: 300 }, { ...finding, number: 2, view: 1, bbox: [600, 300, 40, 30], clear_px: 800 }, { ...finding, number: 3, same_as: 3, kind: 'removed', bbox: [400, 200, 300, 200] }] as unknown as Inspection['findings'],
     marked: [],
   });
-  await expect(page.getByTestId('first-look')).toBeVisible();
+  if (awaitFirstLook) await expect(page.getByTestId('first-look')).toBeVisible();
 }
 
 /** The map of a wall, 0.6 m in front of the foot, as an ASCII file. */

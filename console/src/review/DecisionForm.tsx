@@ -1,6 +1,6 @@
 // The decision on a finding.
 import type { ComponentChildren } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 import { timeOf } from '../inspection/words';
 import type { Inspection, Session } from '../types';
 import { decide } from './decisions';
@@ -12,7 +12,8 @@ import { words } from '../words/words';
 export function DecisionForm({ inspection, group, session, children }: { inspection: Inspection; group: Group; session: Session; children: ComponentChildren }) {
   const before = decisionOf(group);
   const [note, setNote] = useState(before?.note ?? '');
-  useEffect(() => setNote(before?.note ?? ''), [group.lead.number, before?.note]);
+  // Before the page is painted, since afterwards it would undo what a person has typed in the meantime.
+  useLayoutEffect(() => setNote(before?.note ?? ''), [group.lead.number, before?.note]);
   const closed = inspection.closing !== undefined;
   const mayDecide = session.role === 'inspector' && !closed;
   return (
