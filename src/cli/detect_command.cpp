@@ -12,6 +12,9 @@
 #include <system_error>
 #include <vector>
 
+#include "classify/finding_classes.hpp"
+#include "classify/labels.hpp"
+#include "classify/object_model.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/plan_printing.hpp"
@@ -46,6 +49,9 @@ struct DetectArguments {
   std::vector<std::string> within;
   std::string plan;
   PlanOptions planned;
+  std::string model;
+  std::string labels;
+  ModelOptions model_options;
   bool overwrite = false;
   bool json = false;
   bool fail_on_detection = false;
@@ -99,10 +105,18 @@ void print_table(const Findings& findings) {
   }
 }
 
+void print_classes(const FindingClasses& classes) {
+  for (const FindingClass& found : classes.findings)
+    print("finding {} may be: {}{}\n", found.finding, printable(found.name),
+          found.probability
+              ? fmt::format(" ({:.0f} % for the most probable class)", 100.0 * *found.probability)
+              : "");
+}
+
 // @param final the camera of the first final capture
 // @param match findings compared with a plan, if there is one
 void print_for_a_person(const DetectArguments& arguments, const Detection& detection, const Intrinsics& final,
-                        const std::optional<PlanMatch>& match) {
+                        const std::optional<PlanMatch>& match, const std::optional<FindingClasses>& classes) {
   const Findings& findings = detection.findings;
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
         findings.initial_frames, findings.final_frames);
@@ -110,6 +124,7 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
     print_plan(*match, findings.findings);
   else
     print_table(findings);
+  if (classes) print_classes(*classes);
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
         100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
@@ -214,6 +229,9 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_options(arguments.planned);
   const std::optional<Plan> plan =
       arguments.plan.empty() ? std::nullopt : std::optional(read_plan(arguments.plan));
+  std::optional<ObjectModel> model;
+  if (!arguments.model.empty())
+    model.emplace(arguments.model, read_labels(arguments.labels), arguments.model_options);
   OutputFolder out(arguments.out, result_files(), arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
   DetectOptions options = arguments.detection;
@@ -233,6 +251,10 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
     add_plan(*match, json);
     write_file(out.path(result_file::plan), json_file_text(json_of(*match)));
   }
+  const auto classes = model ? classify(detection, *sides.final.front(), *model) : std::nullopt;
+  if (classes) add_classes(*classes, *model, json);
+  if (model && !classes)
+    warnings.emplace_back("the final capture has neither colour nor infrared images to classify findings by");
   std::ranges::move(write_result(result, *sides.final.front(), out.path(""), json),
                     std::back_inserter(warnings));
   out.commit();
@@ -241,7 +263,7 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   if (arguments.json) {
     print("{}", json_file_text(json));
   } else {
-    print_for_a_person(arguments, detection, final_camera, match);
+    print_for_a_person(arguments, detection, final_camera, match, classes);
   }
   return arguments.fail_on_detection && !detection.findings.findings.empty() ? status_detected : 0;
 }
@@ -292,6 +314,21 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   add_flags(command, arguments->planned);
   PlanOptions::describe(arguments->planned, [&](const auto& /*value*/, const OptionField& field) {
     command.get_option(fmt::format("--{}", field.name))->needs(plan);
+  });
+  CLI::Option* const model =
+      command
+          .add_option("--model", arguments->model,
+                      "an object detector, YOLO or SSD, that states what each finding may be")
+          ->type_name("MODEL.onnx");
+  CLI::Option* const labels = command
+                                  .add_option("--labels", arguments->labels,
+                                              "the names of its classes, one a line, in the model's order")
+                                  ->type_name("LABELS.txt")
+                                  ->needs(model);
+  model->needs(labels);
+  add_flags(command, arguments->model_options);
+  ModelOptions::describe(arguments->model_options, [&](const auto& /*value*/, const OptionField& field) {
+    command.get_option(fmt::format("--{}", field.name))->needs(model);
   });
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");

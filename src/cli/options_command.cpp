@@ -3,6 +3,7 @@
 #include "camera/check_standard.hpp"
 #include "camera/noise.hpp"
 #include "camera/realsense/realsense.hpp"
+#include "classify/object_model.hpp"
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
 #include "detect/detect.hpp"
@@ -38,7 +39,7 @@ void print_table(const char* command) {
 // docs/options.md is this text; a test compares the two.
 void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that define them.\n");
-  print_table<DetectOptions, PlanOptions>("rva detect");
+  print_table<DetectOptions, PlanOptions, ModelOptions>("rva detect");
   print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");
