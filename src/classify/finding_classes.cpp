@@ -7,15 +7,13 @@
 #include <string>
 
 #include "audit/digest.hpp"
+#include "classify/surroundings.hpp"
 #include "core/path_text.hpp"
-#include "depth/mat_view.hpp"
 #include "detect/findings/drawing.hpp"
 
 namespace rva {
 namespace {
 
-constexpr double surroundings = 2.0;   // times the finding's longer side
-constexpr int least_px = 32;           // of surroundings: fewer pixels show no shape
 constexpr double least_overlap = 0.2;  // with the finding's box
 
 ColorImage colored(const Image<float>& grey_levels) {
@@ -28,25 +26,9 @@ ColorImage colored(const Image<float>& grey_levels) {
   return picture;
 }
 
-// A square about a box, moved to lie within the picture, and cut off where the picture is smaller.
-cv::Rect surroundings_of(const Box& box, cv::Size picture) {
-  const int side =
-      std::max(least_px, static_cast<int>(std::ceil(surroundings * std::max(box.width, box.height))));
-  const cv::Size size(std::min(side, picture.width), std::min(side, picture.height));
-  const cv::Point from(std::clamp(box.x + (box.width - size.width) / 2, 0, picture.width - size.width),
-                       std::clamp(box.y + (box.height - size.height) / 2, 0, picture.height - size.height));
-  return {from, size};
-}
-
-ColorImage part_of(const ColorImage& picture, const cv::Rect& part) {
-  ColorImage copy(part.width, part.height);
-  as_mat(picture)(part).copyTo(as_mat(copy));
-  return copy;
-}
-
 // @param box of the finding in the picture
 FindingClass class_of(const Finding& finding, const Box& box, const ColorImage& picture, ObjectModel& model) {
-  const cv::Rect part = surroundings_of(box, {picture.width(), picture.height()});
+  const Box part = surroundings_of(box, picture.width(), picture.height());
   const cv::Rect2d there(box.x - part.x, box.y - part.y, box.width, box.height);
   FindingClass found{finding.id, std::string(unknown_class), std::nullopt};
   for (const ModelObject& object : model.objects_in(part_of(picture, part))) {

@@ -33,6 +33,8 @@ void add_detect_command(CLI::App& program, Outcome& outcome);
 void add_evaluate_command(CLI::App& program);
 /// `rva export`: an inspection of the console as a folder.
 void add_export_command(CLI::App& program);
+/// `rva export-crops`: findings that were decided on, as labelled pictures.
+void add_export_crops_command(CLI::App& program);
 /// `rva info`: what a capture contains.
 void add_info_command(CLI::App& program);
 /// `rva inspection`: packages of inspections that stand on their own.

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   rva::cli::add_noise_command(program, outcome);
   rva::cli::add_info_command(program);
   rva::cli::add_export_command(program);
+  rva::cli::add_export_crops_command(program);
   rva::cli::add_record_command(program);
   rva::cli::add_cameras_command(program);
   rva::cli::add_simulate_command(program);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -15,11 +16,26 @@ namespace fs = std::filesystem;
 
 namespace rva::cli {
 
-InspectionHistory recorded_inspection(const std::string& data, std::int64_t number) {
-  const fs::path database = fs::path(data) / "rva.db";
+namespace {
+
+fs::path database_of(const std::string& data) {
+  fs::path database = fs::path(data) / "rva.db";
   std::error_code ignored;  // a folder that cannot be read has no records either
   if (!fs::exists(database, ignored))
     throw Error(printable(data), "contains no inspections (no rva.db)", "give the data folder of rva serve");
+  return database;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> recorded_inspections(const std::string& data) {
+  std::vector<std::int64_t> numbers = SqliteRecords(database_of(data)).inspections();
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+InspectionHistory recorded_inspection(const std::string& data, std::int64_t number) {
+  const fs::path database = database_of(data);
   std::optional<InspectionHistory> history = SqliteRecords(database).history(number);
   if (!history)
     throw Error(printable(database), fmt::format("has no inspection {}", number),

@@ -3,10 +3,14 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "inspect/inspection.hpp"
 
 namespace rva::cli {
+
+/// The numbers of all inspections of a data folder, ascending. @throws Error when the folder has no records
+[[nodiscard]] std::vector<std::int64_t> recorded_inspections(const std::string& data);
 
 /// All that the records of a data folder contain of an inspection.
 /// @throws Error when the folder has no records, or these have no such inspection

@@ -10,8 +10,9 @@ import sys
 
 import program
 from api_schema import ApiSchema
+from captures import read_image
 from console_client import Console, ask
-from simulations import TOOLS
+from simulations import TOOLS, contents
 
 SCHEMA = None
 
@@ -108,6 +109,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.take('final', then='comparison')
         self.close()
         self.export()
+        self.export_crops()
         self.sign_in()
         self.assertLessEqual(SCHEMA.not_met(), NOT_MET, 'fields that were in no request, answer or message: remove them '
                              'from the schema, or list them here')
@@ -258,6 +260,38 @@ class ApiSchemaTest(program.ProgramTest):
         self.assertEqual(verdicts, ['debris-removed', 'debris-removed', 'false-alarm'])
         self.assertIn(('debris-removed', 1), [(entry['verdict'], entry.get('comparison')) for entry in record['decisions']],
                       'of the first comparison')
+
+    def export_crops(self):
+        """What was decided on, as labelled pictures that are parts of those that were shown."""
+        out = self.folder / 'crops'
+        path = ['export-crops', '--data', self.folder / 'data', '--out', out]
+        self.assertIn('of 1 inspection(s)', self.succeed(*path).stdout)
+        crops = json.loads((out / 'crops.json').read_text())['crops']
+        found = self.get('inspections/1', 'Inspection')
+        latest = {crop['finding']: crop for crop in crops if crop.get('comparison') == found['comparison']}
+        detected = {finding['number']: finding for finding in found['findings'] if finding.get('planned') != 'missing'}
+        self.assertEqual(latest.keys(), detected.keys(), 'a missing part of the plan shows nothing')
+        self.assertEqual({crop['label'] for crop in latest.values()}, {'installed-work'})
+        marked = {crop['finding']: crop['label'] for crop in crops if crop.get('marked')}
+        self.assertEqual(marked, {1: 'false-alarm', 2: 'debris'})
+        pictures = self.folder / f'data/inspections/000001/comparison-{found["comparison"]}/results/000'
+        for number, crop in latest.items():
+            self.assertEqual(set(crop['files']), {'initial_color', 'final_color', 'initial_depth', 'final_depth'})
+            for name, file in crop['files'].items():
+                self.assertTrue(file.startswith('installed-work/'), file)
+                u, v, width, height = detected[number]['bbox']
+                x, y = crop['box_in_crop'][:2]
+                cut, whole = read_image(out / file), read_image(pictures / f'{name}.png')
+                self.assertTrue((cut[y:y + height, x:x + width] == whole[v:v + height, u:u + width]).all(), file)
+        before = contents(out)
+        self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced unasked')
+        self.succeed(*path, '--overwrite', '--inspection', 1, '--inspection', 1)
+        again = contents(out)
+        self.assertEqual(before.keys(), again.keys())
+        for bad in (['--inspection', 7], ['--data', self.folder]):
+            done = self.rva(*path, '--overwrite', *bad)
+            self.assertEqual(done.returncode, 1 if bad[0] == '--inspection' else 2, done.stderr)
+        self.assertEqual(contents(out), again)
 
     def read_picture(self, out, name):
         self.assertEqual((out / name).read_bytes()[:4], b'\x89PNG', name)
