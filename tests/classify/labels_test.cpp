@@ -16,9 +16,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::vector<std::string> labels_of(const std::string& text) {
-  const TemporaryFolder folder;
-  write_file(folder.path() / "labels.txt", text);
-  return read_labels(folder.path() / "labels.txt");
+  const test::TemporaryFolder folder;
+  write_file(folder / "labels.txt", text);
+  return read_labels(folder / "labels.txt");
 }
 
 std::string problem_of(const std::string& text) {

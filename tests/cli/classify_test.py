@@ -9,18 +9,19 @@ import numpy as np
 
 import onnx_models
 import program
-from captures import CAMERA, IDENTITY, noisy, plain_color, with_box, write_capture, write_image
+from captures import Camera, IDENTITY, depth_fields, noisy, plain_color, with_box, write_capture, write_image
 
 RED, GREEN, GREY = (230, 20, 20), (30, 240, 30), (120, 120, 120)
+CAMERA = Camera(width=240, height=180, fx=220.0, fy=220.0, cx=120.0, cy=90.0)
 # Columns and rows, and the colour after the work; the last touches the border.
-THINGS = [((10, 8, 9, 9), RED), ((36, 12, 9, 9), GREEN), ((26, 32, 9, 9), GREY), ((55, 39, 9, 9), RED)]
+THINGS = [((30, 20, 21, 21), RED), ((140, 30, 21, 21), GREEN), ((80, 120, 21, 21), GREY), ((219, 159, 21, 21), RED)]
 
 
 class ClassifyTest(program.ProgramTest):
     def setUp(self):
         super().setUp()
         depth, picture = CAMERA.plane(1000), plain_color(CAMERA.width, CAMERA.height, (90, 90, 90))
-        self.initial = write_capture(self.folder / 'before', noisy(depth, 10, 1, 1))
+        self.initial = write_capture(self.folder / 'before', noisy(depth, 10, 1, 1), depth=depth_fields(CAMERA))
         for (x, y, w, h), rgb in THINGS:
             depth = with_box(depth, (x, y, w, h), 60)
             picture[y:y + h, x:x + w] = rgb
@@ -33,7 +34,7 @@ class ClassifyTest(program.ProgramTest):
 
     def write_final(self, name, **keys):
         color = {'color': CAMERA.fields(), 'color_from_depth': IDENTITY} if keys.get('pictures') else {}
-        return write_capture(self.folder / name, noisy(self.depth, 10, 1, 2), **color, **keys)
+        return write_capture(self.folder / name, noisy(self.depth, 10, 1, 2), depth=depth_fields(CAMERA), **color, **keys)
 
     def detect(self, *more, final=None):
         return ['detect', self.initial, final or self.final, '--method', 'gaussian', '--out', self.out, '--overwrite', *more]
@@ -60,7 +61,7 @@ class ClassifyTest(program.ProgramTest):
                     self.assertEqual(found[x, y]['class'], expected, found[x, y])
                     self.assertIn(f'finding {found[x, y]["id"]} may be: {expected}', done.stdout)
                 # The cell in the middle of the surroundings is of the thing's colour alone.
-                self.assertAlmostEqual(found[10, 8]['probability'], (RED[0] - RED[1]) / 255, delta=0.1)
+                self.assertAlmostEqual(found[30, 20]['probability'], (RED[0] - RED[1]) / 255, delta=0.1)
                 stated = result['classification']
                 self.assertEqual((stated['model'], stated['classes'], stated['picture']), ('detector.onnx', 2, 'color'))
                 self.assertEqual(stated['sha256'], hashlib.sha256(self.model.read_bytes()).hexdigest())
@@ -75,10 +76,10 @@ class ClassifyTest(program.ProgramTest):
     def test_less_probable_classes_are_unknown(self):
         result, _ = self.findings(*self.options(), '--class-certainty', 0.9)
         found = self.by_place(result)
-        self.assertEqual(found[10, 8]['class'], 'unknown')
-        self.assertLess(found[10, 8]['probability'], 0.9)
+        self.assertEqual(found[30, 20]['class'], 'unknown')
+        self.assertLess(found[30, 20]['probability'], 0.9)
         result, _ = self.findings(*self.options(), '--class-certainty', 0.6)
-        self.assertEqual(self.by_place(result)[10, 8]['class'], 'red')
+        self.assertEqual(self.by_place(result)[30, 20]['class'], 'red')
 
     def test_without_color_the_infrared_images_are_shown(self):
         final = self.write_final('dark', infrared={'scale': 256, 'frames': 1})
