@@ -1,0 +1,98 @@
+#include "inspect/labelled_crops.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "depth/image_file.hpp"
+#include "inspect/inspection_folder.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace rva {
+namespace {
+
+std::optional<Decision> decided(Verdict verdict) {
+  Decision decision;
+  decision.verdict = verdict;
+  return decision;
+}
+
+// One comparison in which the same region was found several times, decided on as stated.
+InspectionHistory history_of(const std::vector<std::optional<Decision>>& decisions) {
+  InspectionHistory history;
+  history.inspection.id = 7;
+  ComparedRound round;
+  round.comparison.number = 1;
+  round.comparison.folder = InspectionFolder::comparison_name(1);
+  for (const auto& decision : decisions) {
+    ReviewedFinding finding;
+    finding.number = static_cast<int>(round.findings.size()) + 1;
+    finding.finding.box = {0, 10, 8, 6};
+    finding.decision = decision;
+    round.findings.push_back(finding);
+  }
+  history.rounds.push_back(round);
+  return history;
+}
+
+std::filesystem::path result_folder(const test::TemporaryFolder& data) {
+  const InspectionFolder folder(data.path(), 7);
+  auto result = InspectionFolder::result_in(folder.path() / InspectionFolder::comparison_name(1), 0);
+  std::filesystem::create_directories(result);
+  return result;
+}
+
+TEST(LabelledCrops, HaveTheLabelOfADecisionThatIsFinal) {
+  EXPECT_EQ(label_of(decided(Verdict::debris)), "debris");
+  EXPECT_EQ(label_of(decided(Verdict::debris_removed)), "debris");
+  EXPECT_EQ(label_of(decided(Verdict::debris_unreachable)), "debris");
+  EXPECT_EQ(label_of(decided(Verdict::installed_work)), "installed-work");
+  EXPECT_EQ(label_of(decided(Verdict::false_alarm)), "false-alarm");
+  EXPECT_EQ(label_of(decided(Verdict::second_look)), std::nullopt);
+  EXPECT_EQ(label_of(decided(Verdict::undecided)), std::nullopt);
+  EXPECT_EQ(label_of(std::nullopt), std::nullopt);
+}
+
+TEST(LabelledCrops, AreOfFindingsWithALabelAndOfThePicturesThatThereAre) {
+  const test::TemporaryFolder data;
+  const test::TemporaryFolder out;
+  write_file(result_folder(data) / "final_depth.png", encode_png(ColorImage(64, 48, {1, 2, 3})));
+  const auto crops = write_labelled_crops(history_of({decided(Verdict::debris), decided(Verdict::second_look),
+                                                      std::nullopt, decided(Verdict::false_alarm)}),
+                                          data.path(), out.path());
+  ASSERT_EQ(crops.size(), 2U);
+  EXPECT_EQ(crops[0]["finding"], 1);
+  EXPECT_EQ(crops[1]["finding"], 4);
+  for (const auto& crop : crops) {
+    ASSERT_EQ(crop["files"].size(), 1U) << "no colour in darkness";
+    EXPECT_EQ(read_color(out / crop["files"]["final_depth"].get<std::string>()),
+              ColorImage(32, 32, {1, 2, 3}));
+    EXPECT_EQ(crop["box_in_crop"], nlohmann::json({0, 10, 8, 6})) << "at the border";
+  }
+}
+
+TEST(LabelledCrops, AMissingPictureIsAnError) {
+  const test::TemporaryFolder data;
+  const test::TemporaryFolder out;
+  static_cast<void>(result_folder(data));
+  EXPECT_THROW(static_cast<void>(
+                   write_labelled_crops(history_of({decided(Verdict::debris)}), data.path(), out.path())),
+               Error);
+  EXPECT_TRUE(write_labelled_crops(history_of({std::nullopt}), data.path(), out.path()).empty())
+      << "which nobody needs";
+}
+
+TEST(LabelledCrops, AMissingPartOfThePlanShowsNothing) {
+  const test::TemporaryFolder data;
+  const test::TemporaryFolder out;
+  InspectionHistory history = history_of({decided(Verdict::debris)});
+  history.rounds.front().findings.front().planned = PlannedState::missing;
+  EXPECT_TRUE(write_labelled_crops(history, data.path(), out.path()).empty());
+}
+
+}  // namespace
+}  // namespace rva
