@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -48,6 +49,16 @@ std::string sizes_of(const std::vector<cv::Mat>& outputs) {
   return fmt::format("{}", fmt::join(sizes, " and "));
 }
 
+// Whether each row sums to 1, as scores of all classes and the background do, and corners do not.
+bool are_distributions(const Table& table) {
+  constexpr double rounding = 0.01;
+  for (int i = 0; i < table.rows; ++i) {
+    const std::span<const float> row = table.row(i);
+    if (!(std::abs(std::accumulate(row.begin(), row.end(), 0.0) - 1.0) < rounding)) return false;
+  }
+  return true;
+}
+
 // The scores and the boxes of an SSD model, in whichever order they come.
 struct SsdTables {
   Table scores;
@@ -59,7 +70,9 @@ std::optional<SsdTables> ssd_tables(const std::vector<cv::Mat>& outputs, int cla
   const auto one = table_of(outputs[0]);
   const auto other = table_of(outputs[1]);
   if (!one || !other || one->rows != other->rows) return std::nullopt;
-  // With three classes, both tables have four columns; scores come first then.
+  // With three classes, both tables have four columns.
+  const bool is_swapped = classes + 1 == corners && are_distributions(*other) && !are_distributions(*one);
+  if (is_swapped && one->columns == corners && other->columns == corners) return SsdTables{*other, *one};
   if (one->columns == classes + 1 && other->columns == corners) return SsdTables{*one, *other};
   if (other->columns == classes + 1 && one->columns == corners) return SsdTables{*other, *one};
   return std::nullopt;

@@ -74,6 +74,17 @@ TEST(ModelOutputs, OfSsdHaveABackgroundAndSharesOfThePicture) {
   }
 }
 
+TEST(ModelOutputs, OfSsdWithAsManyScoresAsCornersAreToldApartByTheirSums) {
+  const cv::Mat scores = output_of({{0.1F, 0.2F, 0.6F, 0.1F}, {0.9F, 0.05F, 0.03F, 0.02F}});
+  const cv::Mat boxes = output_of({{0.25F, 0.5F, 0.5F, 0.75F}, {0, 0, 0.5F, 0.5F}});
+  constexpr int three = 3;
+  for (const auto& outputs : {std::vector{scores, boxes}, std::vector{boxes, scores}}) {
+    const auto objects = objects_in(outputs, three, size, 0.3, "model");
+    ASSERT_EQ(objects.size(), 1U);
+    expect_object(objects[0], {50, 50, 50, 25}, 1, 0.6);
+  }
+}
+
 // The same objects in all layouts: what they mean does not depend on how they are written.
 TEST(ModelOutputs, OfAllLayoutsMeanTheSame) {
   const std::vector<std::vector<float>> columns{{60, 30, 40, 20, 0.75F, 0.25F},
