@@ -46,7 +46,7 @@ TEST(Quantity, PointsThatCoincideHaveNoDirectionAndTheLargestUncertainty) {
 }
 
 TEST(Quantity, AHeightIsPositiveTowardsTheCamera) {
-  const Plane wall{{0, 0, 2}, {}};
+  const Plane wall{{0, 0, 2}, Eigen::Matrix3d::Zero()};
   EXPECT_NEAR(height_above(point({0.1, 0, 0.48}, {1, 1, 3}), wall, without_scale()).value_mm, 20.0, 1e-9);
   EXPECT_NEAR(height_above(point({0.1, 0, 0.48}, {1, 1, 3}), wall, without_scale()).uncertainty_mm, 3.0,
               1e-9);
@@ -60,8 +60,8 @@ TEST(Quantity, AHeightHasTheUncertaintyOfItsPlane) {
   for (int axis = 0; axis < 3; ++axis) {
     const double step = 1e-4;
     const Eigen::Vector3d change = step * Eigen::Vector3d::Unit(axis);
-    const double more = height_above(at, {n + change, {}}, without_scale()).value_mm;
-    const double less = height_above(at, {n - change, {}}, without_scale()).value_mm;
+    const double more = height_above(at, {n + change, Eigen::Matrix3d::Zero()}, without_scale()).value_mm;
+    const double less = height_above(at, {n - change, Eigen::Matrix3d::Zero()}, without_scale()).value_mm;
     Plane plane{n, Eigen::Matrix3d::Zero()};
     plane.covariance(axis, axis) = step * step;
     EXPECT_NEAR(height_above(at, plane, without_scale()).uncertainty_mm, std::abs(more - less) / 2.0, 1e-6);
