@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "capture/capture.hpp"
@@ -185,10 +186,14 @@ MeasuredPicture measured_picture(std::span<const std::shared_ptr<const LiveFrame
 
 std::shared_ptr<const LiveFrame> newest_with(const LiveCamera& camera, Stream stream) {
   constexpr int most_frames = 10;
-  constexpr std::chrono::milliseconds patience{500};
+  constexpr std::chrono::seconds patience{5};  // after which a camera counts as failed
+  const auto end = std::chrono::steady_clock::now() + patience;
   std::shared_ptr<const LiveFrame> live = camera.newest();
-  for (int i = 0; i < most_frames && live && !has_picture(*live, stream); ++i)
-    live = camera.wait_for_other(live.get(), patience);
+  for (int i = 0; i < most_frames && live && !has_picture(*live, stream); ++i) {
+    const auto left =
+        std::max(end - std::chrono::steady_clock::now(), std::chrono::steady_clock::duration::zero());
+    live = camera.wait_for_other(live.get(), std::chrono::duration_cast<std::chrono::milliseconds>(left));
+  }
   if (!live) throw Error("camera", "delivers no frames", "wait a moment, then try again");
   return live;
 }
