@@ -18,6 +18,7 @@ test('a person fixes the exposure and hands it back to the camera', async ({ con
       const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
       return data.reduce((sum, value, i) => (i % 4 === 0 ? sum + value : sum), 0) / (data.length / 4);
     });
+  await expect(page.getByTestId('live')).toHaveAttribute('data-stream', 'infrared');
   await expect.poll(brightness).toBeGreaterThan(5);
   const before = await brightness();
   await page.getByTestId('exposure-fixed').click();

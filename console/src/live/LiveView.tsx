@@ -65,6 +65,10 @@ export function LiveView({ children, onMark, mayExpose = false, mayKeep = false 
 
   useEffect(() => {
     let last: PictureHead | null = null;
+    // The last picture of another stream would be taken for one of this stream, and measured as such.
+    const shown = canvas.current;
+    shown?.getContext('2d')?.clearRect(0, 0, shown.width, shown.height);
+    delete shown?.dataset['stream'];
     link.onPicture = ({ head: next, bitmap, latency_ms }) => {
       const target = canvas.current;
       if (!target || next.stream !== stream) return bitmap.close();
@@ -74,6 +78,7 @@ export function LiveView({ children, onMark, mayExpose = false, mayKeep = false 
       }
       target.getContext('2d')?.drawImage(bitmap, 0, 0);
       bitmap.close();
+      target.dataset['stream'] = next.stream;
       target.dataset['frame'] = String(next.number);
       target.dataset['latency'] = latency_ms.toFixed(1);
       const changed = !last || last.width !== next.width || String(last.scale_m) !== String(next.scale_m);
