@@ -8,9 +8,6 @@ export default defineConfig({
     { name: 'browser', testMatch: '*.spec.ts', testIgnore: 'unit/**' },
   ],
   workers: 1,
-  // Pages, server and simulated camera share the machine. A test that passes at the second try is listed as flaky, and
-  // is a defect to be found.
-  retries: 1,
   timeout: 120_000,
   expect: { timeout: 20_000 },
   reporter: [['list']],

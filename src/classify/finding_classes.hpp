@@ -21,7 +21,7 @@ struct FindingClass {
   int finding = 0;                    ///< id
   std::string name;                   ///< a label of the model, or unknown_class
   std::optional<double> probability;  ///< of the label that is the most probable, also of an unknown class;
-                                      ///< empty where the model reports no object there
+                                      ///< empty where objects_in() has none there
 };
 
 /// The classes of findings.

@@ -70,12 +70,13 @@ std::optional<SsdTables> ssd_tables(const std::vector<cv::Mat>& outputs, int cla
   const auto one = table_of(outputs[0]);
   const auto other = table_of(outputs[1]);
   if (!one || !other || one->rows != other->rows) return std::nullopt;
+  const bool may_be = one->columns == classes + 1 && other->columns == corners;
+  const bool may_be_swapped = other->columns == classes + 1 && one->columns == corners;
+  if (!may_be && !may_be_swapped) return std::nullopt;
   // With three classes, both tables have four columns.
-  const bool is_swapped = classes + 1 == corners && are_distributions(*other) && !are_distributions(*one);
-  if (is_swapped && one->columns == corners && other->columns == corners) return SsdTables{*other, *one};
-  if (one->columns == classes + 1 && other->columns == corners) return SsdTables{*one, *other};
-  if (other->columns == classes + 1 && one->columns == corners) return SsdTables{*other, *one};
-  return std::nullopt;
+  const bool is_swapped =
+      !may_be || (may_be_swapped && are_distributions(*other) && !are_distributions(*one));
+  return is_swapped ? SsdTables{*other, *one} : SsdTables{*one, *other};
 }
 
 struct Best {

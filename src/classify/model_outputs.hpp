@@ -22,9 +22,9 @@ enum class OutputLayout {
         ///< x0, y0, x1, y1 as shares of the picture
 };
 
-/// The layout of a model's outputs, which their sizes show.
+/// The layout of a model's outputs, by their sizes.
 /// @param classes number of the model's labels, at least 1
-/// @throws Error when the sizes fit no layout, stating them, and how many classes they would fit
+/// @throws Error when the sizes fit no layout for so many classes, stating both
 [[nodiscard]] OutputLayout layout_of(const std::vector<cv::Mat>& outputs, int classes,
                                      const std::string& model);
 
@@ -33,7 +33,7 @@ enum class OutputLayout {
 
 /// Reads the objects of a model's outputs, each with its most probable class. Of objects of one class that
 /// overlap by more than 45 % (intersection over union), the most probable one remains.
-/// @param outputs of float, in any order
+/// @param outputs of float, in any order: scores of three classes are told from boxes by their sums of 1
 /// @param size    the model's picture, pixels
 /// @param least   objects that are less probable are left out, 0 to 1
 /// @return the most probable first

@@ -16,8 +16,6 @@
 namespace rva {
 namespace {
 
-constexpr double least_probability = 0.05;  // less probable objects are noise, and thousands
-
 // OpenCV also prints what it throws.
 class Silence {
  public:
@@ -37,7 +35,7 @@ cv::dnn::Net read_net(const std::filesystem::path& file) {
     cv::dnn::Net net = cv::dnn::readNetFromONNX(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (!net.empty()) return net;
   } catch (const cv::Exception&) {
-    // As an empty net: the reasons name functions of OpenCV.
+    // The message names functions of OpenCV. The error below states the same for a user.
   }
   throw Error(printable(file), "is no ONNX model, or one with operations that OpenCV does not have",
               "export the model as ONNX with opset 12 or earlier, without postprocessing");
@@ -96,7 +94,7 @@ std::vector<ModelObject> ObjectModel::objects_in(const ColorImage& picture) {
                 "state the size of picture that the model was exported for");
   }
   std::vector<ModelObject> objects =
-      rva::objects_in(outputs, classes(), size, least_probability, printable(file_));
+      rva::objects_in(outputs, classes(), size, least_object_probability, printable(file_));
   for (ModelObject& object : objects) object.box = in_picture(object.box, fit);
   return objects;
 }

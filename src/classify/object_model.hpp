@@ -12,6 +12,10 @@
 
 namespace rva {
 
+/// Objects that a model reports with a smaller probability are left out: most models report thousands of
+/// them.
+inline constexpr double least_object_probability = 0.05;
+
 /// What pictures a model takes, and from when its classes count.
 struct ModelOptions {
   int model_width = 640;         ///< pixels of the model's picture
@@ -45,7 +49,8 @@ class ObjectModel {
   ObjectModel(const std::filesystem::path& file, std::vector<std::string> labels,
               const ModelOptions& options);
 
-  /// The objects that the model reports in a picture, the most probable first.
+  /// The objects that the model reports in a picture with at least least_object_probability, the most
+  /// probable first.
   /// @param picture of any size, at least 1 x 1; fitted into the model's picture with its proportions, with
   ///                grey beside it
   /// @throws Error when the model does not take pictures of the size stated, or its outputs do not fit

@@ -49,9 +49,12 @@ class InspectionFolder {
   /// The folder of a view's results of the valid comparison; empty if there is none.
   [[nodiscard]] std::filesystem::path result(const Inspection& inspection, int view) const;
 
-  // The point clouds of a comparison, also of an earlier one. Empty where they were replaced by those of a
-  // later one: the first versions kept those of the last comparison alone.
+  // Files and point clouds of a comparison, also of an earlier one. Empty where they were replaced by those
+  // of a later one: the first versions kept those of the last comparison alone.
 
+  /// A file of a comparison. @param name relative to the comparison's folder
+  [[nodiscard]] std::filesystem::path in_comparison(const RecordedComparison& comparison,
+                                                    const std::filesystem::path& name) const;
   [[nodiscard]] std::filesystem::path map(const RecordedComparison& comparison) const;
   [[nodiscard]] std::filesystem::path changes(const RecordedComparison& comparison) const;
 
@@ -61,9 +64,6 @@ class InspectionFolder {
   void require_no_links(const std::filesystem::path& inside) const;
 
  private:
-  [[nodiscard]] std::filesystem::path in_comparison(const RecordedComparison& comparison,
-                                                    const std::filesystem::path& name) const;
-
   std::filesystem::path path_;
 };
 

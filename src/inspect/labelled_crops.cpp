@@ -103,11 +103,6 @@ void add_marks(const Inspection& inspection, const fs::path& own, const fs::path
   }
 }
 
-// The first versions replaced the pictures of earlier comparisons by those of the last one.
-bool has_pictures(const RecordedComparison& comparison) {
-  return !comparison.folder.empty() || comparison.final_round != 0;
-}
-
 constexpr std::array labels{"debris", "installed-work", "false-alarm"};
 
 }  // namespace
@@ -138,13 +133,14 @@ std::vector<std::string> labelled_crop_files() {
 
 Json write_labelled_crops(const InspectionHistory& history, const fs::path& data, const fs::path& folder) {
   const Inspection& inspection = history.inspection;
-  const fs::path own = InspectionFolder(data, inspection.id).path();
+  const InspectionFolder own(data, inspection.id);
   for (const char* const label : labels) fs::create_directories(folder / label);
   Json crops = Json::array();
-  for (const ComparedRound& round : history.rounds)
-    if (has_pictures(round.comparison))
-      add_findings(inspection, round, own / round.comparison.folder, folder, crops);
-  add_marks(inspection, own, folder, crops);
+  for (const ComparedRound& round : history.rounds) {
+    const fs::path comparison = own.in_comparison(round.comparison, "");
+    if (!comparison.empty()) add_findings(inspection, round, comparison, folder, crops);
+  }
+  add_marks(inspection, own.path(), folder, crops);
   return crops;
 }
 
