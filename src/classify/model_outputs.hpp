@@ -33,7 +33,8 @@ enum class OutputLayout {
 
 /// Reads the objects of a model's outputs, each with its most probable class. Of objects of one class that
 /// overlap by more than 45 % (intersection over union), the most probable one remains.
-/// @param outputs of float, in any order: scores of three classes are told from boxes by their sums of 1
+/// @param outputs of float, in any order: scores of three classes are distinguished from boxes by their sums
+/// of 1
 /// @param size    the model's picture, pixels
 /// @param least   objects that are less probable are left out, 0 to 1
 /// @return the most probable first
