@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace rva::cli {
 namespace {
 
-struct ExportArguments {
+struct PackageArguments {
   std::string data;
   std::int64_t inspection = 0;
   std::vector<std::string> keys;
@@ -41,7 +41,7 @@ SigningKey signing_key(const std::string& file) {
   });
 }
 
-PackageSigning signing_from(const ExportArguments& arguments) {
+PackageSigning signing_from(const PackageArguments& arguments) {
   std::vector<SigningKey> signers;
   for (const std::string& file : arguments.keys) signers.push_back(signing_key(file));
   const SigningKey log_key = arguments.log_key.empty() ? signers.front() : signing_key(arguments.log_key);
@@ -70,7 +70,7 @@ OutputFolder new_package(const std::string& out) {
   }
 }
 
-void export_package(const ExportArguments& arguments) {
+void export_package(const PackageArguments& arguments) {
   const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
   const Inspection& inspection = history.inspection;
   const PackageSigning signing = signing_from(arguments);
@@ -92,7 +92,7 @@ void export_package(const ExportArguments& arguments) {
 void add_package_export(CLI::App& command) {
   CLI::App& exporting = *command.add_subcommand(
       "export", "writes an inspection with all its files as a package that is signed and in the site's log");
-  const auto arguments = std::make_shared<ExportArguments>();
+  const auto arguments = std::make_shared<PackageArguments>();
   exporting.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
       ->required()
       ->type_name("DIR");
