@@ -433,6 +433,13 @@ export interface ProfileSample {
   height_uncertainty_mm?: number;
 }
 
+export interface UnmeasuredPart {
+  reason: 'outside' | 'no-depth' | 'edge' | 'collinear' | 'no-view';
+  part: 'point' | 'line-ends' | 'surface' | 'surface-points';
+  /** From 1, where the part is a point. */
+  point?: number;
+}
+
 /** Uncertainties are expanded: `coverage_factor` times the standard uncertainty. */
 export interface Measurement {
   tool?: MeasureTool;
@@ -441,6 +448,8 @@ export interface Measurement {
   points: (MeasuredPoint | null)[];
   /** Why something cannot be measured. */
   problem?: string;
+  /** The same for programs that state it in their own words. */
+  unmeasured?: UnmeasuredPart;
   /** Between two points that are both measured. */
   length_mm?: number;
   length_uncertainty_mm?: number;
@@ -751,11 +760,30 @@ export interface TaskStatus {
   noise?: Noise;
 }
 
+/** What was measured; `measured` is a share, 0 to 1. */
+export interface ReadinessValues {
+  width_px?: number;
+  height_px?: number;
+  rate_hz?: number;
+  repeated_frames?: number;
+  frames?: number;
+  measured?: number;
+  drift_mm?: number;
+  duration_s?: number;
+  pan_deg?: number;
+  tilt_deg?: number;
+  free_gb?: number;
+  least_free_gb?: number;
+}
+
 export interface ReadinessItem {
   name: string;
   ready: boolean;
   /** What was measured and, if it is not enough, what to do. */
   says: string;
+  /** The same for programs that state it in their own words, with `values`. */
+  code: 'camera-ready' | 'camera-slow' | 'camera-frozen' | 'camera-failed' | 'depth-ready' | 'depth-missing' | 'camera-stable' | 'camera-drifting' | 'robot-none' | 'robot-ready' | 'robot-unknown' | 'robot-failed' | 'disk-ready' | 'disk-full' | 'disk-unknown';
+  values: ReadinessValues;
 }
 
 export interface Readiness {

@@ -47,6 +47,20 @@ test('what the server refuses is stated in German, with its English sentence mar
   await expect(page.getByTestId('trouble')).toContainText('Somebody else is driving.');
 });
 
+test('the check before a capture is stated in German', async ({ console: page }) => {
+  await page.getByTestId('language').click();
+  await page.getByLabel('Flugzeug').fill('OE-ABC');
+  await page.getByLabel('Zone').fill('Tragfläche links');
+  await page.getByLabel('Ihr Name').fill('Ann');
+  await page.getByTestId('begin').click();
+  const readiness = page.getByTestId('readiness');
+  await expect(readiness).toContainText('Kamera: bereit');
+  await expect(readiness).toContainText(/\d,\d Bilder pro Sekunde/);
+  await expect(readiness).toContainText(/Schwenkwinkel -?\d+,\d°/);
+  await expect(readiness).toContainText(/\d,\d GB frei/);
+  await expect(readiness.locator('[lang=en]')).toHaveCount(0);
+});
+
 test('the console is switched to German, which is kept, and a review is done in it', async ({ console: page }) => {
   await openReview(page);
   await expect(page.locator('html')).toHaveAttribute('lang', 'en');

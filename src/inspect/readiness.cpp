@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -63,24 +64,32 @@ ReadinessItem camera_item(const Watched& watched, const ReadinessOptions& option
   const std::string seen = fmt::format("{}, {} x {} pixels, {:.1f} frames per second",
                                        watched.info.camera.value_or(CameraInfo{"Camera", "", {}}).model,
                                        depth.width, depth.height, rate_hz);
+  const std::map<std::string, double> values{
+      {"width_px", depth.width}, {"height_px", depth.height}, {"rate_hz", rate_hz}};
   // Noise makes every image differ from the one before.
   if (watched.measured > 0.0 && 2 * watched.repeated >= options.frames)
     return {
-        "Camera", false,
+        "Camera",
+        false,
         fmt::format(
             "{}. It is frozen: {} of {} depth images are the same as the one before. Disconnect the camera "
             "and connect it again.",
-            seen, watched.repeated, options.frames)};
-  if (rate_hz >= options.least_rate_hz) return {"Camera", true, seen + "."};
-  return {"Camera", false, seen + ": too few. Use a USB 3 port and cable, and close other programs."};
+            seen, watched.repeated, options.frames),
+        "camera-frozen",
+        {{"repeated_frames", watched.repeated}, {"frames", options.frames}}};
+  if (rate_hz >= options.least_rate_hz) return {"Camera", true, seen + ".", "camera-ready", values};
+  return {"Camera", false, seen + ": too few. Use a USB 3 port and cable, and close other programs.",
+          "camera-slow", values};
 }
 
 ReadinessItem depth_item(const Watched& watched, const ReadinessOptions& options) {
   const std::string seen = fmt::format("{:.0f} % of the view is measured", 100.0 * watched.measured);
-  if (watched.measured >= options.least_measured) return {"Depth", true, seen + "."};
+  const std::map<std::string, double> values{{"measured", watched.measured}};
+  if (watched.measured >= options.least_measured) return {"Depth", true, seen + ".", "depth-ready", values};
   return {
       "Depth", false,
-      seen + ": too little. Check that the lens is clean, the projector on, and nothing nearer than 0.2 m."};
+      seen + ": too little. Check that the lens is clean, the projector on, and nothing nearer than 0.2 m.",
+      "depth-missing", values};
 }
 
 ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& options) {
@@ -95,32 +104,43 @@ ReadinessItem warm_up_item(const Watched& watched, const ReadinessOptions& optio
   const double at_one_metre_mm = mm_per_m * std::abs(drift_px) / stereo.focal_baseline_m_px;
   const std::string seen = fmt::format("depth at one metre moved by {:.2f} mm in {:.0f} seconds",
                                        at_one_metre_mm, watched.duration_s);
+  const std::map<std::string, double> values{{"drift_mm", at_one_metre_mm},
+                                             {"duration_s", watched.duration_s}};
   constexpr double reliable = 3.0;
   if (std::abs(drift_px) <= std::max(options.most_drift_px, reliable * deviation_px))
-    return {"Warm-up", true, fmt::format("The camera is stable: {}.", seen)};
+    return {"Warm-up", true, fmt::format("The camera is stable: {}.", seen), "camera-stable", values};
   return {"Warm-up", false,
-          fmt::format("The camera is still warming up, or was touched: {}. Wait a few minutes.", seen)};
+          fmt::format("The camera is still warming up, or was touched: {}. Wait a few minutes.", seen),
+          "camera-drifting", values};
 }
 
 ReadinessItem robot_item(const Drive* drive) {
-  if (drive == nullptr) return {"Robot", true, "No robot: the camera does not move and has one view."};
+  if (drive == nullptr)
+    return {"Robot", true, "No robot: the camera does not move and has one view.", "robot-none"};
   const DriveState state = drive->state();
-  if (!state.problem.empty()) return {"Robot", false, state.problem};
-  if (!state.joints) return {"Robot", false, "Its position is not known yet. Wait a moment."};
-  return {"Robot", true,
+  if (!state.problem.empty()) return {"Robot", false, state.problem, "robot-failed"};
+  if (!state.joints)
+    return {"Robot", false, "Its position is not known yet. Wait a moment.", "robot-unknown"};
+  return {"Robot",
+          true,
           fmt::format("Connected: pan {:.1f}, tilt {:.1f} degrees.", state.joints->pan_deg,
-                      state.joints->tilt_deg)};
+                      state.joints->tilt_deg),
+          "robot-ready",
+          {{"pan_deg", state.joints->pan_deg}, {"tilt_deg", state.joints->tilt_deg}}};
 }
 
 ReadinessItem disk_item(const std::filesystem::path& folder, const ReadinessOptions& options) {
   std::error_code failure;
   const std::filesystem::space_info space = std::filesystem::space(folder, failure);
   if (failure)
-    return {"Disk", false, fmt::format("The free space cannot be determined: {}.", failure.message())};
+    return {"Disk", false, fmt::format("The free space cannot be determined: {}.", failure.message()),
+            "disk-unknown"};
   const double free_gb = static_cast<double>(space.available) / 1e9;
   const std::string seen = fmt::format("{:.1f} GB free", free_gb);
-  if (free_gb >= options.least_free_gb) return {"Disk", true, seen + "."};
-  return {"Disk", false, fmt::format("{}: at least {:.1f} GB are needed.", seen, options.least_free_gb)};
+  const std::map<std::string, double> values{{"free_gb", free_gb}, {"least_free_gb", options.least_free_gb}};
+  if (free_gb >= options.least_free_gb) return {"Disk", true, seen + ".", "disk-ready", values};
+  return {"Disk", false, fmt::format("{}: at least {:.1f} GB are needed.", seen, options.least_free_gb),
+          "disk-full", values};
 }
 
 }  // namespace
@@ -135,7 +155,7 @@ Readiness check_readiness(LiveCamera& camera, const Drive* drive, const std::fil
     readiness.items = {camera_item(watched, options), depth_item(watched, options),
                        warm_up_item(watched, options)};
   } catch (const Error& error) {
-    readiness.items = {{"Camera", false, error.what()}};
+    readiness.items = {{"Camera", false, error.what(), "camera-failed"}};
   }
   readiness.items.push_back(robot_item(drive));
   readiness.items.push_back(disk_item(folder, options));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct ReadinessItem {
   std::string name;  ///< "Camera", "Depth", "Warm-up", "Robot", "Disk"
   bool ready = false;
   std::string says;  ///< sentences for the user: what was measured and, if it is not enough, what to do
+  /// The same for programs that state it in their own words, such as "disk-full". Names are added, never
+  /// changed.
+  std::string code;
+  /// What was measured, by names that end in the unit, such as "free_gb"; shares are from 0 to 1.
+  std::map<std::string, double> values{};
 };
 
 /// The result of the check before a capture.

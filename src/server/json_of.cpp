@@ -215,7 +215,11 @@ Json json_of(const Inspection& inspection) {
 Json json_of(const Readiness& readiness) {
   Json items = Json::array();
   for (const ReadinessItem& item : readiness.items)
-    items.push_back({{"name", item.name}, {"ready", item.ready}, {"says", without_folders(item.says)}});
+    items.push_back({{"name", item.name},
+                     {"ready", item.ready},
+                     {"says", without_folders(item.says)},
+                     {"code", item.code},
+                     {"values", item.values}});
   return {{"ready", readiness.ready()}, {"checked_at", readiness.checked_at}, {"items", items}};
 }
 

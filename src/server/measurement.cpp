@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "capture/capture.hpp"
 #include "core/units.hpp"
@@ -21,7 +22,13 @@ ApiError bad(const std::string& problem) {
   return {400, "bad-request", "measure", problem, "see docs/api.md"};
 }
 
-// What the person is shown. @param what for example "point 2"
+// What cannot be measured. The names are those of the API.
+struct Unmeasurable {
+  std::string part;                    // "point", "line-ends", "surface", "surface-points"
+  std::string text;                    // for example "point 2"
+  std::optional<std::size_t> point{};  // from 1
+};
+
 std::string problem_text(Unmeasured reason, const std::string& what) {
   switch (reason) {
     case Unmeasured::outside:
@@ -34,6 +41,14 @@ std::string problem_text(Unmeasured reason, const std::string& what) {
       return what + " span no plane: select points that are farther apart";
   }
   return {};
+}
+
+// States the first problem as a sentence, and as names for consoles in other languages.
+void put_problem(Json& answer, Unmeasured reason, const Unmeasurable& what) {
+  if (answer.contains("problem")) return;
+  answer["problem"] = problem_text(reason, what.text);
+  answer["unmeasured"] = {{"reason", name_of(reason)}, {"part", what.part}};
+  if (what.point) answer["unmeasured"]["point"] = *what.point;
 }
 
 const SurfacePoint* measured(const PointOrReason& point) { return std::get_if<SurfacePoint>(&point); }
@@ -80,8 +95,9 @@ void add_height(Json& answer, const MeasuredPicture& picture, const MeasureReque
                 const Points& points, const MeasureOptions& options) {
   const PlaneOrReason plane = surface_of(picture, request, points);
   if (const auto* reason = std::get_if<Unmeasured>(&plane))
-    answer["problem"] =
-        problem_text(*reason, request.surface ? "the surface" : "the three points of the surface");
+    put_problem(answer, *reason,
+                request.surface ? Unmeasurable{"surface", "the surface"}
+                                : Unmeasurable{"surface-points", "the three points of the surface"});
   else
     put(answer, "height", height_above(*measured(points.back()), std::get<Plane>(plane), options));
 }
@@ -91,7 +107,7 @@ void add_profile(Json& answer, const MeasuredPicture& picture, const MeasureRequ
   const ProfileOrReason along = profile_along(picture.view, *picture.depth_pixel(request.points[0]),
                                               *picture.depth_pixel(request.points[1]), options);
   if (const auto* reason = std::get_if<Unmeasured>(&along)) {
-    answer["problem"] = problem_text(*reason, "the ends of the line");
+    put_problem(answer, *reason, {"line-ends", "the ends of the line"});
     return;
   }
   answer["profile"] = Json::array();
@@ -143,8 +159,8 @@ Json measure(const MeasuredPicture& picture, const MeasureRequest& request, cons
     points.push_back(picture.point(pixel, options));
     answer["points"].push_back(json_of(points.back(), options));
     const auto* reason = std::get_if<Unmeasured>(&points.back());
-    if (reason != nullptr && !answer.contains("problem"))
-      answer["problem"] = problem_text(*reason, fmt::format("point {}", points.size()));
+    if (reason != nullptr)
+      put_problem(answer, *reason, {"point", fmt::format("point {}", points.size()), points.size()});
   }
   if (answer.contains("problem")) return answer;
   if (points.size() == 2)
@@ -160,8 +176,11 @@ Json json_of(const MapMeasurement& measured) {
               {"points", Json::array()}};
   for (const std::optional<MeasuredMapPoint>& found : measured.points) {
     answer["points"].push_back(found ? json_of(found->point, found->distance) : Json(nullptr));
-    if (!found && !answer.contains("problem"))
-      answer["problem"] = fmt::format("no view measures point {}", answer["points"].size());
+    if (!found && !answer.contains("problem")) {
+      const std::size_t point = answer["points"].size();
+      answer["problem"] = fmt::format("no view measures point {}", point);
+      answer["unmeasured"] = {{"reason", "no-view"}, {"part", "point"}, {"point", point}};
+    }
   }
   if (measured.length) put(answer, "length", *measured.length);
   return answer;

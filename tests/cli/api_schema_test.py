@@ -18,7 +18,7 @@ SCHEMA = None
 
 # Fields that appear only after a failure of a device, or by chance.
 NOT_MET = {'CameraStatus.problem', 'CheckedView.problem', 'Finding.moved_from', 'RecordedLevels.effective_frames',
-           'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
+           'ReadinessValues.frames', 'ReadinessValues.repeated_frames', 'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
 
 
 class CheckedConsole(Console):

@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/date_time.hpp"
 #include "core/error.hpp"
@@ -20,6 +23,7 @@ namespace rva {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr int width = 160;
@@ -70,6 +74,12 @@ Surface drifting(double px_per_frame) {
   return [=](int, int, std::uint64_t frame) { return wall_px + px_per_frame * static_cast<double>(frame); };
 }
 
+std::vector<std::string> codes_of(const Readiness& readiness) {
+  std::vector<std::string> codes;
+  for (const ReadinessItem& item : readiness.items) codes.push_back(item.code);
+  return codes;
+}
+
 class ReadinessTest : public testing::Test {
  protected:
   Readiness check(const Surface& surface, double most_hz = 500.0) {
@@ -101,6 +111,10 @@ TEST_F(ReadinessTest, OfEverythingThatIsInOrderIsReady) {
   std::string names;
   for (const ReadinessItem& item : readiness.items) names += item.name + " ";
   EXPECT_EQ(names, "Camera Depth Warm-up Robot Disk ");
+  EXPECT_THAT(codes_of(readiness),
+              ElementsAre("camera-ready", "depth-ready", "camera-stable", "robot-none", "disk-ready"));
+  EXPECT_EQ(readiness.items.at(0).values.at("width_px"), 160.0);
+  EXPECT_EQ(readiness.items.at(1).values.at("measured"), 1.0);
   EXPECT_THAT(readiness.items.at(0).says, HasSubstr("D435 of this test, 160 x 120 pixels"));
   EXPECT_EQ(readiness.items.at(1).says, "100 % of the view is measured.");
   EXPECT_THAT(readiness.items.at(2).says, HasSubstr("stable: depth at one metre moved by 0.00 mm"));
@@ -125,6 +139,7 @@ TEST_F(ReadinessTest, OfASlowCameraIsNot) {
   const ReadinessItem problem = only_problem(check(wall, 100.0));
   EXPECT_EQ(problem.name, "Camera");
   EXPECT_THAT(problem.says, HasSubstr("frames per second: too few. Use a USB 3 port"));
+  EXPECT_EQ(problem.code, "camera-slow");
 }
 
 TEST_F(ReadinessTest, OfACameraThatIsFrozenIsNot) {
@@ -134,6 +149,8 @@ TEST_F(ReadinessTest, OfACameraThatIsFrozenIsNot) {
   EXPECT_THAT(problem.says,
               AllOf(HasSubstr("It is frozen: 7 of 8 depth images are the same as the one before"),
                     HasSubstr("connect it again")));
+  EXPECT_EQ(problem.code, "camera-frozen");
+  EXPECT_EQ(problem.values, (std::map<std::string, double>{{"repeated_frames", 7}, {"frames", 8}}));
 }
 
 TEST_F(ReadinessTest, OfACameraThatGivesMostImagesTwiceIsNot) {
@@ -156,6 +173,8 @@ TEST_F(ReadinessTest, NeedsEnoughMeasuredPixels) {
   const ReadinessItem problem = only_problem(check(part));
   EXPECT_EQ(problem.name, "Depth");
   EXPECT_THAT(problem.says, AllOf(HasSubstr("25 % of the view is measured: too little"), HasSubstr("lens")));
+  EXPECT_EQ(problem.code, "depth-missing");
+  EXPECT_EQ(problem.values.at("measured"), 0.25);
   options_.least_measured = 0.25;
   EXPECT_TRUE(check(part).ready());
 }
@@ -166,6 +185,8 @@ TEST_F(ReadinessTest, OfACameraWhoseDepthDriftsIsNot) {
     EXPECT_EQ(problem.name, "Warm-up");
     // Both halves are four frames apart: 0.04 px of 10.6 px m, at one metre.
     EXPECT_THAT(problem.says, AllOf(HasSubstr("moved by 3.7"), HasSubstr("Wait a few minutes")));
+    EXPECT_EQ(problem.code, "camera-drifting");
+    EXPECT_NEAR(problem.values.at("drift_mm"), 3.77, 0.05);
   }
   options_.most_drift_px = 0.05;
   EXPECT_TRUE(check(drifting(0.01)).ready()) << "as much is allowed";
@@ -194,6 +215,7 @@ TEST_F(ReadinessTest, OfACameraThatFailsNamesTheFailure) {
   const ReadinessItem problem = only_problem(readiness);
   EXPECT_EQ(problem.name, "Camera");
   EXPECT_THAT(problem.says, AllOf(HasSubstr("was unplugged"), HasSubstr("plug it in")));
+  EXPECT_EQ(problem.code, "camera-failed");
   EXPECT_EQ(readiness.items.size(), 3U) << "nothing is stated about depth; robot and disk are checked";
 }
 
@@ -202,6 +224,8 @@ TEST_F(ReadinessTest, NeedsSpaceOnTheDisk) {
   const ReadinessItem problem = only_problem(check(wall));
   EXPECT_EQ(problem.name, "Disk");
   EXPECT_THAT(problem.says, HasSubstr("GB free: at least 1000000.0 GB are needed."));
+  EXPECT_EQ(problem.code, "disk-full");
+  EXPECT_EQ(problem.values.at("least_free_gb"), 1e6);
 }
 
 TEST_F(ReadinessTest, NeedsTheFolder) {
@@ -210,6 +234,7 @@ TEST_F(ReadinessTest, NeedsTheFolder) {
   const ReadinessItem problem = only_problem(readiness);
   EXPECT_EQ(problem.name, "Disk");
   EXPECT_THAT(problem.says, HasSubstr("cannot be determined: No such file or directory"));
+  EXPECT_EQ(problem.code, "disk-unknown");
 }
 
 /// A robot whose servos do not answer, until they do.
@@ -235,11 +260,15 @@ TEST_F(ReadinessTest, NeedsTheRobotsAnswer) {
   const ReadinessItem problem = only_problem(check(wall));
   EXPECT_EQ(problem.name, "Robot");
   EXPECT_THAT(problem.says, HasSubstr("does not answer"));
+  EXPECT_EQ(problem.code, "robot-failed");
   robot.mute = false;
   ASSERT_TRUE(test::eventually([&] { return drive.state().joints && drive.state().problem.empty(); }));
   const Readiness readiness = check(wall);
   EXPECT_TRUE(readiness.ready());
   EXPECT_EQ(readiness.items.at(3).says, "Connected: pan 12.3, tilt -4.5 degrees.");
+  EXPECT_EQ(readiness.items.at(3).code, "robot-ready");
+  EXPECT_EQ(readiness.items.at(3).values,
+            (std::map<std::string, double>{{"pan_deg", 12.3}, {"tilt_deg", -4.5}}));
 }
 
 TEST_F(ReadinessTest, EndsWhenTheUserInterruptsIt) {

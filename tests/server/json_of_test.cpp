@@ -101,10 +101,12 @@ TEST(JsonOf, SummaryHasCountsInPlaceOfFindings) {
 }
 
 TEST(JsonOf, ReadinessIsThatOfAllItems) {
-  Readiness readiness{{{"Camera", true, "fine."}, {"Disk", false, "/home/ann/data is full."}}, "t"};
+  Readiness readiness{{{"Camera", true, "fine.", "camera-ready", {{"rate_hz", 30.0}}},
+                       {"Disk", false, "/home/ann/data is full.", "disk-unknown"}},
+                      "t"};
   EXPECT_EQ(json_of(readiness), Json::parse(R"({"ready": false, "checked_at": "t", "items": [
-      {"name": "Camera", "ready": true, "says": "fine."},
-      {"name": "Disk", "ready": false, "says": "…/data is full."}]})"));
+      {"name": "Camera", "ready": true, "says": "fine.", "code": "camera-ready", "values": {"rate_hz": 30.0}},
+      {"name": "Disk", "ready": false, "says": "…/data is full.", "code": "disk-unknown", "values": {}}]})"));
   readiness.items[1].ready = true;
   EXPECT_EQ(json_of(readiness)["ready"], true);
 }

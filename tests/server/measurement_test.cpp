@@ -77,6 +77,7 @@ TEST(Measurement, WhatCannotBeMeasuredIsExplained) {
   }
   const Json hole = measured(live, R"({"points": [{"u": 20, "v": 20}, {"u": 80, "v": 60}]})");
   EXPECT_EQ(hole["problem"], "no depth is measured at point 2");
+  EXPECT_EQ(hole["unmeasured"], Json::parse(R"({"reason": "no-depth", "part": "point", "point": 2})"));
   EXPECT_TRUE(hole["points"][1].is_null());
   EXPECT_FALSE(hole.contains("length_mm"));
   EXPECT_EQ(measured(live, R"({"points": [{"u": -5, "v": 60}]})")["problem"],
@@ -84,6 +85,7 @@ TEST(Measurement, WhatCannotBeMeasuredIsExplained) {
   const Json line = measured(live, R"({"tool": "height", "points": [{"u": 20, "v": 20}, {"u": 40, "v": 20},
                                        {"u": 60, "v": 20}, {"u": 100, "v": 80}]})");
   EXPECT_NE(line["problem"].get<std::string>().find("span no plane"), std::string::npos);
+  EXPECT_EQ(line["unmeasured"], Json::parse(R"({"reason": "collinear", "part": "surface-points"})"));
 }
 
 TEST(Measurement, MoreFramesReduceTheUncertainty) {

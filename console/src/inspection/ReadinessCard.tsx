@@ -4,6 +4,7 @@ import { api } from '../link/api';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import { attempt } from './inspections';
+import { readinessName, readinessText } from './readiness';
 import { words } from '../words/words';
 
 const old_ms = 10 * 60 * 1000;
@@ -31,10 +32,10 @@ export function ReadinessCard({ mayCapture }: { mayCapture: boolean }) {
             </span>
             <span>
               <strong>
-                {item.name}: {item.ready ? words.inspection.ready : words.inspection.notReady}
+                {readinessName(item.name)}: {item.ready ? words.inspection.ready : words.inspection.notReady}
               </strong>
               <br />
-              {item.says}
+              {readinessText(item) ?? <span lang="en">{item.says}</span>}
             </span>
           </li>
         ))}

@@ -1,6 +1,6 @@
 // What a measurement states, in words.
 import type { Measurement, ProfileSample } from '../types';
-import { percentText, words } from '../words/words';
+import { percentText, sentence, words } from '../words/words';
 import { quantityText } from './quantity';
 
 export type Measured = Required<Pick<ProfileSample, 'share' | 'along_mm' | 'height_mm' | 'height_uncertainty_mm'>>;
@@ -42,14 +42,21 @@ function valueText(measurement: Measurement): string {
   return point ? quantityText(1000 * point.distance_m, point.distance_uncertainty_mm ?? 0) : '';
 }
 
+function problemText({ unmeasured, problem }: Measurement): string | undefined {
+  if (!unmeasured) return problem;
+  const part = words.measure.unmeasuredParts[unmeasured.part](unmeasured.point ?? 0);
+  return sentence(words.measure.unmeasured[unmeasured.reason](part));
+}
+
 /** What was measured, or why nothing was. */
 export function resultText(measurement: Measurement): string {
-  if (measurement.problem) return measurement.problem;
+  const problem = problemText(measurement);
+  if (problem) return problem;
   const nearEdge = measurement.points.some((point) => point?.near_edge);
   return valueText(measurement) + (nearEdge ? words.measure.nearEdge : '');
 }
 
 /** The same without remarks, for the picture. */
 export function labelText(measurement: Measurement): string {
-  return measurement.problem ?? valueText(measurement);
+  return problemText(measurement) ?? valueText(measurement);
 }

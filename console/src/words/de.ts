@@ -525,7 +525,38 @@ export const de: Words = {
     surfaceGuide: 'Ein Rechteck über die ebene Fläche ziehen, neben dem Gegenstand oder um ihn herum.',
     surfaceMiddle: 'Rechteck in der Mitte',
     takeSurface: 'Diese Fläche nehmen',
+    unmeasured: {
+      outside: (part) => `${part} liegt außerhalb des Tiefenbilds`,
+      'no-depth': (part) => `${part}: keine Tiefe gemessen`,
+      edge: (part) => `${part} liegt an einer Kante zwischen zwei Flächen`,
+      collinear: (part) => `${part} spannen keine Ebene auf: Punkte wählen, die weiter auseinanderliegen`,
+      'no-view': (part) => `${part}: von keiner Ansicht gemessen`,
+    },
+    unmeasuredParts: {
+      point: (number) => `Punkt ${number}`,
+      'line-ends': () => 'die Enden der Linie',
+      surface: () => 'die Fläche',
+      'surface-points': () => 'die drei Punkte der Fläche',
+    },
     tools: { distance: 'Entfernung', length: 'Länge', height: 'Höhe', profile: 'Profil' },
+  },
+
+  readiness: {
+    names: { Camera: 'Kamera', Depth: 'Tiefe', 'Warm-up': 'Aufwärmen', Robot: 'Roboter', Disk: 'Speicherplatz' },
+    sentences: {
+      'camera-ready': (of) => `${of.width_px} × ${of.height_px} Pixel, ${of.rate_hz} Bilder pro Sekunde.`,
+      'camera-slow': (of) => `Nur ${of.rate_hz} Bilder pro Sekunde. Einen USB-3-Anschluss und ein USB-3-Kabel verwenden und andere Programme schließen.`,
+      'camera-frozen': (of) => `Das Bild steht: ${of.repeated_frames} von ${of.frames} Tiefenbildern gleichen dem davor. Die Kamera abziehen und wieder anschließen.`,
+      'depth-ready': (of) => `${of.measured} der Ansicht sind gemessen.`,
+      'depth-missing': (of) => `Nur ${of.measured} der Ansicht sind gemessen. Ist das Objektiv sauber, der Projektor an und nichts näher als 0,2 m?`,
+      'camera-stable': (of) => `Die Kamera ist stabil: In ${of.duration_s} Sekunden änderte sich die Tiefe in einem Meter um ${of.drift_mm} mm.`,
+      'camera-drifting': (of) => `Die Kamera ist noch nicht warm oder wurde berührt: In ${of.duration_s} Sekunden änderte sich die Tiefe in einem Meter um ${of.drift_mm} mm. Einige Minuten warten.`,
+      'robot-none': () => 'Kein Roboter: Die Kamera bewegt sich nicht und hat eine Ansicht.',
+      'robot-ready': (of) => `Verbunden: Schwenkwinkel ${of.pan_deg}°, Neigungswinkel ${of.tilt_deg}°.`,
+      'robot-unknown': () => 'Seine Stellung ist noch nicht bekannt. Einen Moment warten.',
+      'disk-ready': (of) => `${of.free_gb} GB frei.`,
+      'disk-full': (of) => `${of.free_gb} GB frei: Mindestens ${of.least_free_gb} GB sind nötig.`,
+    },
   },
 
   space: {

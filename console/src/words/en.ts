@@ -2,6 +2,10 @@
 // they are to be shown, counts as numbers.
 
 import type { RefusalCode } from '../link/refusal';
+import type { ReadinessValues } from '../types';
+
+/** What the check before a capture measured, as it is to be shown. */
+export type Figures = Record<keyof ReadinessValues, string>;
 
 function counted(count: number, one: string, several: string): string {
   return count === 1 ? `1 ${one}` : `${count} ${several}`;
@@ -528,7 +532,38 @@ export const en = {
     surfaceGuide: 'Drag a rectangle over the flat surface, beside the object or around it.',
     surfaceMiddle: 'Rectangle in the middle',
     takeSurface: 'Take this surface',
+    unmeasured: {
+      outside: (part: string) => `${part} is outside of the depth image`,
+      'no-depth': (part: string) => `no depth is measured at ${part}`,
+      edge: (part: string) => `${part} is at an edge between surfaces`,
+      collinear: (part: string) => `${part} span no plane: select points that are farther apart`,
+      'no-view': (part: string) => `no view measures ${part}`,
+    },
+    unmeasuredParts: {
+      point: (number: number) => `point ${number}`,
+      'line-ends': () => 'the ends of the line',
+      surface: () => 'the surface',
+      'surface-points': () => 'the three points of the surface',
+    },
     tools: { distance: 'Distance', length: 'Length', height: 'Height', profile: 'Profile' },
+  },
+
+  readiness: {
+    names: { Camera: 'Camera', Depth: 'Depth', 'Warm-up': 'Warm-up', Robot: 'Robot', Disk: 'Disk' },
+    sentences: {
+      'camera-ready': (of: Figures) => `${of.width_px} × ${of.height_px} pixels, ${of.rate_hz} images per second.`,
+      'camera-slow': (of: Figures) => `Only ${of.rate_hz} images per second. Use a USB 3 port and cable, and close other programs.`,
+      'camera-frozen': (of: Figures) => `It is frozen: ${of.repeated_frames} of ${of.frames} depth images are the same as the one before. Disconnect the camera and connect it again.`,
+      'depth-ready': (of: Figures) => `${of.measured} of the view is measured.`,
+      'depth-missing': (of: Figures) => `Only ${of.measured} of the view is measured. Check that the lens is clean, the projector is on, and nothing is nearer than 0.2 m.`,
+      'camera-stable': (of: Figures) => `The camera is stable: depth at one metre moved by ${of.drift_mm} mm in ${of.duration_s} seconds.`,
+      'camera-drifting': (of: Figures) => `The camera is still warming up, or was touched: depth at one metre moved by ${of.drift_mm} mm in ${of.duration_s} seconds. Wait a few minutes.`,
+      'robot-none': () => 'No robot: the camera does not move and has one view.',
+      'robot-ready': (of: Figures) => `Connected: pan ${of.pan_deg}°, tilt ${of.tilt_deg}°.`,
+      'robot-unknown': () => 'Its position is not known yet. Wait a moment.',
+      'disk-ready': (of: Figures) => `${of.free_gb} GB free.`,
+      'disk-full': (of: Figures) => `${of.free_gb} GB free: at least ${of.least_free_gb} GB are needed.`,
+    },
   },
 
   space: {

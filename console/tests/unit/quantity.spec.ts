@@ -26,6 +26,8 @@ test('results in words', () => {
   expect(labelText({ tool: 'distance', points: [point] })).toBe('500 mm ± 3 mm');
   expect(labelText({ tool: 'height', points: [point], height_mm: -2, height_uncertainty_mm: 0.5 })).toBe('2.0 mm ± 0.5 mm below the surface');
   expect(labelText({ points: [null], problem: 'no depth is measured at point 1' })).toBe('no depth is measured at point 1');
+  expect(labelText({ points: [null], problem: 'no depth', unmeasured: { reason: 'no-depth', part: 'point', point: 2 } })).toBe('No depth is measured at point 2');
+  expect(resultText({ points: [point], problem: 'p', unmeasured: { reason: 'edge', part: 'surface' } })).toBe('The surface is at an edge between surfaces');
   expect(resultText({ tool: 'distance', points: [{ ...point!, near_edge: true }] })).toContain('near an edge');
 });
 
