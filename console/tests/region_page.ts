@@ -35,6 +35,16 @@ export function inspectionOf(page: Page): Promise<Inspection> {
   return page.evaluate(async () => (await (await fetch('/api/inspections/1')).json()) as Inspection);
 }
 
+/**
+ * Loads the console at an address within it. The page before is left first: one that is still shown writes the address of
+ * what it shows, which may be over the one that is asked for.
+ */
+export async function openAt(page: Page, hash: string): Promise<void> {
+  const { origin } = new URL(page.url());
+  await page.goto('about:blank');
+  await page.goto(`${origin}/${hash}`);
+}
+
 /** The page is shown an inspection other than the server's, and pictures of one colour. */
 export async function standIn(page: Page, part: Partial<Inspection>, withColor = true): Promise<void> {
   const inspection = { ...(await inspectionOf(page)), ...part };
@@ -44,6 +54,5 @@ export async function standIn(page: Page, part: Partial<Inspection>, withColor =
     withColor || !route.request().url().includes('color.png') ? route.fulfill({ contentType: 'image/svg+xml', body }) : route.fulfill({ status: 404, json: {} }),
   );
   // With no page in the address, the one of the inspection's step is shown.
-  await page.evaluate(() => history.replaceState(null, '', '#/inspections/1'));
-  await page.reload();
+  await openAt(page, '#/inspections/1');
 }

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import type { Inspection, Round } from '../src/types';
 import { expectAccessible, expectTouchable } from './accessibility';
-import { inspectionOf } from './region_page';
+import { inspectionOf, openAt } from './region_page';
 import { openReview, wall } from './review_page';
 import { expect, test } from './served';
 
@@ -66,8 +66,7 @@ test('the map of an earlier round is shown, which has an address, and it is stat
 test('an address leads to a finding of an earlier round, and one of a round that does not exist to the current one', async ({ console: page }) => {
   await openRounds(page);
   for (const [hash, shown] of [['rounds/1/review/1', 'rounds/1/review/1'], ['rounds/7/review', 'review'], ['rounds/3/review/3', 'review/3']] as const) {
-    await page.evaluate((wanted) => history.replaceState(null, '', `#/inspections/1/${wanted}`), hash);
-    await page.reload();
+    await openAt(page, `#/inspections/1/${hash}`);
     await expect(page.getByTestId('moment-before')).toBeVisible();
     await expect(page).toHaveURL(new RegExp(`#/inspections/1/${shown}$`));
     await expect(page.getByTestId('earlier-round')).toHaveCount(shown.startsWith('rounds') ? 1 : 0);
