@@ -1,5 +1,11 @@
 // A whole inspection, as a person does it who has never seen the console.
+import type { Page } from '@playwright/test';
 import { angle, begin, expect, expectAtRest, Served, test } from './served';
+
+/** Nothing is wider than the page. */
+async function expectNothingWide(page: Page): Promise<void> {
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+}
 
 test('from the empty list to the last decision, with a reload and a power cut between', async ({ console: page, served }) => {
   await begin(page);
@@ -111,6 +117,18 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await page.getByTestId('close-confirm').click();
   await expect(page.getByTestId('closed')).toContainText('Closed by Ida');
   await expect(page.getByTestId('capture-again')).toHaveCount(0);
+
+  // The report is a page of its own, with all of its pictures.
+  const opened = page.context().waitForEvent('page');
+  await page.getByTestId('report').click();
+  const report = await opened;
+  await expect(report.locator('.verdict')).toContainText('No debris remains in what was inspected');
+  await expect(report.locator('.verdict')).toContainText('Closed by Ida');
+  expect(await report.locator('.finding').count()).toBeGreaterThanOrEqual(count);
+  const missing = await report.locator('img').evaluateAll((images) => (images as HTMLImageElement[]).filter((image) => image.naturalWidth === 0).length);
+  expect(missing).toBe(0);
+  await expectNothingWide(report);
+  await report.close();
 
   await page.getByTestId('home').click();
   await expect(page.getByTestId('open-1')).toContainText('Closed');

@@ -58,5 +58,6 @@ void add_simulate_command(CLI::App& program);
 
 /// Adds `verify` to the command `inspection`.
 void add_verify_command(CLI::App& inspection);
+void add_report_command(CLI::App& inspection);
 
 }  // namespace rva::cli

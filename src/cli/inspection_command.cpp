@@ -119,10 +119,12 @@ void add_package_export(CLI::App& command) {
 }  // namespace
 
 void add_inspection_command(CLI::App& program) {
-  CLI::App& command = *program.add_subcommand("inspection", "signs inspections, and verifies signed ones");
+  CLI::App& command =
+      *program.add_subcommand("inspection", "reports on inspections, signs them, and verifies signed ones");
   command.require_subcommand(1);
   add_package_export(command);
   add_verify_command(command);
+  add_report_command(command);
 }
 
 }  // namespace rva::cli

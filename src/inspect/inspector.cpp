@@ -87,6 +87,12 @@ Inspection Inspector::inspection(std::int64_t id) const {
   return std::move(*found);
 }
 
+InspectionHistory Inspector::history(std::int64_t id) const {
+  std::optional<InspectionHistory> found = records_.history(id);
+  if (!found) throw Error(title(id), "does not exist", "see the list of inspections");
+  return std::move(*found);
+}
+
 std::vector<PanTilt> Inspector::waypoints_of(const Inspection& inspection) const {
   if (rig_.drive == nullptr) return inspection.views;
   std::vector<PanTilt> waypoints;

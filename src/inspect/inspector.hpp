@@ -74,6 +74,8 @@ class Inspector {
   [[nodiscard]] bool has(std::int64_t id) const { return records_.find(id).has_value(); }
   /// @throws Error when there is none of this id
   [[nodiscard]] Inspection inspection(std::int64_t id) const;
+  /// All that the records contain of an inspection. @throws Error when there is none of this id
+  [[nodiscard]] InspectionHistory history(std::int64_t id) const;
   [[nodiscard]] InspectionFolder folder(std::int64_t id) const { return {data_, id}; }
   /// The robot's geometry.
   [[nodiscard]] const PanTiltChain& chain() const { return rig_.chain; }

@@ -106,6 +106,7 @@ class Api {
   ApiResponse cancel(const Call& call) const;
   // server/review_routes.cpp
   ApiResponse get_rounds(const Call& call) const;
+  ApiResponse get_report(const Call& call) const;
   ApiResponse decide(const Call& call) const;
   ApiResponse decide_all(const Call& call) const;
   ApiResponse mark(const Call& call) const;

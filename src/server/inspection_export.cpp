@@ -19,6 +19,7 @@
 #include "inspect/inspection_folder.hpp"
 #include "inspect/view_comparison.hpp"
 #include "map/view_capture.hpp"
+#include "report/inspection_report.hpp"
 #include "server/json_of.hpp"
 
 namespace fs = std::filesystem;
@@ -27,12 +28,13 @@ namespace rva {
 namespace {
 
 constexpr const char* records_file = "inspection.json";
+constexpr const char* report_file = "report.html";
 constexpr const char* restore = "restore the data folder from a backup";
 
 }  // namespace
 
 std::vector<std::string> exported_files() {
-  std::vector<std::string> files{records_file, "regions/[0-9][0-9][0-9].json",
+  std::vector<std::string> files{records_file, report_file, "regions/[0-9][0-9][0-9].json",
                                  InspectionFolder::marks_name + std::string("/*.png"),
                                  InspectionFolder::snapshots_name + std::string("/*.png")};
   const auto add = [&](const std::string& folder, const std::vector<std::string>& inside) {
@@ -199,13 +201,16 @@ void write_exported_inspection(const InspectionHistory& history, const fs::path&
   const Contents contents(history, data);
   copy(contents, folder, progress);
   write_regions(history.inspection, folder);
+  const std::string made_at = time_of_making();
+  write_file(folder / report_file,
+             inspection_report(history, InspectionFolder(data, history.inspection.id), made_at));
   const Json json{{"format", "rva-inspection"},
                   {"version", 1},
                   {"inspection", record_of(history.inspection)},
                   {"captured", captured_of(history, contents)},
                   {"rounds", rounds_of(history)},
                   {"decisions", decisions_of(history)},
-                  {"provenance", provenance_json(time_of_making())}};
+                  {"provenance", provenance_json(made_at)}};
   write_file(folder / records_file, json_file_text(json));
 }
 

@@ -5,9 +5,11 @@
 #include <optional>
 
 #include "core/date_time.hpp"
+#include "core/file_origin.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "core/units.hpp"
+#include "report/inspection_report.hpp"
 #include "server/api.hpp"
 #include "server/live_pictures.hpp"
 #include "server/measurement.hpp"
@@ -96,6 +98,17 @@ ApiResponse Api::get_rounds(const Call& call) const {
   for (const ComparedRound& round : parts_.inspector.rounds(inspection_id(call)))
     rounds.push_back(json_of(round));
   return {200, "application/json", json_text(Json{{"rounds", rounds}})};
+}
+
+// The document embeds its pictures and runs nothing; the policy of the console would forbid its style.
+ApiResponse Api::get_report(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  return {
+      200,
+      "text/html; charset=utf-8",
+      inspection_report(parts_.inspector.history(id), parts_.inspector.folder(id), time_of_making()),
+      {{"Content-Security-Policy",
+        "sandbox; default-src 'none'; img-src data:; style-src 'unsafe-inline'; frame-ancestors 'none'"}}};
 }
 
 ApiResponse Api::decide(const Call& call) const {

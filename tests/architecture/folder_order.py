@@ -8,7 +8,7 @@ import re
 import sys
 
 ORDER = ['core', 'audit', 'geometry', 'depth', 'capture', 'infrared', 'stereo', 'views', 'measure', 'detect', 'classify', 'plan', 'camera', 'robot', 'map',
-         'scene', 'sim', 'inspect', 'evaluate', 'server', 'store', 'cli']
+         'scene', 'sim', 'inspect', 'report', 'evaluate', 'server', 'store', 'cli']
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 

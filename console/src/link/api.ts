@@ -147,6 +147,11 @@ export function snapshotAddress(inspection: Inspection, number: number): string 
   return `/api/inspections/${inspection.id}/snapshots/${number}/picture.png`;
 }
 
+/** The URL of the report on an inspection, a page of its own. */
+export function reportAddress(inspection: Inspection): string {
+  return `/api/inspections/${inspection.id}/report`;
+}
+
 /** The URL of a picture of a view's baseline. Colour and the pictures of the baseline check may be missing. */
 export function baselineAddress(inspection: Inspection, view: number, name: 'color' | 'depth' | 'level_of_detection' | 'depth_overlay'): string {
   const taken = encodeURIComponent(inspection.initial?.taken_at ?? '');

@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { attempt, openInspection } from '../inspection/inspections';
 import { timeOf } from '../inspection/words';
-import { api } from '../link/api';
+import { api, reportAddress } from '../link/api';
 import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
@@ -68,6 +68,9 @@ function Closed({ inspection }: { inspection: Inspection }) {
     <div class="panel-action" data-testid="closed" role="status">
       <p class="good">{words.review.closed(closing.person, timeOf(closing.closed_at))}</p>
       {closing.note && <q>{closing.note}</q>}
+      <a class="button" href={reportAddress(inspection)} target="_blank" rel="noreferrer" data-testid="report">
+        {words.review.report}
+      </a>
     </div>
   );
 }

@@ -411,6 +411,7 @@ export const de: Words = {
     nothingFound: 'nichts gefunden',
     pictures: 'Bilder vor und nach der Arbeit',
     remains: (list) => `Vor dem Abschluss: ${list}.`,
+    report: 'Bericht zum Lesen und Drucken',
     reviewed: 'Ich habe die Bilder aller Ansichten geprüft. Nach dem Abschluss der Inspektion kann nichts mehr geändert werden.',
     round: (number) => `Runde ${number}`,
     roundNow: '(aktuell)',

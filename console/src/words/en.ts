@@ -418,6 +418,7 @@ export const en = {
     nothingFound: 'nothing found',
     pictures: 'Pictures before and after the work',
     remains: (list: string) => `Before closing: ${list}.`,
+    report: 'Report to read and print',
     reviewed: 'I have reviewed the pictures of every view. Nothing can be changed after the inspection is closed.',
     round: (number: number) => `Round ${number}`,
     roundNow: '(now)',

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "audit/digest.hpp"
+#include "core/error.hpp"
+#include "core/path_text.hpp"
+#include "report/or_reason.hpp"
+#include "report/report_sections.hpp"
+#include "report/report_words.hpp"
+
+namespace fs = std::filesystem;
+
+namespace rva {
+namespace {
+
+std::vector<std::string> folders_of(const InspectionHistory& history, const InspectionFolder& folder) {
+  std::vector<std::string> folders;
+  for (const CapturedRound& round : history.captured)
+    folders.push_back(
+        folder.side(round.side, round.taken.round).lexically_relative(folder.path()).generic_string());
+  for (auto round = history.rounds.rbegin(); round != history.rounds.rend(); ++round)
+    if (!round->comparison.folder.empty()) folders.push_back(round->comparison.folder);
+  return folders;
+}
+
+// Paths relative to the inspection's folder, in the order of their bytes.
+std::vector<std::string> files_of(const InspectionFolder& folder, const std::string& part) {
+  std::error_code failure;
+  std::vector<std::string> files;
+  fs::recursive_directory_iterator inside(folder.path() / part, failure);
+  if (failure)
+    throw Error(printable(folder.path() / part), "is in the records but cannot be read",
+                "restore the data folder from a backup");
+  for (const fs::directory_entry& entry : inside) {
+    folder.require_no_links(entry.path());
+    if (entry.is_regular_file())
+      files.push_back(entry.path().lexically_relative(folder.path()).generic_string());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+// The SHA-256 of what `sha256sum` prints of the files.
+std::string checksum_of(const InspectionFolder& folder, const std::vector<std::string>& files) {
+  std::string lines;
+  for (const std::string& file : files)
+    lines += hex_of(bytes_of(sha256_of_file(folder.path() / file))) + "  " + file + "\n";
+  return hex_of(bytes_of(sha256(lines)));
+}
+
+}  // namespace
+
+Html checksums_section(const InspectionHistory& history, const InspectionFolder& folder) {
+  HtmlTable table{
+      .head = {Html::text("Folder"), Html::text("SHA-256")}, .rows = {}, .class_name = "checksums"};
+  for (const std::string& part : folders_of(history, folder)) {
+    table.rows.push_back({Html::text(part), or_reason([&] {
+                            const std::vector<std::string> files = files_of(folder, part);
+                            return Html::element("code", Html::text(checksum_of(folder, files))) +
+                                   Html::text(" of " + counted(files.size(), "file", "files"));
+                          })});
+  }
+  if (table.rows.empty()) return {};
+  return Html::element("h2", Html::text("Checksums")) + html_of(table) +
+         Html::element(
+             "p",
+             Html::text(fmt::format("To compute one again, in the inspection's folder {}: ",
+                                    folder.path().filename().string())) +
+                 Html::element("code", Html::text("find FOLDER -type f | LC_ALL=C sort | xargs sha256sum | "
+                                                  "sha256sum")),
+             "legend");
+}
+
+}  // namespace rva

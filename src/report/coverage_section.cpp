@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/units.hpp"
+#include "report/object_groups.hpp"
+#include "report/or_reason.hpp"
+#include "report/report_pictures.hpp"
+#include "report/report_sections.hpp"
+#include "report/report_words.hpp"
+
+namespace rva {
+namespace {
+
+// "no depth after 8 %, no depth before 3 %, edges, and too noisy 2 %".
+std::string why_not(const ComparedView& view) {
+  const Coverage& coverage = view.coverage;
+  std::vector<std::string> reasons;
+  const auto add = [&](double share, std::string_view reason) {
+    constexpr double visible = 0.005;
+    if (share >= visible) reasons.push_back(fmt::format("{} {}", reason, percent_text(share)));
+  };
+  add(coverage.left_out.value_or(0.0), "left out as asked");
+  add(coverage.invalid, "no depth after");
+  add(coverage.unseen, "no depth before");
+  add(coverage.beyond_clip.value_or(0.0), "beyond the range of the method");
+  const double named = coverage.left_out.value_or(0.0) + coverage.invalid + coverage.unseen +
+                       coverage.beyond_clip.value_or(0.0);
+  add(1.0 - view.judged - named, "edges, and too noisy");
+  return fmt::format("{}", fmt::join(reasons, ", "));
+}
+
+std::string share_of(const ComparedView& view, double size_mm) {
+  const auto found = std::ranges::find(view.findable, size_mm, &FindableShare::size_mm);
+  return found == view.findable.end() ? "–" : percent_text(found->share);
+}
+
+HtmlTable table_of(const Inspection& inspection) {
+  HtmlTable table{
+      .head = {Html::text("View"), Html::text("Inspected")}, .rows = {}, .class_name = "coverage"};
+  for (const double size_mm : findable_sizes_mm)
+    table.head.push_back(Html::text(fmt::format("{:g} mm found in", size_mm)));
+  table.head.push_back(Html::text("Not inspected"));
+  for (const ComparedView& view : inspection.compared) {
+    std::vector<Html> row{Html::text(std::to_string(view.view + 1)), Html::text(percent_text(view.judged))};
+    for (const double size_mm : findable_sizes_mm) row.push_back(Html::text(share_of(view, size_mm)));
+    row.push_back(Html::text(why_not(view)));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+Html warnings_of(const Inspection& inspection) {
+  Html list;
+  for (const ComparedView& view : inspection.compared)
+    for (const std::string& warning : view.warnings)
+      list += Html::element("li", Html::text(fmt::format("View {}: {}", view.view + 1, warning)));
+  return list.empty() ? Html() : Html::element("ul", list, "warnings");
+}
+
+Html pictures_of(const InspectionHistory& history, const InspectionFolder& folder) {
+  const Inspection& inspection = history.inspection;
+  ComparisonPictures pictures(folder, *inspection.comparison);
+  if (!pictures.exist()) return {};
+  const std::vector<ObjectGroup> groups = object_groups(inspection.findings);
+  Html figures;
+  for (const ComparedView& view : inspection.compared)
+    figures += Html::element(
+        "figure",
+        or_reason([&] { return pictures.view(view.view, groups); }) +
+            Html::element("figcaption", Html::text(fmt::format("View {} after the work", view.view + 1))));
+  // Small where there is nothing to point out, so that the report fits a page.
+  const bool is_large = inspection.compared.size() < 3 && !inspection.findings.empty();
+  return Html::element("div", figures, is_large ? "pictures two" : "pictures three");
+}
+
+}  // namespace
+
+Html coverage_section(const InspectionHistory& history, const InspectionFolder& folder) {
+  const Inspection& inspection = history.inspection;
+  if (!inspection.comparison || inspection.compared.empty()) return {};
+  return Html::element("h2", Html::text("What was inspected")) + html_of(table_of(inspection)) +
+         Html::element("p",
+                       Html::text("“5 mm found in”: the share of the view in which an object of 5 mm would "
+                                  "have been found. Striped: "
+                                  "not inspected."),
+                       "legend") +
+         warnings_of(inspection) + pictures_of(history, folder);
+}
+
+}  // namespace rva

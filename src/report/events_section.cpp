@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/object_groups.hpp"
+#include "report/report_sections.hpp"
+#include "report/report_words.hpp"
+
+namespace rva {
+namespace {
+
+struct Event {
+  std::string at;      ///< ISO 8601
+  std::string person;  ///< empty: the program
+  Html what;
+};
+
+// What a decision is on, as people count: "round 2, finding 3"; "marked finding 1".
+struct Subject {
+  std::size_t round = 0;  ///< 0: marked findings
+  int label = 0;
+};
+
+Subject subject_of(const RecordedDecision& decision, const InspectionHistory& history) {
+  for (std::size_t k = 0; k < history.rounds.size(); ++k) {
+    if (history.rounds[k].comparison.number != decision.comparison) continue;
+    for (const ObjectGroup& group : object_groups(history.rounds[k].findings))
+      if (std::ranges::find(group.all, decision.finding, &ReviewedFinding::number) != group.all.end())
+        return {history.rounds.size() - k, group.label};
+  }
+  return {0, decision.finding};
+}
+
+// Decisions that a person made alike, one after another.
+struct SameDecisions {
+  const Decision* decision = nullptr;
+  std::size_t round = 0;
+  std::vector<std::string> labels{};
+
+  [[nodiscard]] bool is_like(const Decision& other, std::size_t other_round) const {
+    return round == other_round && decision->verdict == other.verdict && decision->person == other.person &&
+           decision->note == other.note;
+  }
+};
+
+std::vector<SameDecisions> same_decisions(const InspectionHistory& history) {
+  std::vector<SameDecisions> rows;
+  for (const RecordedDecision& recorded : history.decisions) {
+    const Subject subject = subject_of(recorded, history);
+    if (rows.empty() || !rows.back().is_like(recorded.decision, subject.round))
+      rows.push_back({&recorded.decision, subject.round});
+    std::vector<std::string>& labels = rows.back().labels;
+    const std::string label = std::to_string(subject.label);
+    if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  }
+  return rows;
+}
+
+Html text_of(const SameDecisions& same) {
+  const std::string of = same.round == 0 ? "Marked finding" : fmt::format("Round {}, finding", same.round);
+  Html text = Html::text(
+      fmt::format("{}{} {}: {}", of, same.labels.size() > 1 ? "s" : "", listed(same.labels),
+                  same.decision->verdict == Verdict::undecided ? "decision taken back"
+                                                               : verdict_text(same.decision->verdict)));
+  if (!same.decision->note.empty()) text += Html::text(", ") + Html::typed(same.decision->note);
+  return text;
+}
+
+void add_captures(const InspectionHistory& history, std::vector<Event>& events) {
+  for (const CapturedRound& round : history.captured)
+    events.push_back({round.taken.taken_at, round.taken.person,
+                      Html::text(fmt::format("{} captured, round {}",
+                                             round.side == Side::initial ? "Baseline" : "Bay after the work",
+                                             round.taken.round))});
+  for (std::size_t k = 0; k < history.rounds.size(); ++k) {
+    const ComparedRound& round = history.rounds[k];
+    events.push_back(
+        {round.comparison.compared_at, "",
+         Html::text(fmt::format("Round {} compared: {}", history.rounds.size() - k,
+                                counted(object_groups(round.findings).size(), "finding", "findings")))});
+  }
+}
+
+void add_remarks(const Inspection& inspection, std::vector<Event>& events) {
+  for (const MarkedFinding& marked : inspection.marked)
+    events.push_back(
+        {marked.marked_at, marked.person,
+         Html::text(fmt::format("Marked finding {}: ", marked.number)) + Html::typed(marked.note)});
+  for (const Snapshot& snapshot : inspection.snapshots)
+    events.push_back(
+        {snapshot.taken_at, snapshot.person,
+         Html::text(fmt::format("Kept snapshot {}: ", snapshot.number)) + Html::typed(snapshot.note)});
+}
+
+std::vector<Event> events_of(const InspectionHistory& history) {
+  const Inspection& inspection = history.inspection;
+  std::vector<Event> events{{inspection.created_at, inspection.order.person, Html::text("Inspection begun")}};
+  add_captures(history, events);
+  add_remarks(inspection, events);
+  for (const SameDecisions& same : same_decisions(history))
+    events.push_back({same.decision->decided_at, same.decision->person, text_of(same)});
+  if (const auto& closing = inspection.closing) {
+    Html text = Html::text("Inspection closed");
+    if (!closing->note.empty()) text += Html::text(", ") + Html::typed(closing->note);
+    events.push_back({closing->closed_at, closing->person, text});
+  }
+  std::ranges::stable_sort(events, {}, &Event::at);
+  return events;
+}
+
+}  // namespace
+
+Html events_section(const InspectionHistory& history) {
+  HtmlTable table{.head = {Html::text("When"), Html::text("Who"), Html::text("What")},
+                  .rows = {},
+                  .class_name = "events"};
+  for (const Event& event : events_of(history))
+    table.rows.push_back({Html::text(time_text(event.at)),
+                          event.person.empty() ? Html::text("RVA") : Html::typed(event.person), event.what});
+  return Html::element("h2", Html::text("Who did what, by the computer's clock")) + html_of(table);
+}
+
+}  // namespace rva

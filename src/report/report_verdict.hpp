@@ -1,0 +1,31 @@
+// What a report states first: whether the bay is free of debris as far as it was inspected.
+#pragma once
+
+#include <string>
+
+#include "inspect/inspection.hpp"
+
+namespace rva {
+
+/// The result of an inspection, for a person with little time.
+enum class Outcome {
+  unfinished,   ///< not closed: nothing is stated yet
+  debris_left,  ///< closed, with debris that cannot be reached
+  not_shown,    ///< closed, with debris that was removed after the last captures, so that none show it gone
+  clear,        ///< closed, with nothing that is debris in the last captures
+};
+
+struct ReportVerdict {
+  Outcome outcome = Outcome::unfinished;
+  std::string sentence;  ///< without a full stop
+  std::string reason;    ///< sentences
+};
+
+/// The verdict on an inspection. Objects are counted, not findings: what two views show counts once.
+[[nodiscard]] ReportVerdict verdict_on(const InspectionHistory& history);
+
+/// "Inspected: 76 % of the view with the least coverage; objects of 5 mm would have been found in 40 % of
+/// it": what every verdict is about. Empty before the first comparison.
+[[nodiscard]] std::string extent_text(const Inspection& inspection);
+
+}  // namespace rva

@@ -1,0 +1,122 @@
+#include "report/report_verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace rva {
+namespace {
+
+constexpr const char* noon = "2026-01-01T12:00:00.000Z";
+
+Decision decision(Verdict verdict, int round = 1) { return {verdict, "", "Ann", noon, round}; }
+
+ReviewedFinding finding(int number, int same_as, std::optional<Decision> decided) {
+  ReviewedFinding reviewed;
+  reviewed.number = number;
+  reviewed.same_as = same_as;
+  reviewed.decision = std::move(decided);
+  return reviewed;
+}
+
+MarkedFinding marked(std::optional<Decision> decided) {
+  MarkedFinding mark;
+  mark.number = 1;
+  mark.decision = std::move(decided);
+  return mark;
+}
+
+// One view in two comparisons, of which the second is valid and reviewed.
+InspectionHistory reviewed(std::vector<ReviewedFinding> now, std::vector<ReviewedFinding> before = {}) {
+  InspectionHistory history;
+  Inspection& inspection = history.inspection;
+  inspection.views = {{}};
+  inspection.initial = TakenSide{noon, "Ann", "b", 1};
+  inspection.final = TakenSide{noon, "Ann", "b", 2};
+  inspection.comparison = RecordedComparison{2, noon, "comparison-2", 2};
+  ComparedView view;
+  view.judged = 0.764;
+  view.findable = {{5.0, 0.4}, {10.0, 0.7}};
+  inspection.compared = {view};
+  inspection.findings = now;
+  history.rounds = {
+      {*inspection.comparison, inspection.final, inspection.compared, std::move(now)},
+      {RecordedComparison{1, noon, "comparison-1", 1}, std::nullopt, {view}, std::move(before)}};
+  return history;
+}
+
+InspectionHistory closed(InspectionHistory history) {
+  history.inspection.closing = Closing{2, "Ida", "", noon};
+  return history;
+}
+
+TEST(ReportVerdict, NothingIsStatedBeforeAnInspectionIsClosed) {
+  InspectionHistory history;
+  EXPECT_EQ(verdict_on(history).sentence, "Not finished: there is no baseline yet");
+  EXPECT_EQ(extent_text(history.inspection), "");
+  history = reviewed({finding(1, 1, decision(Verdict::false_alarm, 2)), finding(2, 2, std::nullopt)});
+  EXPECT_EQ(verdict_on(history).sentence, "Not finished: 1 of 2 findings is not settled");
+  history.inspection.findings[1].decision = decision(Verdict::second_look, 2);
+  EXPECT_EQ(verdict_on(history).sentence, "Not finished: 1 of 2 findings is not settled");
+  history.inspection.findings[1].decision = decision(Verdict::debris, 2);
+  EXPECT_EQ(verdict_on(history).sentence, "Not finished: 1 of 2 findings is not settled");
+  history.inspection.findings[1].decision = decision(Verdict::installed_work, 2);
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::unfinished);
+  EXPECT_NE(verdict_on(history).sentence.find("nobody has closed"), std::string::npos);
+  history.inspection.comparison.reset();
+  EXPECT_EQ(verdict_on(history).sentence, "Not finished: the bay was not compared with its latest captures");
+}
+
+TEST(ReportVerdict, DebrisThatWasRemovedBeforeTheLastCapturesIsCounted) {
+  // Two findings of one object, in two views, count once.
+  const auto history = closed(reviewed(
+      {}, {finding(1, 1, decision(Verdict::debris_removed)), finding(2, 1, decision(Verdict::debris_removed)),
+           finding(3, 3, decision(Verdict::false_alarm))}));
+  const ReportVerdict verdict = verdict_on(history);
+  EXPECT_EQ(verdict.outcome, Outcome::clear);
+  EXPECT_EQ(verdict.sentence, "No debris remains in what was inspected");
+  EXPECT_EQ(verdict.reason,
+            "1 piece of debris was found and removed before the last captures. Closed by Ida, 2026-01-01 "
+            "12:00 UTC.");
+}
+
+TEST(ReportVerdict, DebrisThatWasRemovedAfterThemIsNotShownToBeGone) {
+  const auto history = closed(reviewed({finding(1, 1, decision(Verdict::debris_removed, 2))}));
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::not_shown);
+  EXPECT_EQ(verdict_on(history).sentence,
+            "1 piece of debris was removed after the last captures, which do not show it gone");
+  InspectionHistory by_hand = closed(reviewed({}));
+  by_hand.inspection.marked = {marked(decision(Verdict::debris_removed, 2))};
+  EXPECT_EQ(verdict_on(by_hand).outcome, Outcome::not_shown);
+  by_hand.inspection.marked = {marked(decision(Verdict::debris_removed, 1))};
+  EXPECT_EQ(verdict_on(by_hand).outcome, Outcome::clear) << "the second round was captured without it";
+}
+
+TEST(ReportVerdict, DebrisThatRemainsComesFirst) {
+  auto history = closed(reviewed({finding(1, 1, decision(Verdict::debris_removed, 2)),
+                                  finding(2, 2, decision(Verdict::debris_unreachable, 2))}));
+  history.inspection.marked = {marked(decision(Verdict::debris_unreachable, 1))};
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::debris_left);
+  EXPECT_EQ(verdict_on(history).sentence, "Debris remains: 2 pieces cannot be reached");
+}
+
+TEST(ReportVerdict, StatesWhatItIsAbout) {
+  InspectionHistory history = closed(reviewed({}));
+  EXPECT_EQ(
+      extent_text(history.inspection),
+      "Inspected: 76 % of the view; objects of 5 mm would have been found in 40 % of it, of 10 mm in 70 %");
+  history.inspection.views.emplace_back();
+  ComparedView worse = history.inspection.compared[0];
+  worse.view = 1;
+  worse.judged = 0.5;
+  worse.findable = {{10.0, 0.2}};
+  history.inspection.compared.push_back(worse);
+  EXPECT_EQ(extent_text(history.inspection),
+            "Inspected: 50 % of the view with the least coverage; objects of 5 mm would have been found in 0 "
+            "% of it, of "
+            "10 mm in 20 %");
+}
+
+}  // namespace
+}  // namespace rva
