@@ -5,7 +5,9 @@ export default defineConfig({
   // Pure code does not need a browser or a server.
   projects: [
     { name: 'unit', testMatch: 'unit/*.spec.ts' },
-    { name: 'browser', testMatch: '*.spec.ts', testIgnore: 'unit/**' },
+    { name: 'browser', testMatch: '*.spec.ts', testIgnore: ['unit/**', 'pictures/**'] },
+    // Not a test: it performs an inspection to take the pictures of docs/console.md.
+    { name: 'pictures', testMatch: 'pictures/*.spec.ts' },
   ],
   workers: 1,
   timeout: 120_000,

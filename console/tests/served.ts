@@ -15,11 +15,11 @@ export class Served {
   address = '';
   private process: ChildProcess | null = null;
 
-  /** @param port 0 for any @param dither captures of each view */
-  async start(port = 0, more: string[] = [], dither = 2): Promise<void> {
+  /** @param port 0 for any @param dither captures of each view @param frames depth images of each view */
+  async start(port = 0, more: string[] = [], dither = 2, frames = 16): Promise<void> {
     const scene = join(root, 'data', 'scenes', 'three-tools.yaml');
     const options = ['--camera', `sim:${scene}`, '--robot', 'sim', '--data', this.data, '--port', String(port)];
-    this.process = spawn(program, ['serve', ...options, '--frames', '16', '--dither', String(dither), ...more], {
+    this.process = spawn(program, ['serve', ...options, '--frames', String(frames), '--dither', String(dither), ...more], {
       stdio: ['ignore', 'pipe', 'inherit'],
     });
     const lines = createInterface({ input: this.process.stdout! });
