@@ -71,10 +71,9 @@ Html text_of(const SameDecisions& same) {
 
 void add_captures(const InspectionHistory& history, std::vector<Event>& events) {
   for (const CapturedRound& round : history.captured)
-    events.push_back({round.taken.taken_at, round.taken.person,
-                      Html::text(fmt::format("{} captured, round {}",
-                                             round.side == Side::initial ? "Baseline" : "Bay after the work",
-                                             round.taken.round))});
+    events.push_back(
+        {round.taken.taken_at, round.taken.person,
+         Html::text(round.side == Side::initial ? "Baseline captured" : "Bay after the work captured")});
   for (std::size_t k = 0; k < history.rounds.size(); ++k) {
     const ComparedRound& round = history.rounds[k];
     events.push_back(
@@ -114,13 +113,13 @@ std::vector<Event> events_of(const InspectionHistory& history) {
 }  // namespace
 
 Html events_section(const InspectionHistory& history) {
-  HtmlTable table{.head = {Html::text("When"), Html::text("Who"), Html::text("What")},
+  HtmlTable table{.head = {Html::text("Time"), Html::text("Person"), Html::text("Action")},
                   .rows = {},
                   .class_name = "events"};
   for (const Event& event : events_of(history))
     table.rows.push_back({Html::text(time_text(event.at)),
                           event.person.empty() ? Html::text("RVA") : Html::typed(event.person), event.what});
-  return Html::element("h2", Html::text("Who did what, by the computer's clock")) + html_of(table);
+  return Html::element("h2", Html::text("Actions, by the computer's clock")) + html_of(table);
 }
 
 }  // namespace rva

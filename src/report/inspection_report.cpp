@@ -66,7 +66,7 @@ Html verdict(const InspectionHistory& history) {
   return Html::element("section", content, class_name);
 }
 
-// Who made the document, and that it alone proves nothing.
+// The program that made the document, and that it alone proves nothing.
 Html foot(const std::string& made_at) {
   const nlohmann::ordered_json origin = provenance_json(made_at);
   return Html::element(

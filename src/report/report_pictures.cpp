@@ -42,7 +42,7 @@ void draw_label(ColorImage& picture, const Box& box, int label) {
 }
 
 // Half of each, where the stripes are.
-void lay_over(const ColorImage& stripes, ColorImage& picture) {
+void blend_stripes(const ColorImage& stripes, ColorImage& picture) {
   if (stripes.width() != picture.width() || stripes.height() != picture.height()) return;
   const auto mean = [](std::uint8_t one, std::uint8_t other) {
     return static_cast<std::uint8_t>((one + other) / 2);
@@ -89,7 +89,7 @@ bool ComparisonPictures::is_lit(int view) {
 
 Html ComparisonPictures::view(int view, const std::vector<ObjectGroup>& groups) {
   ColorImage drawn = picture(view, is_lit(view) ? "final_color" : "final_depth");
-  lay_over(picture(view, "not_inspected"), drawn);
+  blend_stripes(picture(view, "not_inspected"), drawn);
   for (const ObjectGroup& group : groups)
     for (const ReviewedFinding* const finding : group.all)
       if (finding->view == view) draw_box(drawn, finding->finding.box);

@@ -18,8 +18,8 @@ namespace rva {
 /// decision, by whom.
 [[nodiscard]] Html findings_section(const InspectionHistory& history, const InspectionFolder& folder);
 
-/// Who did what and when. Decisions on several findings at once are one row; those that were superseded are
-/// there, too.
+/// The actions of each person with their times. Decisions on several findings at once are one row; those that
+/// were superseded are there, too.
 [[nodiscard]] Html events_section(const InspectionHistory& history);
 
 /// With what it was inspected: camera, captures, method and its options.

@@ -15,6 +15,7 @@ enum class Outcome {
   clear,        ///< closed, with nothing that is debris in the last captures
 };
 
+/// The verdict that a report states first.
 struct ReportVerdict {
   Outcome outcome = Outcome::unfinished;
   std::string sentence;  ///< without a full stop

@@ -105,7 +105,7 @@ std::string counts_text(const VerdictCounts& counts) {
 }
 
 std::string change_text(const ReviewedFinding& finding) {
-  const std::string kind = kind_text(finding.finding.kind);
+  std::string kind = kind_text(finding.finding.kind);
   switch (finding.planned.value_or(PlannedState::unplanned)) {
     case PlannedState::missing:
       return "Missing: " + finding.planned_item;

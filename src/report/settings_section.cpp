@@ -53,9 +53,7 @@ Html capture_text(const Capture& capture, int dither) {
 std::vector<Html> row_of(const Inspection& inspection, const InspectionFolder& folder, Side side,
                          const TakenSide& taken) {
   return {Html::text(side == Side::initial ? "Baseline" : "After the work"),
-          Html::text(fmt::format("{}, round {}, by ", time_text(taken.taken_at), taken.round)) +
-              Html::typed(taken.person),
-          or_reason([&] {
+          Html::text(time_text(taken.taken_at) + ", by ") + Html::typed(taken.person), or_reason([&] {
             return capture_text(*open_capture(folder.capture(side, inspection, 0, 0)), inspection.dither);
           })};
 }

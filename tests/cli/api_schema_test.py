@@ -2,11 +2,14 @@
 
 usage: api_schema_test.py RVA REPOSITORY
 """
+import html.parser
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
+import urllib.request
 
 import program
 from api_schema import ApiSchema
@@ -19,6 +22,37 @@ SCHEMA = None
 # Fields that appear only after a failure of a device, or by chance.
 NOT_MET = {'CameraStatus.problem', 'CheckedView.problem', 'Finding.moved_from', 'RecordedLevels.effective_frames',
            'ReadinessValues.frames', 'ReadinessValues.repeated_frames', 'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
+
+
+class ReadPage(html.parser.HTMLParser):
+    """The text of a page, and what is wrong with it: elements that are not closed, scripts, what is loaded from elsewhere."""
+
+    def __init__(self, page):
+        super().__init__()
+        self.faults, self.open, self.words = [], [], []
+        self.feed(page)
+        self.close()
+        self.faults += self.open
+        self.text = ' '.join(' '.join(self.words).split())
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in ('meta', 'img'):
+            self.open.append(tag)
+        self.faults += [f'{tag} {name}' for name, value in attributes
+                        if name.startswith('on') or name == 'href' or (name == 'src' and not value.startswith('data:'))]
+        if tag in ('script', 'link', 'iframe'):
+            self.faults.append(tag)
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.faults.append(f'/{tag}')
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+
+def without_time(text):
+    return re.sub(r'Made by rva [^,]+, [0-9: -]+ UTC', '', text)
 
 
 class CheckedConsole(Console):
@@ -109,6 +143,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.take('final', then='comparison')
         self.close()
         self.export()
+        self.report()
         self.export_crops()
         self.sign_in()
         self.assertLessEqual(SCHEMA.not_met(), NOT_MET, 'fields that were in no request, answer or message: remove them '
@@ -260,6 +295,30 @@ class ApiSchemaTest(program.ProgramTest):
         self.assertEqual(verdicts, ['debris-removed', 'debris-removed', 'false-alarm'])
         self.assertIn(('debris-removed', 1), [(entry['verdict'], entry.get('comparison')) for entry in record['decisions']],
                       'of the first comparison')
+
+    def report(self):
+        """The same page from the server, the command and the export; its checksums are what a shell computes."""
+        with urllib.request.urlopen(f'{self.address}/api/inspections/1/report', timeout=60) as answer:
+            self.assertEqual(answer.headers['Content-Type'], 'text/html; charset=utf-8')
+            self.assertIn("default-src 'none'", answer.headers['Content-Security-Policy'])
+            page = answer.read().decode()
+        self.refuse('GET', 'inspections/7/report', None, 404)
+        read = ReadPage(page)
+        self.assertEqual(read.faults, [])
+        self.assertIn('Closed by Ann', read.text)
+        self.assertIn('Findings of round 2 (the last)', read.text)
+        out = self.folder / 'report.html'
+        path = ['inspection', 'report', '--data', self.folder / 'data', '--inspection', 1, '--out', out]
+        self.succeed(*path)
+        for other in (out, self.folder / 'exported' / 'report.html'):
+            self.assertEqual(without_time(ReadPage(other.read_text()).text), without_time(read.text))
+        self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced unasked')
+        self.succeed(*path, '--overwrite')
+        inspection = self.folder / 'data/inspections/000001'
+        for folder in ('initial', 'final-3', 'comparison-1'):
+            printed = subprocess.run(f'find {folder} -type f | LC_ALL=C sort | xargs sha256sum | sha256sum', shell=True,
+                                     cwd=inspection, capture_output=True, encoding='utf-8', check=True).stdout
+            self.assertIn(f'{folder} {printed.split()[0]}', read.text)
 
     def export_crops(self):
         """What was decided on, as labelled pictures that are parts of those that were shown."""
