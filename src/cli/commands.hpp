@@ -58,6 +58,11 @@ void add_simulate_command(CLI::App& program);
 
 /// Adds `verify` to the command `inspection`.
 void add_verify_command(CLI::App& inspection);
+/// Adds `report` to the command `inspection`.
 void add_report_command(CLI::App& inspection);
+/// Adds `trends` to the command `inspection`.
+void add_trends_command(CLI::App& inspection);
+/// Adds `list` to the command `inspection`.
+void add_inspection_list_command(CLI::App& inspection);
 
 }  // namespace rva::cli

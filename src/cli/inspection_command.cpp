@@ -119,12 +119,14 @@ void add_package_export(CLI::App& command) {
 }  // namespace
 
 void add_inspection_command(CLI::App& program) {
-  CLI::App& command =
-      *program.add_subcommand("inspection", "reports on inspections, signs them, and verifies signed ones");
+  CLI::App& command = *program.add_subcommand(
+      "inspection", "lists inspections, reports on them, signs them, and verifies signed ones");
   command.require_subcommand(1);
   add_package_export(command);
   add_verify_command(command);
   add_report_command(command);
+  add_inspection_list_command(command);
+  add_trends_command(command);
 }
 
 }  // namespace rva::cli

@@ -34,6 +34,10 @@ std::vector<std::int64_t> recorded_inspections(const std::string& data) {
   return numbers;
 }
 
+std::vector<InspectionSummary> recorded_summaries(const std::string& data, const InspectionFilter& filter) {
+  return SqliteRecords(database_of(data)).summaries(filter);
+}
+
 InspectionHistory recorded_inspection(const std::string& data, std::int64_t number) {
   const fs::path database = database_of(data);
   std::optional<InspectionHistory> history = SqliteRecords(database).history(number);

@@ -12,6 +12,11 @@ namespace rva::cli {
 /// The numbers of all inspections of a data folder, ascending. @throws Error when the folder has no records
 [[nodiscard]] std::vector<std::int64_t> recorded_inspections(const std::string& data);
 
+/// The inspections of a data folder that a filter selects, newest first. @throws Error when the folder has no
+/// records
+[[nodiscard]] std::vector<InspectionSummary> recorded_summaries(const std::string& data,
+                                                                const InspectionFilter& filter);
+
 /// All that the records of a data folder contain of an inspection.
 /// @throws Error when the folder has no records, or these have no such inspection
 [[nodiscard]] InspectionHistory recorded_inspection(const std::string& data, std::int64_t number);

@@ -1,0 +1,13 @@
+// Comma-separated values for spreadsheets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rva::cli {
+
+/// Prints a row as RFC 4180 has it: a cell with a comma, a quote or a line break is quoted, a quote in it is
+/// doubled, and the row ends with CR LF.
+void print_csv_row(const std::vector<std::string>& cells);
+
+}  // namespace rva::cli
