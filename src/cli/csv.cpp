@@ -1,11 +1,19 @@
 #include "cli/csv.hpp"
 
+#include <string_view>
+
 #include "cli/printing.hpp"
 
 namespace rva::cli {
 namespace {
 
-std::string csv_cell(const std::string& text) {
+// A spreadsheet would compute what begins so.
+bool looks_like_formula(const std::string& text) {
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+}
+
+std::string csv_cell(const std::string& given) {
+  std::string text = looks_like_formula(given) ? "'" + given : given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string cell = "\"";
   for (const char character : text) {

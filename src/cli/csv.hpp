@@ -7,7 +7,8 @@
 namespace rva::cli {
 
 /// Prints a row as RFC 4180 has it: a cell with a comma, a quote or a line break is quoted, a quote in it is
-/// doubled, and the row ends with CR LF.
+/// doubled, and the row ends with CR LF. A cell that a spreadsheet would take for a formula begins with an
+/// apostrophe.
 void print_csv_row(const std::vector<std::string>& cells);
 
 }  // namespace rva::cli

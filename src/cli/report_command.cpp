@@ -1,14 +1,20 @@
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/output_file.hpp"
 #include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/file_origin.hpp"
+#include "core/path_text.hpp"
 #include "report/inspection_report.hpp"
+
+namespace fs = std::filesystem;
 
 namespace rva::cli {
 namespace {
@@ -20,8 +26,19 @@ struct ReportArguments {
   bool overwrite = false;
 };
 
+// The records and captures must outlast a mistyped name.
+void require_outside(const fs::path& out, const fs::path& data) {
+  std::error_code ignored;
+  const fs::path within =
+      fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(data, ignored));
+  if (!within.empty() && *within.begin() != "..")
+    throw Error(printable(out), "is in the folder of the inspections, in which a report replaces nothing",
+                "choose another folder");
+}
+
 void write_report(const ReportArguments& arguments) {
   require_replaceable(arguments.out, arguments.overwrite);
+  require_outside(arguments.out, arguments.data);
   const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
   replace_file(
       arguments.out,

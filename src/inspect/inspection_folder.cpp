@@ -78,8 +78,14 @@ fs::path InspectionFolder::in_comparison(const RecordedComparison& comparison, c
 }
 
 void InspectionFolder::require_no_links(const fs::path& inside) const {
+  const fs::path root = path_.lexically_normal();
+  const fs::path wanted = inside.lexically_normal();
+  const fs::path within = wanted.lexically_relative(root);
+  if (within.empty() || *within.begin() == "..")
+    throw Error(printable(inside), "is not in the folder of its inspection",
+                "restore the data folder from a backup");
   std::error_code ignored;
-  for (fs::path folder = inside; folder != path_.parent_path().parent_path(); folder = folder.parent_path()) {
+  for (fs::path folder = wanted; folder != root.parent_path().parent_path(); folder = folder.parent_path()) {
     if (fs::is_symlink(fs::symlink_status(folder, ignored)))
       throw Error(printable(folder), "is a link, which would lead captures out of the data folder",
                   "replace it with a folder, or use another data folder");

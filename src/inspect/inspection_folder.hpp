@@ -60,7 +60,8 @@ class InspectionFolder {
 
   /// Refuses symbolic links, which would redirect what is written here to another location.
   /// @param inside a folder within this one that is about to be written, or this one
-  /// @throws Error when it, or a folder between it and the data folder, is a symbolic link
+  /// @throws Error when it is not in this folder, or when it, or a folder between it and the data folder, is
+  ///         a symbolic link
   void require_no_links(const std::filesystem::path& inside) const;
 
  private:

@@ -24,6 +24,11 @@ std::vector<std::string> folders_of(const InspectionHistory& history, const Insp
         folder.side(round.side, round.taken.round).lexically_relative(folder.path()).generic_string());
   for (auto round = history.rounds.rbegin(); round != history.rounds.rend(); ++round)
     if (!round->comparison.folder.empty()) folders.push_back(round->comparison.folder);
+  for (const char* const other : {InspectionFolder::baseline_check_name, InspectionFolder::marks_name,
+                                  InspectionFolder::snapshots_name}) {
+    std::error_code ignored;
+    if (fs::exists(folder.path() / other, ignored)) folders.emplace_back(other);
+  }
   return folders;
 }
 
@@ -68,10 +73,10 @@ Html checksums_section(const InspectionHistory& history, const InspectionFolder&
   return Html::element("h2", Html::text("Checksums")) + html_of(table) +
          Html::element(
              "p",
-             Html::text(fmt::format("To compute one again, in the inspection's folder {}: ",
-                                    folder.path().filename().string())) +
-                 Html::element("code", Html::text("find FOLDER -type f | LC_ALL=C sort | xargs sha256sum | "
-                                                  "sha256sum")),
+             Html::text(
+                 "To compute one again, in the inspection's folder or in data/ of its signed package: ") +
+                 Html::element("code", Html::text("find FOLDER -type f -print0 | LC_ALL=C sort -z | "
+                                                  "xargs -0 sha256sum | sha256sum")),
              "legend");
 }
 

@@ -34,7 +34,7 @@ Subject subject_of(const RecordedDecision& decision, const InspectionHistory& hi
   return {0, decision.finding};
 }
 
-// Decisions that a person made alike, one after another.
+// Decisions that a person made alike, one after another within a minute.
 struct SameDecisions {
   const Decision* decision = nullptr;
   std::size_t round = 0;
@@ -42,7 +42,7 @@ struct SameDecisions {
 
   [[nodiscard]] bool is_like(const Decision& other, std::size_t other_round) const {
     return round == other_round && decision->verdict == other.verdict && decision->person == other.person &&
-           decision->note == other.note;
+           decision->note == other.note && time_text(decision->decided_at) == time_text(other.decided_at);
   }
 };
 
@@ -60,7 +60,8 @@ std::vector<SameDecisions> same_decisions(const InspectionHistory& history) {
 }
 
 Html text_of(const SameDecisions& same) {
-  const std::string of = same.round == 0 ? "Marked finding" : fmt::format("Round {}, finding", same.round);
+  const std::string of =
+      same.round == 0 ? "Decided, marked finding" : fmt::format("Decided, round {}, finding", same.round);
   Html text = Html::text(
       fmt::format("{}{} {}: {}", of, same.labels.size() > 1 ? "s" : "", listed(same.labels),
                   same.decision->verdict == Verdict::undecided ? "decision taken back"
@@ -87,7 +88,7 @@ void add_remarks(const Inspection& inspection, std::vector<Event>& events) {
   for (const MarkedFinding& marked : inspection.marked)
     events.push_back(
         {marked.marked_at, marked.person,
-         Html::text(fmt::format("Marked finding {}: ", marked.number)) + Html::typed(marked.note)});
+         Html::text(fmt::format("Marked a finding, number {}: ", marked.number)) + Html::typed(marked.note)});
   for (const Snapshot& snapshot : inspection.snapshots)
     events.push_back(
         {snapshot.taken_at, snapshot.person,

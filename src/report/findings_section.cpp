@@ -22,8 +22,8 @@ Html decision_of(const std::optional<Decision>& decision) {
   return Html::element("p", text, is_settled(decision) ? "decision" : "decision open");
 }
 
-Html title(int label, std::string_view what) {
-  return Html::element("h3", Html::text(fmt::format("{} · ", label)) + Html::typed(what));
+Html title(const std::string& label, std::string_view what) {
+  return Html::element("h3", Html::text(label + " · ") + Html::typed(what));
 }
 
 std::string views_of(const ObjectGroup& group) {
@@ -37,7 +37,7 @@ std::string views_of(const ObjectGroup& group) {
 Html of_object(const ObjectGroup& group, ComparisonPictures& pictures) {
   const ReviewedFinding& lead = *group.lead;
   const std::string measures = measures_text(lead.finding);
-  Html content = title(group.label, change_text(lead));
+  Html content = title(std::to_string(group.label), change_text(lead));
   content += Html::element("p", Html::text(views_of(group) + (measures.empty() ? "" : "; " + measures)));
   content += decision_of(lead.decision);
   if (pictures.exist())
@@ -47,8 +47,8 @@ Html of_object(const ObjectGroup& group, ComparisonPictures& pictures) {
   return Html::element("section", content, "finding");
 }
 
-Html of_mark(const MarkedFinding& marked, int label, const InspectionFolder& folder) {
-  Html content = title(label, marked.note.empty() ? "Marked by a person" : marked.note);
+Html of_mark(const MarkedFinding& marked, const InspectionFolder& folder) {
+  Html content = title(fmt::format("Marked finding {}", marked.number), marked.note);
   content += Html::element("p", Html::text("Marked by ") + Html::typed(marked.person) +
                                     Html::text(", " + time_text(marked.marked_at)));
   content += decision_of(marked.decision);
@@ -101,8 +101,7 @@ Html of_round(const InspectionHistory& history, std::size_t newest_first, const 
 Html marks_of(const Inspection& inspection, const InspectionFolder& folder) {
   if (inspection.marked.empty()) return {};
   Html content = Html::element("h2", Html::text("Marked by people"));
-  auto label = static_cast<int>(object_groups(inspection.findings).size());
-  for (const MarkedFinding& marked : inspection.marked) content += of_mark(marked, ++label, folder);
+  for (const MarkedFinding& marked : inspection.marked) content += of_mark(marked, folder);
   return content;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/file_origin.hpp"
 #include "report/html.hpp"
+#include "report/or_reason.hpp"
 #include "report/report_sections.hpp"
 #include "report/report_style.hpp"
 #include "report/report_verdict.hpp"
@@ -46,6 +47,7 @@ std::pair<std::string_view, std::string_view> sign_and_class(Outcome outcome) {
     case Outcome::debris_left:
       return {"✗", "verdict bad"};
     case Outcome::not_shown:
+    case Outcome::too_little:
       return {"!", "verdict warn"};
     case Outcome::unfinished:
       break;
@@ -53,16 +55,30 @@ std::pair<std::string_view, std::string_view> sign_and_class(Outcome outcome) {
   return {"…", "verdict open"};
 }
 
-Html verdict(const InspectionHistory& history) {
+// What a person typed is quoted, so that no note can be taken for a statement of the program.
+Html closing_of(const Closing& closing) {
+  Html content = Html::element("p", Html::text("Closed by ") + Html::typed(closing.person) +
+                                        Html::text(fmt::format(", {}.", time_text(closing.closed_at))));
+  if (!closing.note.empty()) content += Html::element("blockquote", Html::typed(closing.note));
+  return content;
+}
+
+// @param body the sections that follow
+Html verdict(const InspectionHistory& history, const Html& body) {
   const ReportVerdict verdict = verdict_on(history);
   const auto [sign, class_name] = sign_and_class(verdict.outcome);
   Html content = Html::element(
       "p", Html::text(fmt::format("{} ", sign)) + Html::text(verdict.sentence) + Html::text("."), "sentence");
-  content += Html::element("p", Html::typed(verdict.reason));
-  if (const auto& closing = history.inspection.closing; closing && !closing->note.empty())
-    content += Html::element("p", Html::text("Note: ") + Html::typed(closing->note));
   if (const std::string extent = extent_text(history.inspection); !extent.empty())
     content += Html::element("p", Html::text(extent + "."));
+  content += Html::element("p", Html::text(verdict.reason));
+  if (const std::size_t missing = count_reasons(body); missing > 0)
+    content +=
+        Html::element("p",
+                      Html::text(fmt::format("{} of this record cannot be shown; the reason is in its place.",
+                                             counted(missing, "part", "parts"))),
+                      "missing");
+  if (const auto& closing = history.inspection.closing) content += closing_of(*closing);
   return Html::element("section", content, class_name);
 }
 
@@ -92,14 +108,12 @@ Html document(const InspectionHistory& history, const Html& body) {
 
 std::string inspection_report(const InspectionHistory& history, const InspectionFolder& folder,
                               const std::string& made_at) {
-  Html body = head(history.inspection) + verdict(history);
-  body += coverage_section(history, folder);
+  Html body = coverage_section(history, folder);
   body += findings_section(history, folder);
   body += events_section(history);
   body += settings_section(history, folder);
   body += checksums_section(history, folder);
-  body += foot(made_at);
-  return document(history, body).str();
+  return document(history, head(history.inspection) + verdict(history, body) + body + foot(made_at)).str();
 }
 
 }  // namespace rva

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "report/html.hpp"
@@ -17,6 +19,15 @@ template <std::invocable Make>
   } catch (const Error& error) {
     return Html::element("p", Html::text("Cannot be shown: ") + Html::typed(error.what()), "missing");
   }
+}
+
+/// How many such reasons a piece of markup contains.
+[[nodiscard]] inline std::size_t count_reasons(const Html& html) {
+  constexpr std::string_view mark = "<p class=\"missing\">";
+  std::size_t count = 0;
+  for (std::size_t at = html.str().find(mark); at != std::string::npos; at = html.str().find(mark, at + 1))
+    ++count;
+  return count;
 }
 
 }  // namespace rva

@@ -22,6 +22,7 @@ inline constexpr std::string_view report_style = R"(
   .typed { white-space: pre-line; }
   .verdict { margin: 2mm 0; padding: 2mm 4mm; border: 0.5mm solid; border-left-width: 3mm; break-inside: avoid; }
   .verdict .sentence { font-size: 13pt; font-weight: 700; }
+  blockquote { margin: 1mm 0 0; padding-left: 3mm; border-left: 0.6mm solid #bbb; font-style: italic; overflow-wrap: anywhere; }
   .clear { border-color: #1b7a34; }
   .bad { border-color: #b3121d; }
   .warn { border-color: #a86400; }

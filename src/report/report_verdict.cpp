@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "report/object_groups.hpp"
 #include "report/report_words.hpp"
 
 namespace rva {
 namespace {
+
+// With less of a view inspected, that nothing was found means little; as the console warns.
+constexpr double least_share = 0.5;
 
 VerdictCounts counts_now(const Inspection& inspection) {
   VerdictCounts counts = verdicts_of(inspection.findings);
@@ -31,76 +35,94 @@ std::size_t removed_unseen(const Inspection& inspection) {
   return unseen;
 }
 
-// Debris of earlier comparisons, which was removed before the last captures, and marked debris likewise.
-std::size_t removed_before(const InspectionHistory& history) {
-  std::size_t removed = 0;
-  const auto& current = history.inspection.comparison;
-  for (const ComparedRound& round : history.rounds)
-    if (!current || round.comparison.number != current->number)
-      removed += verdicts_of(round.findings).removed;
-  VerdictCounts marked;
-  for (const MarkedFinding& mark : history.inspection.marked) marked.count(mark.decision);
-  return removed + marked.removed;
+bool is_current(const ComparedRound& round, const Inspection& inspection) {
+  return inspection.comparison && inspection.comparison->number == round.comparison.number;
 }
 
-ReportVerdict unfinished(const Inspection& inspection) {
+// Debris of earlier rounds that nobody could reach. Where later rounds do not show it, something moved it.
+std::size_t unreachable_before(const InspectionHistory& history) {
+  std::size_t unreachable = 0;
+  for (const ComparedRound& round : history.rounds)
+    if (!is_current(round, history.inspection)) unreachable += verdicts_of(round.findings).unreachable;
+  return unreachable;
+}
+
+// "Round 1: 4 debris removed. Round 2: nothing found." An object counts in each round that found it.
+std::string rounds_text(const InspectionHistory& history) {
+  std::vector<std::string> sentences;
+  for (auto round = history.rounds.rbegin(); round != history.rounds.rend(); ++round)
+    sentences.push_back(
+        fmt::format("Round {}: {}.", sentences.size() + 1, counts_text(verdicts_of(round->findings))));
+  VerdictCounts marked;
+  for (const MarkedFinding& mark : history.inspection.marked) marked.count(mark.decision);
+  if (marked.all() > 0) sentences.push_back(fmt::format("Marked by people: {}.", counts_text(marked)));
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+std::string unfinished_sentence(const Inspection& inspection) {
   switch (stage_of(inspection)) {
     case Stage::baseline:
-      return {Outcome::unfinished, "Not finished: there is no baseline yet", "Nothing was compared."};
+      return "Not finished: there is no baseline yet";
     case Stage::work:
-      return {Outcome::unfinished, "Not finished: the bay was not compared with its latest captures",
-              "Nothing is stated about debris."};
+      return "Not finished: the bay was not compared with its latest captures";
     case Stage::review:
     case Stage::done:
       break;
   }
   const VerdictCounts counts = counts_now(inspection);
   const std::size_t open = counts.undecided + counts.debris;
-  return {Outcome::unfinished,
-          open == 0 ? "Not finished: everything is decided, but nobody has closed the inspection"
-                    : fmt::format("Not finished: {} of {} {} not settled", open,
-                                  counted(counts.all(), "finding", "findings"), open == 1 ? "is" : "are"),
-          fmt::format("So far: {}.", counts_text(counts))};
+  return open == 0 ? "Not finished: everything is decided, but nobody has closed the inspection"
+                   : fmt::format("Not finished: {} of {} {} not settled", open,
+                                 counted(counts.all(), "finding", "findings"), open == 1 ? "is" : "are");
 }
 
-std::string closed_by(const Closing& closing) {
-  return fmt::format("Closed by {}, {}.", closing.person, time_text(closing.closed_at));
+struct StatedOutcome {
+  Outcome outcome;
+  std::string sentence;
+};
+
+// The worst that applies to a closed inspection.
+StatedOutcome closed_outcome(const InspectionHistory& history) {
+  const Inspection& inspection = history.inspection;
+  const VerdictCounts counts = counts_now(inspection);
+  if (const std::size_t left = counts.unreachable + counts.debris; left > 0)
+    return {Outcome::debris_left, fmt::format("Debris remains: {}", counted(left, "piece was not removed",
+                                                                            "pieces were not removed"))};
+  if (counts.undecided > 0)
+    return {Outcome::not_shown, fmt::format("Closed, although {} not settled",
+                                            counted(counts.undecided, "finding is", "findings are"))};
+  if (const std::size_t unseen = removed_unseen(inspection); unseen > 0)
+    return {Outcome::not_shown, fmt::format("{} removed after the last captures, which do not show {} gone",
+                                            counted(unseen, "piece of debris was", "pieces of debris were"),
+                                            unseen == 1 ? "it" : "them")};
+  if (const std::size_t gone = unreachable_before(history); gone > 0)
+    return {Outcome::not_shown,
+            fmt::format("{} not be reached in an earlier round, and the last captures do not show {}",
+                        counted(gone, "piece of debris could", "pieces of debris could"),
+                        gone == 1 ? "it" : "them")};
+  if (least_judged(inspection).value_or(0.0) < least_share)
+    return {Outcome::too_little, "No debris was left where it was inspected, but most of a view was not"};
+  return {Outcome::clear, "No debris remains in what was inspected"};
 }
 
 }  // namespace
 
 ReportVerdict verdict_on(const InspectionHistory& history) {
-  const Inspection& inspection = history.inspection;
-  if (!inspection.closing) return unfinished(inspection);
-  const std::string closed = closed_by(*inspection.closing);
-  const VerdictCounts counts = counts_now(inspection);
-  const std::size_t left = counts.unreachable + counts.debris;
-  if (left > 0)
-    return {Outcome::debris_left,
-            fmt::format("Debris remains: {}",
-                        counted(left, "piece cannot be reached", "pieces cannot be reached")),
-            closed};
-  if (const std::size_t unseen = removed_unseen(inspection); unseen > 0)
-    return {Outcome::not_shown,
-            fmt::format("{} removed after the last captures, which do not show {} gone",
-                        counted(unseen, "piece of debris was", "pieces of debris were"),
-                        unseen == 1 ? "it" : "them"),
-            closed};
-  const std::size_t removed = removed_before(history);
-  return {Outcome::clear, "No debris remains in what was inspected",
-          removed == 0
-              ? closed
-              : fmt::format("{} found and removed before the last captures. {}",
-                            counted(removed, "piece of debris was", "pieces of debris were"), closed)};
+  const StatedOutcome stated =
+      history.inspection.closing
+          ? closed_outcome(history)
+          : StatedOutcome{Outcome::unfinished, unfinished_sentence(history.inspection)};
+  return {stated.outcome, stated.sentence, rounds_text(history)};
 }
 
 std::string extent_text(const Inspection& inspection) {
   const std::optional<double> judged = least_judged(inspection);
   if (!judged) return {};
-  const std::string findable = findable_text(least_findable(inspection.compared));
-  return fmt::format("Inspected: {} of the view{}{}{}", percent_text(*judged),
-                     inspection.views.size() > 1 ? " with the least coverage" : "",
-                     findable.empty() ? "" : "; ", findable);
+  const bool is_single = inspection.views.size() == 1;
+  const std::string findable =
+      findable_text(least_findable(inspection.compared), is_single ? "it" : "each view");
+  return fmt::format("Inspected: {}{}{}{}", is_single ? "" : "at least ", percent_text(*judged),
+                     is_single ? " of the view" : " of each view", findable.empty() ? "" : "; " + findable);
 }
 
 }  // namespace rva

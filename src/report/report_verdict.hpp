@@ -11,7 +11,8 @@ namespace rva {
 enum class Outcome {
   unfinished,   ///< not closed: nothing is stated yet
   debris_left,  ///< closed, with debris that cannot be reached
-  not_shown,    ///< closed, with debris that was removed after the last captures, so that none show it gone
+  not_shown,    ///< closed, with debris of which no captures show that it is gone
+  too_little,   ///< closed, with less than half of a view inspected
   clear,        ///< closed, with nothing that is debris in the last captures
 };
 
@@ -19,14 +20,14 @@ enum class Outcome {
 struct ReportVerdict {
   Outcome outcome = Outcome::unfinished;
   std::string sentence;  ///< without a full stop
-  std::string reason;    ///< sentences
+  std::string reason;    ///< sentences: what was decided in each round
 };
 
 /// The verdict on an inspection. Objects are counted, not findings: what two views show counts once.
 [[nodiscard]] ReportVerdict verdict_on(const InspectionHistory& history);
 
-/// "Inspected: 76 % of the view with the least coverage; objects of 5 mm would have been found in 40 % of
-/// it": what every verdict is about. Empty before the first comparison.
+/// "Inspected: 76 % of the view; objects of 5 mm would have been found in 40 % of it": what every verdict is
+/// about. Of several views, each share is the least of any. Empty before the first comparison.
 [[nodiscard]] std::string extent_text(const Inspection& inspection);
 
 }  // namespace rva

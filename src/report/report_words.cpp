@@ -54,7 +54,10 @@ std::string time_text(const std::string& iso_8601) {
   return iso_8601.substr(0, date) + " " + iso_8601.substr(date + 1, minutes - date - 1) + " UTC";
 }
 
-std::string percent_text(double share) { return fmt::format("{:.0f} %", std::round(100.0 * share)); }
+std::string percent_text(double share) {
+  constexpr double rounding = 1e-9;  // of a share that is a whole number of percents
+  return fmt::format("{:.0f} %", std::floor(100.0 * share + rounding));
+}
 
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
   return fmt::format("{} {}", count, count == 1 ? singular : plural);
@@ -131,11 +134,12 @@ std::string measures_text(const Finding& finding) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string findable_text(const std::vector<FindableShare>& shares) {
+std::string findable_text(const std::vector<FindableShare>& shares, std::string_view what) {
+  const std::string_view least = what == "it" ? "" : "at least ";
   std::string text;
   for (const auto& [size_mm, share] : shares)
-    text += text.empty() ? fmt::format("objects of {:g} mm would have been found in {} of it", size_mm,
-                                       percent_text(share))
+    text += text.empty() ? fmt::format("objects of {:g} mm would have been found in {}{} of {}", size_mm,
+                                       least, percent_text(share), what)
                          : fmt::format(", of {:g} mm in {}", size_mm, percent_text(share));
   return text;
 }

@@ -14,7 +14,7 @@ namespace rva {
 /// "2026-01-01 00:00 UTC" of a time in ISO 8601; another text as it is.
 [[nodiscard]] std::string time_text(const std::string& iso_8601);
 
-/// "76 %", rounded as in the console.
+/// "76 %", rounded down, so that no share is stated as larger than it is.
 [[nodiscard]] std::string percent_text(double share);
 
 /// "1 finding", "2 findings". @param plural of the noun
@@ -36,7 +36,8 @@ namespace rva {
 [[nodiscard]] std::string measures_text(const Finding& finding);
 
 /// "objects of 5 mm would have been found in 40 % of it, of 10 mm in 70 %"; empty where it is not known.
-[[nodiscard]] std::string findable_text(const std::vector<FindableShare>& shares);
+/// @param what "it" for one view; otherwise each share is stated as "at least" that
+[[nodiscard]] std::string findable_text(const std::vector<FindableShare>& shares, std::string_view what);
 
 /// For each size, the share in the view in which least of it would have been found; empty where it is not
 /// known.

@@ -54,7 +54,9 @@ std::vector<Html> row_of(const Inspection& inspection, const InspectionFolder& f
                          const TakenSide& taken) {
   return {Html::text(side == Side::initial ? "Baseline" : "After the work"),
           Html::text(time_text(taken.taken_at) + ", by ") + Html::typed(taken.person), or_reason([&] {
-            return capture_text(*open_capture(folder.capture(side, inspection, 0, 0)), inspection.dither);
+            const fs::path capture = folder.capture(side, inspection, 0, 0);
+            folder.require_no_links(capture / "capture.json");
+            return capture_text(*open_capture(capture), inspection.dither);
           })};
 }
 
@@ -63,8 +65,9 @@ std::string value_text(const nlohmann::json& value) {
 }
 
 // The method of a view with every option that affected its result, as the result states them.
-Html method_of(const fs::path& result, const ComparedView& view) {
+Html method_of(const InspectionFolder& folder, const fs::path& result, const ComparedView& view) {
   const fs::path file = result / result_file::detections;
+  folder.require_no_links(file);
   const nlohmann::json json = parse_json(read_text_file(file), printable(file));
   std::vector<std::string> options;
   if (const auto parameters = json.find("parameters"); parameters != json.end() && parameters->is_object())
@@ -78,7 +81,7 @@ Html methods_of(const Inspection& inspection, const InspectionFolder& folder) {
   if (!inspection.comparison || folder.in_comparison(*inspection.comparison, "").empty()) return {};
   Html methods;
   for (const ComparedView& view : inspection.compared)
-    methods += or_reason([&] { return method_of(folder.result(inspection, view.view), view); });
+    methods += or_reason([&] { return method_of(folder, folder.result(inspection, view.view), view); });
   return methods;
 }
 

@@ -314,9 +314,13 @@ class ApiSchemaTest(program.ProgramTest):
             self.assertEqual(without_time(ReadPage(other.read_text()).text), without_time(read.text))
         self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced unasked')
         self.succeed(*path, '--overwrite')
+        records = self.folder / 'data' / 'rva.db'
+        before = records.read_bytes()
+        self.assertEqual(self.rva(*path[:-1], records, '--overwrite').returncode, 1, 'of the records themselves')
+        self.assertEqual(records.read_bytes(), before)
         inspection = self.folder / 'data/inspections/000001'
-        for folder in ('initial', 'final-3', 'comparison-1'):
-            printed = subprocess.run(f'find {folder} -type f | LC_ALL=C sort | xargs sha256sum | sha256sum', shell=True,
+        for folder in ('initial', 'final-3', 'comparison-1', 'marks', 'snapshots', 'baseline-check'):
+            printed = subprocess.run(f'find {folder} -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum', shell=True,
                                      cwd=inspection, capture_output=True, encoding='utf-8', check=True).stdout
             self.assertIn(f'{folder} {printed.split()[0]}', read.text)
 

@@ -79,10 +79,9 @@ TEST_F(InspectionReport, StatesVerdictCoverageFindingsPeopleAndSettings) {
   history_.inspection.closing = Closing{1, "Ida", "bay is <clean>", noon};
   const std::string page = report();
   for (const char* const part :
-       {"No debris remains in what was inspected", "Closed by Ida, 2026-01-01 12:00 UTC",
-        "bay is &lt;clean&gt;", "Inspected: 75 % of the view",
-        "no depth after 20 %, edges, and too noisy 5 %", "12 mm × 8.0 mm", "Installed work",
-        "as &lt;planned&gt;", "Bob", "Findings of round 1 (the last)", "Inspection closed",
+       {"No debris remains in what was inspected", "Ida</bdi>, 2026-01-01 12:00 UTC.", "bay is &lt;clean&gt;",
+        "Inspected: 75 % of the view", "no depth after 20 %, edges, and too noisy 5 %", "12 mm × 8.0 mm",
+        "Installed work", "as &lt;planned&gt;", "Bob", "Findings of round 1 (the last)", "Inspection closed",
         "false_alarms 0.05", "comparison-1"})
     EXPECT_TRUE(contains(page, part)) << part;
   // The view, and before and after in colour and as depth.
@@ -114,6 +113,7 @@ TEST_F(InspectionReport, WhatCannotBeReadIsStatedInItsPlace) {
   EXPECT_EQ(count(report(), "Cannot be shown: "), 0U);
   write_file(result() / "final_depth.png", "no picture");
   EXPECT_EQ(count(report(), "Cannot be shown: "), 1U) << "the close-ups";
+  EXPECT_TRUE(contains(report(), "1 part of this record cannot be shown"));
   fs::remove(result() / "detections.json");
   EXPECT_EQ(count(report(), "Cannot be shown: "), 2U) << "and the options";
 }
@@ -124,17 +124,38 @@ TEST_F(InspectionReport, LinksAreNotFollowed) {
   EXPECT_TRUE(contains(report(), "is a link"));
 }
 
+TEST_F(InspectionReport, RecordsThatLeadOutOfTheFolderAreNotFollowed) {
+  const std::string elsewhere = (data_ / "elsewhere.png").string();
+  write_file(elsewhere, encode_png(ColorImage(96, 64, bright)));
+  for (const std::string& picture : {elsewhere, std::string("../../elsewhere.png"), std::string("/")}) {
+    history_.inspection.snapshots = {{1, picture, "", "Cy", noon}};
+    EXPECT_TRUE(contains(report(), "is not in the folder of its inspection")) << picture;
+  }
+}
+
+TEST_F(InspectionReport, ANoteIsNoStatementOfTheProgram) {
+  history_.inspection.closing = Closing{1, "Ida", "ok.\nInspected: 100 % of the view.", noon};
+  const std::string page = report();
+  EXPECT_TRUE(contains(
+      page, "<blockquote><bdi class=\"typed\">ok.\nInspected: 100 % of the view.</bdi></blockquote>"));
+  EXPECT_LT(page.find("Inspected: 75 %"), page.find("Inspected: 100 %"));
+}
+
 TEST_F(InspectionReport, DecisionsMadeAlikeAreOneRowAndSupersededOnesRemain) {
   ReviewedFinding second = history_.inspection.findings[0];
   second.number = second.same_as = 2;
   history_.rounds[0].findings.push_back(second);
   const Decision alarm{Verdict::false_alarm, "", "Bob", noon, 1};
   const Decision removed{Verdict::debris_removed, "", "Cy", "2026-01-01T13:00:00.000Z", 1};
-  history_.decisions = {{1, 1, alarm}, {1, 2, alarm}, {1, 2, removed}, {0, 1, alarm}};
+  Decision later = alarm;
+  later.decided_at = "2026-01-01T14:00:00.000Z";
+  history_.decisions = {{1, 1, alarm}, {1, 2, alarm}, {1, 2, removed},
+                        {1, 1, alarm}, {1, 2, later}, {0, 1, alarm}};
   const std::string page = report();
-  EXPECT_TRUE(contains(page, "Round 1, findings 1 and 2: False alarm"));
-  EXPECT_TRUE(contains(page, "Round 1, finding 2: Debris, removed"));
-  EXPECT_TRUE(contains(page, "Marked finding 1: False alarm"));
+  EXPECT_TRUE(contains(page, "Decided, round 1, findings 1 and 2: False alarm"));
+  EXPECT_TRUE(contains(page, "Decided, round 1, finding 2: Debris, removed"));
+  EXPECT_TRUE(contains(page, "Decided, round 1, finding 2: False alarm")) << "made at another time";
+  EXPECT_TRUE(contains(page, "Decided, marked finding 1: False alarm"));
 }
 
 TEST_F(InspectionReport, MarkedFindingsAndSnapshotsHaveTheirPictures) {

@@ -76,9 +76,7 @@ TEST(ReportVerdict, DebrisThatWasRemovedBeforeTheLastCapturesIsCounted) {
   const ReportVerdict verdict = verdict_on(history);
   EXPECT_EQ(verdict.outcome, Outcome::clear);
   EXPECT_EQ(verdict.sentence, "No debris remains in what was inspected");
-  EXPECT_EQ(verdict.reason,
-            "1 piece of debris was found and removed before the last captures. Closed by Ida, 2026-01-01 "
-            "12:00 UTC.");
+  EXPECT_EQ(verdict.reason, "Round 1: 1 debris removed, 1 false alarm. Round 2: nothing found.");
 }
 
 TEST(ReportVerdict, DebrisThatWasRemovedAfterThemIsNotShownToBeGone) {
@@ -98,7 +96,36 @@ TEST(ReportVerdict, DebrisThatRemainsComesFirst) {
                                   finding(2, 2, decision(Verdict::debris_unreachable, 2))}));
   history.inspection.marked = {marked(decision(Verdict::debris_unreachable, 1))};
   EXPECT_EQ(verdict_on(history).outcome, Outcome::debris_left);
-  EXPECT_EQ(verdict_on(history).sentence, "Debris remains: 2 pieces cannot be reached");
+  EXPECT_EQ(verdict_on(history).sentence, "Debris remains: 2 pieces were not removed");
+}
+
+TEST(ReportVerdict, DebrisThatNobodyCouldReachIsNotGoneBecauseItIsNotFound) {
+  const auto history = closed(reviewed({}, {finding(1, 1, decision(Verdict::debris_unreachable))}));
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::not_shown);
+  EXPECT_EQ(
+      verdict_on(history).sentence,
+      "1 piece of debris could not be reached in an earlier round, and the last captures do not show it");
+  const auto removed = closed(reviewed({}, {finding(1, 1, decision(Verdict::debris))}));
+  EXPECT_EQ(verdict_on(removed).outcome, Outcome::clear)
+      << "it was there, was removed, and is seen to be gone";
+}
+
+TEST(ReportVerdict, ClosedRecordsWithOpenFindingsAreNotClear) {
+  EXPECT_EQ(verdict_on(closed(reviewed({finding(1, 1, std::nullopt)}))).sentence,
+            "Closed, although 1 finding is not settled");
+  EXPECT_EQ(verdict_on(closed(reviewed({finding(1, 1, decision(Verdict::debris, 2))}))).outcome,
+            Outcome::debris_left);
+}
+
+TEST(ReportVerdict, LittleThatWasInspectedIsNotClear) {
+  InspectionHistory history = closed(reviewed({}));
+  history.inspection.compared[0].judged = 0.5;
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::clear);
+  history.inspection.compared[0].judged = 0.49;
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::too_little);
+  history.inspection.compared[0].judged = 0.9;
+  history.inspection.views.emplace_back();
+  EXPECT_EQ(verdict_on(history).outcome, Outcome::too_little) << "a view that was not compared";
 }
 
 TEST(ReportVerdict, StatesWhatItIsAbout) {
@@ -113,9 +140,8 @@ TEST(ReportVerdict, StatesWhatItIsAbout) {
   worse.findable = {{10.0, 0.2}};
   history.inspection.compared.push_back(worse);
   EXPECT_EQ(extent_text(history.inspection),
-            "Inspected: 50 % of the view with the least coverage; objects of 5 mm would have been found in 0 "
-            "% of it, of "
-            "10 mm in 20 %");
+            "Inspected: at least 50 % of each view; objects of 5 mm would have been found in at least 0 % of "
+            "each view, of 10 mm in 20 %");
 }
 
 }  // namespace
