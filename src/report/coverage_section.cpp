@@ -82,12 +82,11 @@ Html coverage_section(const InspectionHistory& history, const InspectionFolder& 
   const Inspection& inspection = history.inspection;
   if (!inspection.comparison || inspection.compared.empty()) return {};
   return Html::element("h2", Html::text("What was inspected")) + html_of(table_of(inspection)) +
-         Html::element(
-             "p",
-             Html::text(
-                 "“5 mm found in”: the share of the view in which an object that depth shows 5 mm high "
-                 "and wide would have been found in nine of ten inspections. Striped: not inspected."),
-             "legend") +
+         Html::element("p",
+                       Html::text("“5 mm found in”: where an object that depth shows 5 mm high and wide "
+                                  "would be found in nine "
+                                  "of ten inspections. Striped: not inspected."),
+                       "legend") +
          warnings_of(inspection) + pictures_of(history, folder);
 }
 

@@ -55,12 +55,15 @@ std::pair<std::string_view, std::string_view> sign_and_class(Outcome outcome) {
   return {"…", "verdict open"};
 }
 
-// What a person typed is quoted, so that no note can be taken for a statement of the program.
-Html closing_of(const Closing& closing) {
-  Html content = Html::element("p", Html::text("Closed by ") + Html::typed(closing.person) +
-                                        Html::text(fmt::format(", {}.", time_text(closing.closed_at))));
-  if (!closing.note.empty()) content += Html::element("blockquote", Html::typed(closing.note));
-  return content;
+// What was decided in each round, and the closing. A note is quoted, so that it cannot be taken for a
+// statement of the program.
+Html reasons_of(const ReportVerdict& verdict, const std::optional<Closing>& closing) {
+  Html line = Html::text(verdict.reason);
+  if (!closing) return Html::element("p", line);
+  line += Html::text(" Closed by ") + Html::typed(closing->person) +
+          Html::text(fmt::format(", {}.", time_text(closing->closed_at)));
+  const Html note = closing->note.empty() ? Html() : Html::element("blockquote", Html::typed(closing->note));
+  return Html::element("p", line) + note;
 }
 
 // @param body the sections that follow
@@ -71,14 +74,13 @@ Html verdict(const InspectionHistory& history, const Html& body) {
       "p", Html::text(fmt::format("{} ", sign)) + Html::text(verdict.sentence) + Html::text("."), "sentence");
   if (const std::string extent = extent_text(history.inspection); !extent.empty())
     content += Html::element("p", Html::text(extent + "."));
-  content += Html::element("p", Html::text(verdict.reason));
   if (const std::size_t missing = count_reasons(body); missing > 0)
     content +=
         Html::element("p",
                       Html::text(fmt::format("{} of this record cannot be shown; the reason is in its place.",
                                              counted(missing, "part", "parts"))),
                       "missing");
-  if (const auto& closing = history.inspection.closing) content += closing_of(*closing);
+  content += reasons_of(verdict, history.inspection.closing);
   return Html::element("section", content, class_name);
 }
 

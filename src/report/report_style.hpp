@@ -9,7 +9,7 @@ namespace rva {
 inline constexpr std::string_view report_style = R"(
   @page { margin: 11mm 13mm; }
   :root { color-scheme: light; }
-  body { font: 9pt/1.3 "Helvetica Neue", Arial, "Liberation Sans", sans-serif; color: #111; background: #fff; max-width: 182mm; margin: 6mm auto; padding: 0 4mm; }
+  body { font: 9pt/1.25 "Helvetica Neue", Arial, "Liberation Sans", sans-serif; color: #111; background: #fff; max-width: 182mm; margin: 6mm auto; padding: 0 4mm; }
   @media print { body { margin: 0; padding: 0; max-width: none; } }
   h1 { font-size: 15pt; margin: 0 0 1mm; }
   h2 { font-size: 11pt; margin: 3mm 0 1mm; border-bottom: 0.3mm solid #999; break-after: avoid; }
