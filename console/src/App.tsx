@@ -111,7 +111,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         const earlier = earlierRound.value;
         const seen = inspection && earlier ? asItWas(inspection, earlier) : inspection;
         const chosen = seen && groupsOf(seen).find((group) => group.lead.number === requested?.finding);
-        if (chosen || seen?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
+        if (chosen || seen?.closing || seen?.findings.some((finding) => finding.decision)) show({ findings: true, uninspected: true });
         if (chosen) show(selectionOf(chosen));
       }),
     [inspection?.id, comparison],

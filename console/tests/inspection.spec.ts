@@ -130,6 +130,10 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await expectNothingWide(report);
   await report.close();
 
+  // A closed inspection is not looked at for the first time.
+  await page.reload();
+  await expect(page.getByTestId('report')).toBeVisible();
+
   await page.getByTestId('home').click();
   await expect(page.getByTestId('open-1')).toContainText('Closed');
 });

@@ -8,6 +8,7 @@
 #include "cli/hidden_input.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
+#include "cli/recorded_inspection.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "inspect/person_name.hpp"
@@ -67,9 +68,7 @@ void list_accounts(const AccountArguments& arguments) {
 }
 
 void add_data_flag(CLI::App& command, AccountArguments& arguments) {
-  command.add_option("--data", arguments.data, "folder of inspections, as for rva serve")
-      ->required()
-      ->type_name("DIR");
+  add_data_folder(command, arguments.data);
 }
 
 }  // namespace

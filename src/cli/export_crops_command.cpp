@@ -61,9 +61,7 @@ void add_export_crops_command(CLI::App& program) {
       "export-crops",
       "writes the findings that people decided on as labelled pictures, to train a classifier");
   const auto arguments = std::make_shared<ExportCropsArguments>();
-  command.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
-      ->required()
-      ->type_name("DIR");
+  add_data_folder(command, arguments->data);
   command
       .add_option("--inspection", arguments->inspections,
                   "number of an inspection; may be repeated; by default all")

@@ -93,9 +93,7 @@ void add_package_export(CLI::App& command) {
   CLI::App& exporting = *command.add_subcommand(
       "export", "writes an inspection with all its files as a package that is signed and in the site's log");
   const auto arguments = std::make_shared<PackageArguments>();
-  exporting.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
-      ->required()
-      ->type_name("DIR");
+  add_data_folder(exporting, arguments->data);
   exporting.add_option("--inspection", arguments->inspection, "number of the inspection")
       ->required()
       ->check(CLI::PositiveNumber)

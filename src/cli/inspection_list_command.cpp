@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/csv.hpp"
+#include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
 #include "core/date_time.hpp"
@@ -77,27 +78,19 @@ void list_inspections(const ListArguments& arguments) {
   arguments.csv ? print_summaries_csv(summaries) : print_summaries(summaries);
 }
 
-std::vector<std::string> stages() {
-  std::vector<std::string> names;
-  for (const auto& [stage, name] : enum_names<Stage>) names.emplace_back(name);
-  return names;
-}
-
 }  // namespace
 
 void add_inspection_list_command(CLI::App& inspection) {
   CLI::App& command =
       *inspection.add_subcommand("list", "lists inspections, newest first, or those that are searched for");
   const auto arguments = std::make_shared<ListArguments>();
-  command.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
-      ->required()
-      ->type_name("DIR");
+  add_data_folder(command, arguments->data);
   command
       .add_option("--text", arguments->text,
                   "words that each occur in the aircraft, zone, work order, person or number")
       ->type_name("WORDS");
   command.add_option("--stage", arguments->stage, "the next step: baseline, work, review, or done")
-      ->check(CLI::IsMember(stages()))
+      ->check(name_among<Stage>())
       ->type_name("STAGE");
   command.add_option("--from", arguments->from, "begun on this day (UTC) or later")->type_name("DATE");
   command.add_option("--until", arguments->until, "begun before this day (UTC)")->type_name("DATE");

@@ -28,6 +28,10 @@ fs::path database_of(const std::string& data) {
 
 }  // namespace
 
+void add_data_folder(CLI::App& command, std::string& data) {
+  command.add_option("--data", data, "folder of inspections, as for rva serve")->required()->type_name("DIR");
+}
+
 std::vector<std::int64_t> recorded_inspections(const std::string& data) {
   std::vector<std::int64_t> numbers = SqliteRecords(database_of(data)).inspections();
   std::ranges::sort(numbers);
@@ -45,6 +49,14 @@ InspectionHistory recorded_inspection(const std::string& data, std::int64_t numb
     throw Error(printable(database), fmt::format("has no inspection {}", number),
                 "give a number of the console's list");
   return *std::move(history);
+}
+
+void visit_recorded(const std::string& data, const std::function<void(const InspectionHistory&)>& visit) {
+  const SqliteRecords records(database_of(data));
+  std::vector<std::int64_t> numbers = records.inspections();
+  std::ranges::sort(numbers);
+  for (const std::int64_t number : numbers)
+    if (const std::optional<InspectionHistory> history = records.history(number)) visit(*history);
 }
 
 }  // namespace rva::cli

@@ -52,9 +52,7 @@ void add_report_command(CLI::App& inspection) {
   CLI::App& command = *inspection.add_subcommand(
       "report", "writes what was inspected, found and decided as one HTML file to read and print");
   const auto arguments = std::make_shared<ReportArguments>();
-  command.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
-      ->required()
-      ->type_name("DIR");
+  add_data_folder(command, arguments->data);
   command.add_option("--inspection", arguments->inspection, "number of the inspection")
       ->required()
       ->check(CLI::PositiveNumber)

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -72,8 +71,7 @@ void print_trends_csv(const Trends& trends) {
 
 void show_trends(const TrendsArguments& arguments) {
   Trends trends;
-  for (const std::int64_t number : recorded_inspections(arguments.data))
-    add_to(trends, recorded_inspection(arguments.data, number));
+  visit_recorded(arguments.data, [&](const InspectionHistory& history) { add_to(trends, history); });
   arguments.csv ? print_trends_csv(trends) : print_trends(trends);
 }
 
@@ -83,9 +81,7 @@ void add_trends_command(CLI::App& inspection) {
   CLI::App& command = *inspection.add_subcommand(
       "trends", "sums what inspections found by zone and month, with the rate of false alarms as reviewed");
   const auto arguments = std::make_shared<TrendsArguments>();
-  command.add_option("--data", arguments->data, "folder of inspections, as for rva serve")
-      ->required()
-      ->type_name("DIR");
+  add_data_folder(command, arguments->data);
   command.add_flag("--csv", arguments->csv, "as CSV (RFC 4180) with further columns, for spreadsheets");
   command.callback([arguments] { show_trends(*arguments); });
 }

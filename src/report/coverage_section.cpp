@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/units.hpp"
 #include "report/object_groups.hpp"
 #include "report/or_reason.hpp"
 #include "report/report_pictures.hpp"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,14 +25,22 @@ struct Subject {
   int label = 0;
 };
 
-Subject subject_of(const RecordedDecision& decision, const InspectionHistory& history) {
-  for (std::size_t k = 0; k < history.rounds.size(); ++k) {
-    if (history.rounds[k].comparison.number != decision.comparison) continue;
+// By the numbers of the comparison and of the finding.
+using Subjects = std::map<std::pair<int, int>, Subject>;
+
+Subjects subjects_of(const InspectionHistory& history) {
+  Subjects subjects;
+  for (std::size_t k = 0; k < history.rounds.size(); ++k)
     for (const ObjectGroup& group : object_groups(history.rounds[k].findings))
-      if (std::ranges::find(group.all, decision.finding, &ReviewedFinding::number) != group.all.end())
-        return {history.rounds.size() - k, group.label};
-  }
-  return {0, decision.finding};
+      for (const ReviewedFinding* const finding : group.all)
+        subjects[{history.rounds[k].comparison.number, finding->number}] = {history.rounds.size() - k,
+                                                                            group.label};
+  return subjects;
+}
+
+Subject subject_of(const RecordedDecision& decision, const Subjects& subjects) {
+  const auto found = subjects.find({decision.comparison, decision.finding});
+  return found == subjects.end() ? Subject{0, decision.finding} : found->second;
 }
 
 // Decisions that a person made alike, one after another within a minute.
@@ -47,9 +56,10 @@ struct SameDecisions {
 };
 
 std::vector<SameDecisions> same_decisions(const InspectionHistory& history) {
+  const Subjects subjects = subjects_of(history);
   std::vector<SameDecisions> rows;
   for (const RecordedDecision& recorded : history.decisions) {
-    const Subject subject = subject_of(recorded, history);
+    const Subject subject = subject_of(recorded, subjects);
     if (rows.empty() || !rows.back().is_like(recorded.decision, subject.round))
       rows.push_back({&recorded.decision, subject.round});
     std::vector<std::string>& labels = rows.back().labels;

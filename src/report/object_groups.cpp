@@ -1,17 +1,16 @@
 #include "report/object_groups.hpp"
 
-#include <algorithm>
+#include <map>
 
 namespace rva {
 
 std::vector<ObjectGroup> object_groups(const std::vector<ReviewedFinding>& findings) {
   std::vector<ObjectGroup> groups;
+  std::map<int, std::size_t> group_of;  // by ReviewedFinding::same_as
   for (const ReviewedFinding& finding : findings) {
-    const auto same = [&](const ObjectGroup& group) { return group.lead->same_as == finding.same_as; };
-    if (const auto group = std::ranges::find_if(groups, same); group != groups.end())
-      group->all.push_back(&finding);
-    else
-      groups.push_back({static_cast<int>(groups.size()) + 1, &finding, {&finding}});
+    const auto [known, is_new] = group_of.try_emplace(finding.same_as, groups.size());
+    if (is_new) groups.push_back({static_cast<int>(groups.size()) + 1, &finding, {}});
+    groups[known->second].all.push_back(&finding);
   }
   return groups;
 }

@@ -80,11 +80,14 @@ const ColorImage& ComparisonPictures::picture(int view, const std::string& name)
 bool ComparisonPictures::is_lit(int view) {
   constexpr int dark = 24;          // of 255
   constexpr std::size_t share = 5;  // a fifth of the pixels are brighter
+  const auto [known, is_new] = lit_.try_emplace(view);
+  if (!is_new) return known->second;
   const ColorImage& color = picture(view, "final_color");
   const auto bright = std::ranges::count_if(color.pixels(), [](const Rgb& pixel) {
     return std::max({pixel.r, pixel.g, pixel.b}) > dark;
   });
-  return !color.empty() && static_cast<std::size_t>(bright) * share > color.size();
+  known->second = !color.empty() && static_cast<std::size_t>(bright) * share > color.size();
+  return known->second;
 }
 
 Html ComparisonPictures::view(int view, const std::vector<ObjectGroup>& groups) {

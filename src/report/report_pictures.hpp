@@ -39,6 +39,7 @@ class ComparisonPictures {
   InspectionFolder folder_;
   std::filesystem::path comparison_;
   std::map<std::filesystem::path, ColorImage> read_;
+  std::map<int, bool> lit_;  ///< is_lit() by view
 };
 
 /// The surroundings of a marked finding in the picture in which it was marked, with its box.

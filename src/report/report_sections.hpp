@@ -2,8 +2,6 @@
 // in its place (or_reason()).
 #pragma once
 
-#include <filesystem>
-
 #include "inspect/inspection.hpp"
 #include "inspect/inspection_folder.hpp"
 #include "report/html.hpp"

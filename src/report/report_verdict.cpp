@@ -118,11 +118,12 @@ ReportVerdict verdict_on(const InspectionHistory& history) {
 std::string extent_text(const Inspection& inspection) {
   const std::optional<double> judged = least_judged(inspection);
   if (!judged) return {};
-  const bool is_single = inspection.views.size() == 1;
-  const std::string findable =
-      findable_text(least_findable(inspection.compared), is_single ? "it" : "each view");
-  return fmt::format("Inspected: {}{}{}{}", is_single ? "" : "at least ", percent_text(*judged),
-                     is_single ? " of the view" : " of each view", findable.empty() ? "" : "; " + findable);
+  const bool is_one_view = inspection.views.size() == 1;
+  const std::string inspected = percent_text(*judged);
+  const std::string findable = findable_text(least_findable(inspection.compared), is_one_view);
+  return fmt::format("Inspected: {}{}{}",
+                     is_one_view ? inspected + " of the view" : "at least " + inspected + " of each view",
+                     findable.empty() ? "" : "; ", findable);
 }
 
 }  // namespace rva

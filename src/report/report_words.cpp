@@ -134,13 +134,13 @@ std::string measures_text(const Finding& finding) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string findable_text(const std::vector<FindableShare>& shares, std::string_view what) {
-  const std::string_view least = what == "it" ? "" : "at least ";
-  std::string text;
-  for (const auto& [size_mm, share] : shares)
-    text += text.empty() ? fmt::format("objects of {:g} mm would have been found in {}{} of {}", size_mm,
-                                       least, percent_text(share), what)
-                         : fmt::format(", of {:g} mm in {}", size_mm, percent_text(share));
+std::string findable_text(const std::vector<FindableShare>& shares, bool is_one_view) {
+  if (shares.empty()) return {};
+  const std::string first = percent_text(shares.front().share);
+  std::string text = fmt::format("objects of {:g} mm would have been found in {}", shares.front().size_mm,
+                                 is_one_view ? first + " of it" : "at least " + first + " of each view");
+  for (auto other = shares.begin() + 1; other != shares.end(); ++other)
+    text += fmt::format(", of {:g} mm in {}", other->size_mm, percent_text(other->share));
   return text;
 }
 
