@@ -86,6 +86,21 @@ test('what is pressed as soon as it is there counts', async ({ console: page }) 
   await expect(page.getByTestId('first-look')).toHaveCount(0);
 });
 
+test('a digit that is pressed as soon as the next finding is shown decides on that one', async ({ console: page }) => {
+  const requests = await openDecidable(page);
+  await page.evaluate(() => {
+    const press = new MutationObserver(() => {
+      if (!document.querySelector('[data-testid="finding-3"].selected')) return;
+      press.disconnect();
+      dispatchEvent(new KeyboardEvent('keydown', { key: '5' }));
+    });
+    press.observe(document, { attributes: true, childList: true, subtree: true });
+  });
+  await page.keyboard.press('1');
+  await expect(page.locator('.finding.decided')).toHaveCount(2);
+  expect(requests.map(({ decisions }) => decisions.map(({ finding, verdict }) => `${finding} ${verdict}`))).toEqual([['1 debris', '2 debris'], ['3 false-alarm']]);
+});
+
 test('several findings get one decision in one request', async ({ console: page }) => {
   const requests = await openDecidable(page);
   await page.getByTestId('several').click();

@@ -1,5 +1,5 @@
 // The exposure of the infrared imagers, in place of the bar above the live picture.
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { Choice } from '../Choice';
 import { attempt } from '../inspection/inspections';
 import { api } from '../link/api';
@@ -62,7 +62,7 @@ function useNewest(): (request: ExposureRequest) => void {
 export function ExposureBar({ exposure, onClose }: { exposure: ExposureStatus; onClose: () => void }) {
   const [chosen, setChosen] = useState<Required<ExposureRequest>>(exposure);
   const send = useNewest();
-  useEffect(() => {
+  useLayoutEffect(() => {
     const press = (event: KeyboardEvent) => event.key === 'Escape' && onClose();
     window.addEventListener('keydown', press);
     return () => window.removeEventListener('keydown', press);

@@ -1,6 +1,6 @@
 // The tools for measuring, in place of the bar above a picture.
 import './measure.css';
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import { Choice } from '../Choice';
 import type { MeasureTool } from '../types';
 import type { Marking } from '../picture/marking';
@@ -38,7 +38,7 @@ export function MeasureBar<Point>({ measuring, onMiddle, surface }: Props<Point>
   const { tool, points, measured, leave } = measuring;
   const drawn = surface?.active && surface.byKeys ? surface.draft : null;
   // Escape also stops the robot, whatever else it does.
-  useEffect(() => {
+  useLayoutEffect(() => {
     const press = (event: KeyboardEvent) => event.key === 'Escape' && leave();
     window.addEventListener('keydown', press);
     return () => window.removeEventListener('keydown', press);

@@ -1,6 +1,6 @@
 // Marks something in a picture that the program did not find: by a tap, by drawing a rectangle, or by keyboard.
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Size } from '../regions/shapes';
 import type { Store } from '../store';
 import type { Box, Pixel } from '../types';
@@ -40,7 +40,7 @@ export function useMarking(onMark: ((box: Box, line?: Line) => void) | undefined
     setDraft(null);
   };
   // Escape also stops the robot, whatever else it does.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!active) return;
     const press = (event: KeyboardEvent) => event.key === 'Escape' && leave();
     window.addEventListener('keydown', press);

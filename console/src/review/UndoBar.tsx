@@ -1,5 +1,5 @@
 // What was decided last, with the way back; for a few keys as well.
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { canUndo, goOn, isWriting, lastDecision, undo } from './decisions';
@@ -8,7 +8,7 @@ import { words } from '../words/words';
 export function UndoBar({ inspection, session }: { inspection: Inspection; session: Session }) {
   const last = useStore(lastDecision);
   const possible = canUndo(last, inspection);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const press = (event: KeyboardEvent) => {
       if (isWriting(event) || event.altKey) return;
       const control = event.ctrlKey || event.metaKey;

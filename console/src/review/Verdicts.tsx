@@ -1,5 +1,5 @@
 // One button for each verdict; the digits 1 to 6 press them.
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import type { Verdict } from '../types';
 import { isWriting, verdicts } from './decisions';
 import { words } from '../words/words';
@@ -11,8 +11,9 @@ interface Props {
 }
 
 export function Verdicts({ chosen, enabled, onPick }: Props) {
-  // A digit decides, as long as nothing is being written.
-  useEffect(() => {
+  // A digit decides, as long as nothing is being written. Listening begins before the page is painted: a press in between would
+  // decide on the finding before, or be lost.
+  useLayoutEffect(() => {
     const press = (event: KeyboardEvent) => {
       const verdict = verdicts[Number(event.key) - 1];
       if (verdict && enabled && !event.repeat && !isWriting(event) && !event.ctrlKey && !event.altKey && !event.metaKey) onPick(verdict);
