@@ -17,9 +17,12 @@ using Response = http::response<http::string_body>;
 
 constexpr std::chrono::seconds first_request_limit{10};
 constexpr std::chrono::seconds next_request_limit{30};
-constexpr std::chrono::seconds write_limit{30};
 constexpr std::size_t most_header_bytes = 8192;
 constexpr std::size_t most_body_bytes = 65536;
+
+std::chrono::milliseconds milliseconds_of(double time_s) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * time_s));
+}
 
 double now_s() { return steady_clock().now_s(); }
 
@@ -91,8 +94,9 @@ asio::awaitable<void> write_all(Socket& socket, std::shared_ptr<LiveHub::Member>
       continue;
     }
     socket.binary(message->binary);
-    beast::get_lowest_layer(socket).expires_after(write_limit);
+    member->writing_since_s = now_s();
     co_await socket.async_write(asio::buffer(message->bytes), noting(failure));
+    member->writing_since_s.reset();
   }
   if (failure) beast::get_lowest_layer(socket).close();
 }
@@ -114,6 +118,22 @@ asio::awaitable<std::string> read_all(Socket& socket, LiveHub::Member& member, L
       member.wake();
     } catch (const std::exception& error) {  // a violation of the protocol, or an internal error
       co_return std::string(error.what());
+    }
+  }
+}
+
+// Closes a connection whose client has not read a message within the limit. The stream's own timeout cannot
+// be used: set for a write while no read is pending, it would end the next read, and with it the connection
+// of a client that has nothing to send.
+template <typename Socket>
+asio::awaitable<void> watch_writing(Socket& socket, std::shared_ptr<LiveHub::Member> member, double limit_s) {
+  while (!member->ended) {
+    ErrorCode woken;
+    member->next_look.expires_after(std::chrono::milliseconds(200));
+    co_await member->next_look.async_wait(noting(woken));
+    if (member->writing_since_s && now_s() - *member->writing_since_s > limit_s) {
+      beast::get_lowest_layer(socket).close();
+      co_return;
     }
   }
 }
@@ -153,6 +173,7 @@ asio::awaitable<void> talk(Stream& stream, const Request& request, Person person
   const std::shared_ptr<LiveHub::Member> member = shared.hub.join(std::move(person));
   SocketUsers users(co_await asio::this_coro::executor);
   users.start(write_all(socket, member));
+  users.start(watch_writing(socket, member, shared.write_limit_s));
   users.start(watch_rights(socket, member, session_token(request), shared));
   const std::string complaint = co_await read_all(socket, *member, shared.hub);
   member->end();
@@ -247,7 +268,7 @@ asio::awaitable<void> serve_requests(Stream& stream, SharedState& shared, Regist
     else
       response = co_await answer(stream, parser.get(), shared);
     if (!response) co_return;
-    beast::get_lowest_layer(stream).expires_after(write_limit);
+    beast::get_lowest_layer(stream).expires_after(milliseconds_of(shared.write_limit_s));
     co_await http::async_write(stream, *response, noting(failure));
     if (failure || !response->keep_alive()) co_return;
   }

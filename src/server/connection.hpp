@@ -29,6 +29,7 @@ struct SharedState {
   asio::thread_pool::executor_type lists;  ///< one thread, so that long lists delay only each other
   bool tls = false;
   bool loopback = true;
+  double write_limit_s = 30.0;  ///< for sending one message or response
   std::list<OpenConnection> open;
 };
 

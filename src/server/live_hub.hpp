@@ -3,6 +3,7 @@
 
 #include <list>
 #include <memory>
+#include <optional>
 
 #include "server/asio.hpp"
 #include "server/conversation.hpp"
@@ -16,20 +17,26 @@ class LiveHub {
  public:
   LiveHub(asio::io_context& context, const ServerParts& parts);
 
-  /// A conversation, and the timers on which its sender and the check of the person's rights wait. wake()
-  /// cancels the sender's timer when there may be something to send.
+  /// A conversation, and the timers on which its sender, the check of the sender's progress and that of the
+  /// person's rights wait. wake() cancels the sender's timer when there may be something to send.
   struct Member {
     Member(asio::io_context& context, const ServerParts& parts, LivePictures& pictures, Person person)
-        : conversation(parts, pictures, std::move(person)), alarm(context), next_check(context) {}
+        : conversation(parts, pictures, std::move(person)),
+          alarm(context),
+          next_look(context),
+          next_check(context) {}
     Conversation conversation;
     asio::steady_timer alarm;
+    asio::steady_timer next_look;
     asio::steady_timer next_check;
-    bool ended = false;  ///< nothing more is to be sent
+    std::optional<double> writing_since_s;  ///< steady_clock(); only while a message is being sent
+    bool ended = false;                     ///< nothing more is to be sent
 
     void wake() { alarm.cancel(); }
     void end() {
       ended = true;
       alarm.cancel();
+      next_look.cancel();
       next_check.cancel();
     }
   };

@@ -102,6 +102,7 @@ class WebServer::Implementation {
                 lists_.get_executor(),
                 tls_ != nullptr,
                 address_.is_loopback(),
+                options.write_limit_s,
                 {}} {
     require_safe(address_, tls_ != nullptr, parts.sessions.needed());
   }

@@ -20,6 +20,7 @@ struct ServerOptions {
   std::string console;          ///< folder of the console's files
   std::string tls_certificate;  ///< PEM file; both or neither
   std::string tls_key;
+  double write_limit_s = 30.0;  ///< a client that takes longer to read one message is disconnected
 
   static void describe(auto&& self, auto&& visit) {
     visit(self.port, OptionField{"port", "", 0, 65535, "TCP port to listen at; 0 for any that is free"});

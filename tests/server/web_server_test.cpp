@@ -14,9 +14,11 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include "core/clock.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "server/password.hpp"
@@ -44,10 +46,11 @@ class Web : public testing::Test {
   }
   ~Web() override { stop(); }
 
-  void start(int connections) {
+  void start(int connections, double write_limit_s = 30.0) {
     ServerOptions options;
     options.port = 0;
     options.connections = connections;
+    options.write_limit_s = write_limit_s;
     options.console = (served_.folder / "console").string();
     server_ = std::make_unique<WebServer>(options, served_.parts(), [this](const std::string& line) {
       const std::lock_guard lock(mutex_);
@@ -65,7 +68,9 @@ class Web : public testing::Test {
   }
 
   tcp::socket connect() {
-    tcp::socket socket(io_);
+    tcp::socket socket(io_, tcp::v4());
+    if (receive_buffer_bytes_)
+      socket.set_option(asio::socket_base::receive_buffer_size(*receive_buffer_bytes_));
     socket.connect({asio::ip::address_v4::loopback(), server_->port()});
     return socket;
   }
@@ -126,6 +131,7 @@ class Web : public testing::Test {
   std::mutex mutex_;
   std::vector<std::string> log_;
   asio::io_context io_;
+  std::optional<int> receive_buffer_bytes_;  // of new connections; set by the system where there is none
   std::unique_ptr<WebServer> server_;
   std::thread thread_;
 };
@@ -233,6 +239,36 @@ TEST_F(Web, ASlowReaderGetsFewerPicturesAndHoldsUpNobody) {
     late += slow->got_binary() ? 1 : 0;
   }
   EXPECT_LE(late, 2) << "a client that does not confirm pictures gets no more";
+}
+
+// Confirms that pictures were shown, at the most often that is permitted, without reading them.
+class WebWithAnImpatientServer : public Web {
+ protected:
+  WebWithAnImpatientServer() {
+    stop();
+    start(24, 0.5);
+    receive_buffer_bytes_ = 2048;
+    socket_ = console("client-number-one");
+    tell(*socket_, R"({"type":"watch","stream":"depth"})");
+  }
+  [[nodiscard]] bool confirm() {
+    boost::system::error_code failure;
+    socket_->write(asio::buffer(std::string(R"({"type":"shown"})")), failure);
+    std::this_thread::sleep_for(std::chrono::milliseconds(6));
+    return !failure.failed();
+  }
+  std::unique_ptr<WebSocket> socket_;
+};
+
+TEST_F(WebWithAnImpatientServer, KeepsAConsoleThatReadsLateAndThenHasNothingToSay) {
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(confirm()) << i;
+  const double quiet_from_s = steady_clock().now_s();
+  while (steady_clock().now_s() - quiet_from_s < 1.5) EXPECT_FALSE(hear(*socket_).empty());
+}
+
+TEST_F(WebWithAnImpatientServer, DisconnectsAConsoleThatDoesNotRead) {
+  EXPECT_TRUE(test::eventually([this] { return !confirm(); }))
+      << "its pictures fill the buffers of the connection";
 }
 
 TEST_F(Web, AccountsKeepStrangersOut) {
