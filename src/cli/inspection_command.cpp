@@ -93,11 +93,7 @@ void add_package_export(CLI::App& command) {
   CLI::App& exporting = *command.add_subcommand(
       "export", "writes an inspection with all its files as a package that is signed and in the site's log");
   const auto arguments = std::make_shared<PackageArguments>();
-  add_data_folder(exporting, arguments->data);
-  exporting.add_option("--inspection", arguments->inspection, "number of the inspection")
-      ->required()
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
+  add_recorded_inspection(exporting, arguments->data, arguments->inspection);
   exporting
       .add_option("--key", arguments->keys,
                   "private key of a person who signs (rva key create); give the option once for each")
@@ -118,12 +114,14 @@ void add_package_export(CLI::App& command) {
 
 void add_inspection_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
-      "inspection", "lists inspections, reports on them, signs them, and verifies signed ones");
+      "inspection",
+      "lists inspections, reports on them, repeats their comparisons, signs them, and verifies signed ones");
   command.require_subcommand(1);
   add_package_export(command);
   add_verify_command(command);
   add_report_command(command);
   add_inspection_list_command(command);
+  add_rerun_command(command);
   add_trends_command(command);
 }
 

@@ -32,6 +32,14 @@ void add_data_folder(CLI::App& command, std::string& data) {
   command.add_option("--data", data, "folder of inspections, as for rva serve")->required()->type_name("DIR");
 }
 
+void add_recorded_inspection(CLI::App& command, std::string& data, std::int64_t& inspection) {
+  add_data_folder(command, data);
+  command.add_option("--inspection", inspection, "number of the inspection")
+      ->required()
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+}
+
 std::vector<std::int64_t> recorded_inspections(const std::string& data) {
   std::vector<std::int64_t> numbers = SqliteRecords(database_of(data)).inspections();
   std::ranges::sort(numbers);

@@ -14,6 +14,9 @@ namespace rva::cli {
 /// Adds the required flag `--data` for the folder of inspections.
 void add_data_folder(CLI::App& command, std::string& data);
 
+/// Adds the required flags `--data` and `--inspection` for one inspection.
+void add_recorded_inspection(CLI::App& command, std::string& data, std::int64_t& inspection);
+
 /// The numbers of all inspections of a data folder, ascending. @throws Error when the folder has no records
 [[nodiscard]] std::vector<std::int64_t> recorded_inspections(const std::string& data);
 

@@ -52,11 +52,7 @@ void add_report_command(CLI::App& inspection) {
   CLI::App& command = *inspection.add_subcommand(
       "report", "writes what was inspected, found and decided as one HTML file to read and print");
   const auto arguments = std::make_shared<ReportArguments>();
-  add_data_folder(command, arguments->data);
-  command.add_option("--inspection", arguments->inspection, "number of the inspection")
-      ->required()
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
+  add_recorded_inspection(command, arguments->data, arguments->inspection);
   command.add_option("--out", arguments->out, "the report, an HTML file")->required()->type_name("FILE");
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier file");
   command.callback([arguments] { write_report(*arguments); });

@@ -288,8 +288,8 @@ void Inspector::compare_now(std::int64_t id) {
   const std::string name = InspectionFolder::comparison_name(number);
   folder.require_no_links(folder.path() / name);
   records_.begin_comparison(id, {number, "", name, inspection.final->round});
-  const Compared compared =
-      compare_sides(folder, inspection, number, rig_.drive != nullptr, rig_.chain, tasks_.counted_progress());
+  const Compared compared = compare_sides(folder, inspection, folder.path() / name, rig_.drive != nullptr,
+                                          rig_.chain, tasks_.counted_progress());
   tasks_.throw_if_ended();
   records_.set_comparison(id, {number, iso_8601_now(), name, inspection.final->round}, compared.views,
                           compared.findings);

@@ -217,10 +217,10 @@ Captures open_captures(const InspectionFolder& folder, const Inspection& inspect
   return captures;
 }
 
-Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number, bool moved,
-                       const PanTiltChain& chain, const Progress& progress) {
-  OutputFolder out(folder.path() / InspectionFolder::comparison_name(number), comparison_files(),
-                   Existing::refuse);
+Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection,
+                       const std::filesystem::path& out, bool moved, const PanTiltChain& chain,
+                       const Progress& progress) {
+  OutputFolder results(out, comparison_files(), Existing::refuse);
   Compared compared;
   std::vector<ReviewedFinding> findings;
   std::vector<MapPoint> points;
@@ -232,7 +232,7 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     };
     views("", 0, 0);
     const ViewResult result = compare(folder, inspection, view, views);
-    const ColorImage changed = write(result, InspectionFolder::result_in(out.path(""), view));
+    const ColorImage changed = write(result, InspectionFolder::result_in(results.path(""), view));
     const CaptureInfo& info = result.final.front()->info();
     std::ranges::move(changed_points(result.detection(), changed, info.depth, map_from_camera(info, chain)),
                       std::back_inserter(points));
@@ -241,9 +241,9 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     const Plan* const view_plan = plan == inspection.planned.end() ? nullptr : &plan->second;
     std::ranges::move(findings_of(result, view, view_plan, chain), std::back_inserter(findings));
   }
-  write_inspection_map(out.path("map.ply"), folder, inspection, moved, chain);
-  write_ply(out.path("changes.ply"), points, PointFrame::robot_foot);
-  out.commit();
+  write_inspection_map(results.path("map.ply"), folder, inspection, moved, chain);
+  write_ply(results.path("changes.ply"), points, PointFrame::robot_foot);
+  results.commit();
   compared.findings = rank(std::move(findings));
   return compared;
 }

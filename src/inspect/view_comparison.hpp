@@ -23,13 +23,15 @@ struct Compared {
                                      int view);
 
 /// Compares the captures of each view, and writes the results of all views, with the map of the bay, into a
-/// folder of their own (InspectionFolder), either completely or not at all.
-/// @param number of the comparison; no earlier one may have it
+/// folder of their own (comparison_files()), either completely or not at all.
+/// @param folder in which the captures are
+/// @param out the folder to appear with the results
 /// @param moved whether a robot carried the camera
 /// @param chain the robot's geometry, from which the poses of captures that state none are taken
-/// @throws Error when a capture is missing or cannot be compared; Interrupted
-[[nodiscard]] Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection, int number,
-                                     bool moved, const PanTiltChain& chain, const Progress& progress);
+/// @throws Error when a capture is missing or cannot be compared; ExistsError when `out` exists; Interrupted
+[[nodiscard]] Compared compare_sides(const InspectionFolder& folder, const Inspection& inspection,
+                                     const std::filesystem::path& out, bool moved, const PanTiltChain& chain,
+                                     const Progress& progress);
 
 /// The files that the folder of a comparison, and that of one view's results, may contain, in the form that
 /// OutputFolder takes.

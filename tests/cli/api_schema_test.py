@@ -144,6 +144,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.close()
         self.export()
         self.report()
+        self.rerun()
         self.export_crops()
         self.sign_in()
         self.assertLessEqual(SCHEMA.not_met(), NOT_MET, 'fields that were in no request, answer or message: remove them '
@@ -323,6 +324,15 @@ class ApiSchemaTest(program.ProgramTest):
             printed = subprocess.run(f'find {folder} -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum', shell=True,
                                      cwd=inspection, capture_output=True, encoding='utf-8', check=True).stdout
             self.assertIn(f'{folder} {printed.split()[0]}', read.text)
+
+    def rerun(self):
+        """The recorded captures give the recorded results again."""
+        out = self.folder / 'again'
+        path = ['inspection', 'rerun', '--data', self.folder / 'data', '--inspection', 1, '--out', out]
+        self.assertIn('has no comparison 99', self.rva(*path, '--comparison', 99).stderr)
+        self.assertIn('gives the recorded results again', self.succeed(*path).stdout)
+        self.assertEqual(contents(out).keys(), contents(self.folder / 'data/inspections/000001/comparison-3').keys())
+        self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced')
 
     def export_crops(self):
         """What was decided on, as labelled pictures that are parts of those that were shown."""
