@@ -11,7 +11,13 @@
 namespace rva {
 namespace {
 
-bool is_control(char32_t character) { return character < 0x20 || (character >= 0x7F && character < 0xA0); }
+// Marks and embeddings of the writing direction are controls as well: a terminal that obeys them shows the
+// characters of a line in another order.
+bool is_control(char32_t character) {
+  const auto is_in = [character](char32_t from, char32_t to) { return character >= from && character <= to; };
+  return is_in(0, 0x1F) || is_in(0x7F, 0x9F) || character == 0x61C || is_in(0x200E, 0x200F) ||
+         is_in(0x202A, 0x202E) || is_in(0x2066, 0x2069);
+}
 
 std::string escaped(std::string_view bytes) {
   std::string text;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -33,6 +34,23 @@ void add_decision(SQLite::Database& database, std::int64_t id, int comparison, c
                 "is not a finding of the latest comparison", "reload the list of findings");
 }
 
+// Failures of the database, and values in it that this program cannot have written, as errors for the user.
+template <typename Work>
+auto with_errors(const std::string& source, const Work& work) {
+  const auto damaged = [&source] {
+    return Error(source, "contains a value that this program did not write", "restore it from a backup");
+  };
+  try {
+    return work();
+  } catch (const SQLite::Exception& failure) {
+    throw database_error(source, failure);
+  } catch (const nlohmann::json::exception&) {
+    throw damaged();
+  } catch (const std::bad_optional_access&) {
+    throw damaged();
+  }
+}
+
 }  // namespace
 
 SqliteRecords::SqliteRecords(const std::filesystem::path& file)
@@ -41,26 +59,22 @@ SqliteRecords::SqliteRecords(const std::filesystem::path& file)
 template <typename Work>
 auto SqliteRecords::change(const Work& work) {
   const std::lock_guard lock(mutex_);
-  try {
+  return with_errors(source_, [&] {
     SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
     auto result = work(database_);
     transaction.commit();
     return result;
-  } catch (const SQLite::Exception& failure) {
-    throw database_error(source_, failure);
-  }
+  });
 }
 
 // Reads in one transaction, so that all values belong to the same state of the database.
 template <typename Work>
 auto SqliteRecords::read(const Work& work) const {
   const std::lock_guard lock(mutex_);
-  try {
+  return with_errors(source_, [&] {
     const SQLite::Transaction transaction(database_);
     return work(database_);
-  } catch (const SQLite::Exception& failure) {
-    throw database_error(source_, failure);
-  }
+  });
 }
 
 std::int64_t SqliteRecords::add_inspection(const InspectionOrder& order, const std::string& created_at,

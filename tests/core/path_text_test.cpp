@@ -69,6 +69,8 @@ TEST(Utf8, AcceptsWellFormedSequencesOnly) {
 TEST(Printable, StaysOneLineOfText) { EXPECT_EQ(printable("a\nb\x1b\xFF/ü"), "a\\x0Ab\\x1B\\xFF/ü"); }
 
 TEST(Printable, EscapesEveryByteOfWhatItCannotShow) {
+  EXPECT_EQ(printable("a\u202Egnp.exe"), "a\\xE2\\x80\\xAEgnp.exe");  // from right to left
+  EXPECT_EQ(printable("\u05D0\u3042"), "\u05D0\u3042");
   EXPECT_EQ(printable("\xC2\x85"), "\\xC2\\x85");                // a control character of two bytes
   EXPECT_EQ(printable("\xED\xA0\x80"), "\\xED\\xA0\\x80");       // a surrogate
   EXPECT_EQ(printable("\xF0\x9F\xC3\xBC"), "\\xF0\\x9F\u00FC");  // a character after one that ends early

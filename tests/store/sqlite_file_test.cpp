@@ -62,6 +62,22 @@ TEST_F(Kept, AFileOfVersion1IsBroughtUpToDate) {
   EXPECT_NO_THROW(SqliteRecords{old}) << "once";
 }
 
+TEST_F(Kept, AValueThatIsDamagedIsReported) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, comparison(1), {}, {finding(1)});
+  for (const char* const damage :
+       {"box = '[1,2'", "box = '[1,2,3]'", "centroid = '{}'", "size_mm = '[\"a\",1]'"}) {
+    SQLite::Database((folder_ / "rva.db").string(), SQLite::OPEN_READWRITE)
+        .exec(std::string("update finding set ") + damage);
+    try {
+      static_cast<void>(records_->find(id));
+      FAIL() << damage;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("contains a value that this program did not write")) << damage;
+    }
+  }
+}
+
 TEST_F(Kept, AccountsAreAddedReplacedAndRemoved) {
   records_->set_account({"ann", PersonRole::viewer, "h1"});
   records_->set_account({"ann", PersonRole::inspector, "h2"});
