@@ -57,6 +57,12 @@ export async function openAddress(): Promise<void> {
     await open(null);
     return;
   }
+  // Something else was opened in the meantime.
+  if (openInspection.value?.id !== address.id) {
+    requested = null;
+    write();
+    return;
+  }
   // The page of an inspection that was open already is not chosen anew.
   if (shown?.id !== address.id) return;
   showRequested((destination) => {

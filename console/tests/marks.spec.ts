@@ -85,3 +85,25 @@ test('inspections are found by what they are about, and empty ones are deleted',
   await page.getByTestId('search-stage').selectOption('done');
   await expect(page.getByText('No inspection matches.')).toBeVisible();
 });
+
+test('an inspection that was left is not shown again by what arrives later', async ({ console: page }) => {
+  await begin(page);
+  let answer = (): void => undefined;
+  const asked = new Promise<void>((resolve) => {
+    const held = new Promise<void>((release) => (answer = release));
+    void page.route('**/api/inspections/1', async (route) => {
+      resolve();
+      await held;
+      await route.continue();
+    });
+  });
+  await page.getByRole('button', { name: 'Check again' }).click();
+  await asked;
+  await page.getByTestId('home').click();
+  await expect(page.getByTestId('search')).toBeVisible();
+  const answered = page.waitForResponse('**/api/inspections/1');
+  answer();
+  await (await answered).finished();
+  await page.evaluate(() => new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted))));
+  await expect(page.getByTestId('search')).toBeVisible();
+});

@@ -3,7 +3,7 @@ import { api } from '../link/api';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Joints } from '../types';
-import { attempt, openInspection } from './inspections';
+import { attempt, update } from './inspections';
 import { Rich } from '../words/Rich';
 import { decimal, words } from '../words/words';
 
@@ -12,7 +12,7 @@ export function ViewsCard({ inspection, enabled }: { inspection: Inspection; ena
   if (!robot) return null;
   const set = (views: Joints[]) =>
     void attempt(async () => {
-      openInspection.value = await api.setViews(inspection.id, views);
+      update(await api.setViews(inspection.id, views));
     });
   // A view from the middle of a motion would be one that nobody chose.
   const moves = robot.driving || robot.lent;

@@ -73,13 +73,32 @@ export async function loadList(further = false): Promise<void> {
   inspectionList.value = [...shown, ...inspections.slice(0, page_entries)];
 }
 
+// How often an inspection or the list was asked for: what arrives for an earlier request is not shown.
+let asked = 0;
+
+/** Opens an inspection, or the list, unless another one is asked for in the meantime. */
 export async function open(id: number | null): Promise<void> {
+  const request = ++asked;
   if (id === null) {
     openInspection.value = null;
     await loadList();
     return;
   }
-  openInspection.value = await api.inspection(id);
+  const opened = await api.inspection(id);
+  if (request === asked) openInspection.value = opened;
+}
+
+/** Shows an inspection as the server has it now, unless it was left in the meantime. */
+export function update(inspection: Inspection): void {
+  if (openInspection.value?.id === inspection.id) openInspection.value = inspection;
+}
+
+// What was shown in the meantime is newer than what this request may bring, and is asked for again.
+async function reload(id: number): Promise<void> {
+  const before = openInspection.value;
+  const now = await api.inspection(id);
+  if (openInspection.value === before) update(now);
+  else if (openInspection.value?.id === id) await reload(id);
 }
 
 /** Why the last capture or comparison failed or was cancelled; a later check does not clear it. */
@@ -107,7 +126,7 @@ export function followTasks(): void {
     seen = now;
     noteEnd(task);
     const id = openInspection.value?.id;
-    if (id !== undefined) void open(id).catch(() => undefined);
+    if (id !== undefined) void reload(id).catch(() => undefined);
     else void loadList().catch(() => undefined);
   });
 }

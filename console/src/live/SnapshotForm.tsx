@@ -1,6 +1,6 @@
 // Asks for a note on a picture that is kept with the inspection.
 import { useState } from 'preact/hooks';
-import { attempt, openInspection } from '../inspection/inspections';
+import { attempt, update } from '../inspection/inspections';
 import { api } from '../link/api';
 import { person } from '../link/client';
 import { Store, useStore } from '../store';
@@ -17,7 +17,7 @@ export function SnapshotForm({ inspection, session }: { inspection: Inspection; 
   const save = (event: Event) => {
     event.preventDefault();
     void attempt(async () => {
-      openInspection.value = await api.keepSnapshot(inspection.id, { ...picture, note, person: session.name || person.name || inspection.person });
+      update(await api.keepSnapshot(inspection.id, { ...picture, note, person: session.name || person.name || inspection.person }));
       newSnapshot.value = null;
       setNote('');
     });

@@ -1,5 +1,5 @@
 // The plan of the work of each view: what is drawn of it, and how it is saved.
-import { attempt, openInspection } from '../inspection/inspections';
+import { attempt, openInspection, update } from '../inspection/inspections';
 import { api } from '../link/api';
 import type { Zoom } from '../picture/zoom';
 import { whole } from '../picture/zoom';
@@ -45,7 +45,7 @@ export function cornersOf([u, v, width, height]: Box): PlanPoints {
 /** Sends a plan file. An empty one removes the plan. */
 export async function savePlan(inspection: Inspection, view: number, text: string): Promise<boolean> {
   return attempt(async () => {
-    openInspection.value = await api.setPlan(inspection.id, view, text);
+    update(await api.setPlan(inspection.id, view, text));
   });
 }
 

@@ -1,5 +1,5 @@
 // Sends regions to the server, view by view.
-import { attempt, openInspection } from '../inspection/inspections';
+import { attempt, update } from '../inspection/inspections';
 import { api } from '../link/api';
 import { page } from '../pages';
 import type { Inspection } from '../types';
@@ -12,7 +12,7 @@ export async function saveRegions(inspection: Inspection): Promise<void> {
       const after = await api.setRegions(inspection.id, view, regionsOf(inspection, regionState.value, view));
       const { [view]: _, ...drafts } = regionState.value.drafts;
       change({ drafts });
-      openInspection.value = after;
+      update(after);
     }
   });
   if (!saved) return;

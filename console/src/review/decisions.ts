@@ -1,5 +1,5 @@
 // Decisions on findings, one or several at once, and the way back from the last one.
-import { attempt, openInspection } from '../inspection/inspections';
+import { attempt, update } from '../inspection/inspections';
 import { api } from '../link/api';
 import { person } from '../link/client';
 import { Store } from '../store';
@@ -44,7 +44,7 @@ export async function decide(inspection: Inspection, groups: Group[], verdict: V
     const after = await api.decideAll(inspection, decisions, personOf(inspection, session));
     const numbers = groups.map(({ lead, label }) => ({ number: lead.number, label }));
     lastDecision.value = { inspection: inspection.id, comparison: inspection.comparison, verdict, groups: numbers, before };
-    openInspection.value = after;
+    update(after);
     goOn(after);
   });
 }
@@ -57,7 +57,7 @@ export function canUndo(last: LastDecision | null, inspection: Inspection): last
 /** Decides as it was decided before, or withdraws the decision where there was none; the record contains both. */
 export async function undo(inspection: Inspection, last: LastDecision, session: Session): Promise<boolean> {
   return attempt(async () => {
-    openInspection.value = await api.decideAll(inspection, last.before, personOf(inspection, session));
+    update(await api.decideAll(inspection, last.before, personOf(inspection, session)));
     lastDecision.value = null;
     const first = groupsOf(inspection).find((group) => group.lead.number === last.groups[0]?.number);
     if (first) show(selectionOf(first));

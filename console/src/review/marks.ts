@@ -1,5 +1,5 @@
 // A finding that a person has marked in a picture, until it is saved with a note.
-import { attempt, openInspection } from '../inspection/inspections';
+import { attempt, update } from '../inspection/inspections';
 import { api } from '../link/api';
 import { Store } from '../store';
 import type { Box, Inspection, Stream } from '../types';
@@ -18,7 +18,7 @@ export async function saveMark(inspection: Inspection, { bbox, where }: NewMark,
   await attempt(async () => {
     const after = await api.mark(inspection.id, { ...picture, bbox, note, person });
     newMark.value = null;
-    openInspection.value = after;
+    update(after);
     const last = after.marked.at(-1);
     if (last && 'view' in where) show({ findings: true, group: -last.number });
   });

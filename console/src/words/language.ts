@@ -61,14 +61,25 @@ export function otherLanguage(now: Language): Language {
   return languages[(languages.indexOf(now) + 1) % languages.length] ?? 'en';
 }
 
-/** A browser that stores nothing keeps the choice until the page is closed. @throws Refusal when the texts cannot be loaded */
-export async function chooseLanguage(next: Language): Promise<void> {
-  await show(next).catch(() => {
-    throw new Refusal('console', words.page.noServer);
-  });
+function keep(code: Language | null): void {
   try {
-    localStorage.setItem(key, next);
+    if (code === null) localStorage.removeItem(key);
+    else localStorage.setItem(key, code);
   } catch (error) {
     console.warn(`${key} is not kept beyond this page: ${String(error)}`);
   }
+}
+
+/**
+ * The choice is kept at once, also for a page that is left before the texts have arrived. A browser that stores nothing keeps
+ * it until the page is closed.
+ * @throws Refusal when the texts cannot be loaded; the choice of before is then kept
+ */
+export async function chooseLanguage(next: Language): Promise<void> {
+  const before = chosen();
+  keep(next);
+  await show(next).catch(() => {
+    keep(before);
+    throw new Refusal('console', words.page.noServer);
+  });
 }
