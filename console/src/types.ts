@@ -321,6 +321,9 @@ export interface InspectionList {
   inspections: InspectionSummary[];
 }
 
+/** `debris` was removed after the last captures, or cannot be reached; `coverage`: less than half of a view was inspected. */
+export type ClosingReason = 'debris' | 'coverage';
+
 export interface BegunFinal {
   /** Whether the robot was put back since the baseline. */
   replaced: boolean;
@@ -335,8 +338,10 @@ export interface Inspection extends InspectionSummary {
   marked: MarkedFinding[];
   /** Pictures that people kept. */
   snapshots: Snapshot[];
-  /** Whether a note is needed to close it: debris was removed after the last captures, or cannot be reached. */
+  /** Whether a note is needed to close it: `closing_note_for` is not empty. */
   closing_needs_note: boolean;
+  /** Why a note is needed to close it. */
+  closing_note_for: ClosingReason[];
   /** A round of the final side that is not complete. */
   final_begun?: BegunFinal;
 }

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import type { DecisionsRequest, Inspection } from '../src/types';
 import { expectAccessible, expectTouchable } from './accessibility';
-import { inspectionOf } from './region_page';
+import { inspectionOf, standIn } from './region_page';
 import { openReview } from './review_page';
 import { expect, test } from './served';
 
@@ -121,6 +121,21 @@ test('several findings get one decision in one request', async ({ console: page 
   await expectTouchable(page);
   await page.getByTestId('undo').click();
   await expect(page.locator('.finding.decided')).toHaveCount(0);
+});
+
+test('closing needs a reason where less than half of a view was inspected', async ({ console: page }) => {
+  await openReview(page);
+  const { compared } = await inspectionOf(page);
+  await standIn(page, { findings: [], compared: compared.map((view) => ({ ...view, judged: 0.4 })), closing_needs_note: true, closing_note_for: ['coverage'] });
+  await page.getByTestId('reveal').click();
+  await expect(page.getByTestId('all-decided')).toContainText('Less than half of a view was inspected');
+  await page.getByTestId('close').click();
+  const form = page.getByTestId('close-form');
+  await expect(form).toContainText('required: less than half of a view was inspected');
+  await expect(form.getByTestId('close-confirm')).toBeDisabled();
+  await form.getByLabel('Note').fill('the rest was seen with a mirror');
+  await expect(form.getByTestId('close-confirm')).toBeEnabled();
+  await expectAccessible(page);
 });
 
 test('what the server refuses stays undecided', async ({ console: page }) => {

@@ -15,14 +15,33 @@ bool may_still_be_there(const std::optional<Decision>& decision, int final_round
   return decision->verdict == Verdict::debris_removed && decision->round >= final_round;
 }
 
-std::string title(const Inspection& inspection) { return fmt::format("inspection {}", inspection.id); }
-
-}  // namespace
-
-bool closing_needs_note(const Inspection& inspection) {
+bool is_debris_unseen(const Inspection& inspection) {
   const int round = inspection.final ? inspection.final->round : 0;
   const auto remains = [&](const auto& finding) { return may_still_be_there(finding.decision, round); };
   return std::ranges::any_of(inspection.findings, remains) || std::ranges::any_of(inspection.marked, remains);
+}
+
+std::string title(const Inspection& inspection) { return fmt::format("inspection {}", inspection.id); }
+
+Error missing_note(const Inspection& inspection, ClosingReason reason) {
+  switch (reason) {
+    case ClosingReason::debris:
+      return {title(inspection), "debris was removed after the last captures, or cannot be reached",
+              "capture again, or state in a note why the inspection may be closed"};
+    case ClosingReason::coverage:
+      break;
+  }
+  return {title(inspection), "less than half of a view was inspected",
+          "capture again, or state in a note why that suffices"};
+}
+
+}  // namespace
+
+std::vector<ClosingReason> reasons_for_note(const Inspection& inspection) {
+  std::vector<ClosingReason> reasons;
+  if (is_debris_unseen(inspection)) reasons.push_back(ClosingReason::debris);
+  if (least_judged(inspection).value_or(1.0) < least_inspected) reasons.push_back(ClosingReason::coverage);
+  return reasons;
 }
 
 Error closed_inspection(std::int64_t id, const std::string& person) {
@@ -45,9 +64,8 @@ void require_closable(const Inspection& inspection, const Closing& closing) {
     throw Error(title(inspection),
                 fmt::format("{} finding(s) are undecided, or debris that is still there", open),
                 "decide on every finding");
-  if (closing.note.empty() && closing_needs_note(inspection))
-    throw Error(title(inspection), "debris was removed after the last captures, or cannot be reached",
-                "capture again, or state in a note why the inspection may be closed");
+  const std::vector<ClosingReason> reasons = reasons_for_note(inspection);
+  if (closing.note.empty() && !reasons.empty()) throw missing_note(inspection, reasons.front());
 }
 
 }  // namespace rva

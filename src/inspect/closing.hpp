@@ -1,17 +1,35 @@
 // When an inspection may be closed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "core/enum_names.hpp"
 #include "core/error.hpp"
 #include "inspect/inspection.hpp"
 
 namespace rva {
 
-/// Whether a statement in words is needed to close an inspection, since it ends without pictures of a bay
-/// that is free of debris: debris was removed after the last captures, or cannot be reached.
-[[nodiscard]] bool closing_needs_note(const Inspection& inspection);
+/// Why a statement in words is needed to close an inspection.
+enum class ClosingReason {
+  debris,    ///< it was removed after the last captures, or cannot be reached: they do not show a bay free of
+             ///< it
+  coverage,  ///< less than least_inspected of a view was inspected
+};
+template <>
+inline constexpr auto enum_names<ClosingReason> = std::to_array<EnumName<ClosingReason>>({
+    {ClosingReason::debris, "debris"},
+    {ClosingReason::coverage, "coverage"},
+});
+
+/// With a smaller share of a view inspected (ComparedView::judged), that nothing was found there means
+/// little.
+inline constexpr double least_inspected = 0.5;
+
+/// The reasons for which closing an inspection as it is now needs a note; empty where it needs none.
+[[nodiscard]] std::vector<ClosingReason> reasons_for_note(const Inspection& inspection);
 
 /// @throws Error when a person may not close the inspection by this statement: it is closed already; its
 ///         latest captures are not complete, or not compared; the person reviewed another comparison;

@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "inspect/closing.hpp"
 #include "report/object_groups.hpp"
 #include "report/report_words.hpp"
 
 namespace rva {
 namespace {
-
-// With less of a view inspected, that nothing was found means little; as the console warns.
-constexpr double least_share = 0.5;
 
 VerdictCounts counts_now(const Inspection& inspection) {
   VerdictCounts counts = verdicts_of(inspection.findings);
@@ -20,7 +18,7 @@ VerdictCounts counts_now(const Inspection& inspection) {
   return counts;
 }
 
-// Whether no later captures show the bay without it; as closing_needs_note() counts.
+// Whether no later captures show the bay without it; as ClosingReason::debris counts.
 bool is_removed_unseen(const std::optional<Decision>& decision, const Inspection& inspection) {
   return decision && decision->verdict == Verdict::debris_removed && inspection.final &&
          decision->round >= inspection.final->round;
@@ -100,7 +98,7 @@ StatedOutcome closed_outcome(const InspectionHistory& history) {
             fmt::format("{} not be reached in an earlier round, and the last captures do not show {}",
                         counted(gone, "piece of debris could", "pieces of debris could"),
                         gone == 1 ? "it" : "them")};
-  if (least_judged(inspection).value_or(0.0) < least_share)
+  if (least_judged(inspection).value_or(0.0) < least_inspected)
     return {Outcome::too_little, "No debris was left where it was inspected, but most of a view was not"};
   return {Outcome::clear, "No debris remains in what was inspected"};
 }

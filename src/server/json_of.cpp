@@ -208,7 +208,10 @@ Json json_of(const Inspection& inspection) {
   json["findings"] = json_list(inspection.findings);
   json["marked"] = json_list(inspection.marked);
   json["snapshots"] = json_list(inspection.snapshots);
-  json["closing_needs_note"] = closing_needs_note(inspection);
+  json["closing_needs_note"] = !reasons_for_note(inspection).empty();
+  json["closing_note_for"] = Json::array();
+  for (const ClosingReason reason : reasons_for_note(inspection))
+    json["closing_note_for"].push_back(name_of(reason));
   return json;
 }
 

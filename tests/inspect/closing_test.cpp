@@ -10,7 +10,9 @@
 namespace rva {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 // An inspection of one view after round 2, with one finding.
 Inspection reviewed(Verdict verdict) {
@@ -57,12 +59,28 @@ TEST(ClosingAnInspection, DebrisThatWasRemovedBeforeTheLastRoundNeedsNoNote) {
   Inspection inspection = reviewed(Verdict::false_alarm);
   inspection.marked.emplace_back();
   inspection.marked[0].decision = Decision{Verdict::debris_removed, "", "Ann", "t", 1};
-  EXPECT_FALSE(closing_needs_note(inspection));
+  EXPECT_THAT(reasons_for_note(inspection), IsEmpty());
   EXPECT_EQ(refusal(inspection), "");
   inspection.marked[0].decision->round = 2;
-  EXPECT_TRUE(closing_needs_note(inspection));
+  EXPECT_THAT(reasons_for_note(inspection), ElementsAre(ClosingReason::debris));
   inspection.marked[0].decision = Decision{Verdict::debris_unreachable, "", "Ann", "t", 1};
-  EXPECT_TRUE(closing_needs_note(inspection)) << "it is there in every round";
+  EXPECT_THAT(reasons_for_note(inspection), ElementsAre(ClosingReason::debris))
+      << "it is there in every round";
+}
+
+TEST(ClosingAnInspection, WithLessThanHalfOfAViewInspectedNeedsANote) {
+  Inspection inspection = reviewed(Verdict::false_alarm);
+  inspection.views.push_back({5, 0});
+  inspection.compared.push_back(inspection.compared[0]);
+  inspection.compared[1].view = 1;
+  inspection.compared[1].judged = least_inspected;
+  EXPECT_EQ(refusal(inspection), "");
+  inspection.compared[1].judged = 0.49;
+  EXPECT_THAT(reasons_for_note(inspection), ElementsAre(ClosingReason::coverage));
+  EXPECT_THAT(refusal(inspection), HasSubstr("less than half of a view"));
+  EXPECT_EQ(refusal(inspection, {3, "Ann", "the rest was looked at by mirror", "t"}), "");
+  inspection.findings[0].decision->verdict = Verdict::debris_unreachable;
+  EXPECT_THAT(reasons_for_note(inspection), ElementsAre(ClosingReason::debris, ClosingReason::coverage));
 }
 
 TEST(ClosingAnInspection, IsOfWhatThePersonReviewed) {

@@ -1,6 +1,6 @@
 // What comes after the decisions: capturing again, or closing the inspection by name.
 import { useState } from 'preact/hooks';
-import { attempt, openInspection } from '../inspection/inspections';
+import { attempt, update } from '../inspection/inspections';
 import { timeOf } from '../inspection/words';
 import { api, reportAddress } from '../link/api';
 import { person } from '../link/client';
@@ -12,7 +12,7 @@ import { words } from '../words/words';
 
 function CaptureAgain({ inspection, session, first }: { inspection: Inspection; session: Session; first: boolean }) {
   const simulation = useStore(link.status)?.simulation ?? false;
-  const removed = inspection.closing_needs_note;
+  const removed = inspection.closing_note_for.includes('debris');
   const again = () =>
     void attempt(async () => {
       if (simulation && removed) await api.simulateWork(false);
@@ -25,13 +25,14 @@ function CaptureAgain({ inspection, session, first }: { inspection: Inspection; 
   );
 }
 
-function CloseForm({ inspection, session, needsNote, onLeave }: { inspection: Inspection; session: Session; needsNote: boolean; onLeave: () => void }) {
+function CloseForm({ inspection, session, onLeave }: { inspection: Inspection; session: Session; onLeave: () => void }) {
+  const needsNote = inspection.closing_needs_note;
   const [note, setNote] = useState('');
   const [name, setName] = useState(session.name || person.name || inspection.person);
   const close = (event: Event) => {
     event.preventDefault();
     void attempt(async () => {
-      openInspection.value = await api.close(inspection, note.trim(), name.trim());
+      update(await api.close(inspection, note.trim(), name.trim()));
     });
   };
   return (
@@ -45,7 +46,7 @@ function CloseForm({ inspection, session, needsNote, onLeave }: { inspection: In
       )}
       <label class="field">
         <span>
-          {words.review.note}{needsNote && <em> {words.review.noteRequired}</em>}
+          {words.review.note}{needsNote && <em> {words.review.noteRequired(inspection.closing_note_for.map((reason) => words.review.closingReasons[reason]).join('; '))}</em>}
         </span>
         <textarea rows={2} maxLength={1000} value={note} required={needsNote} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
@@ -97,14 +98,14 @@ export function ClosingCard({ inspection, session }: { inspection: Inspection; s
   if (closing && left === '') {
     return (
       <div class="panel-action">
-        <CloseForm inspection={inspection} session={session} needsNote={needsNote} onLeave={() => setClosing(false)} />
+        <CloseForm inspection={inspection} session={session} onLeave={() => setClosing(false)} />
       </div>
     );
   }
   return (
     <div class="panel-action">
       <p data-testid="all-decided" class={left === '' && !needsNote ? 'good' : 'open'}>
-        {left !== '' ? words.review.remains(left) : needsNote ? words.review.captureToSee : words.review.nothingLeft}
+        {left !== '' ? words.review.remains(left) : needsNote ? words.review.captureFor[inspection.closing_note_for[0]!] : words.review.nothingLeft}
       </p>
       <div class="panel-pair narrow">
         <CaptureAgain inspection={inspection} session={session} first={left === '' && needsNote} />

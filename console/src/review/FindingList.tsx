@@ -181,7 +181,8 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
   if (!state.findings && state.group === 0) return <FirstLook groups={groups} />;
   return (
     <>
-      <div class="panel-body">
+      {/* Without findings, it may scroll while nothing in it can be focused. */}
+      <div class="panel-body" {...(groups.length === 0 && { tabIndex: 0 })}>
         <div class="card" data-testid="finding-summary">
           <h2>{words.review.all(groups.length)}</h2>
           <Extent inspection={inspection} nothing={groups.length === 0} />
