@@ -10,9 +10,8 @@ export default defineConfig({
     { name: 'pictures', testMatch: 'pictures/*.spec.ts' },
   ],
   workers: 1,
-  // Guards against waiting in vain, far above what a busy machine needs.
-  timeout: 300_000,
-  expect: { timeout: 60_000 },
+  timeout: 120_000,
+  expect: { timeout: 20_000 },
   reporter: [['list']],
   outputDir: process.env['RVA_BROWSER_OUT'] ?? '../build/browser',
   use: {
