@@ -40,8 +40,8 @@ void rerun(const RerunArguments& arguments) {
   throw Error(
       fmt::format("comparison {} of inspection {}", number, arguments.inspection),
       "gives other results than those that are recorded",
-      "compare the lines above with " + printable(arguments.out) +
-          "; a version of the program of before, the robot's geometry, and changed captures are causes");
+      "see " + printable(arguments.out) +
+          "; causes are another version of the program, another robot geometry, and changed captures");
 }
 
 }  // namespace

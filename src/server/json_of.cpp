@@ -1,6 +1,7 @@
 #include "server/json_of.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "inspect/closing.hpp"
 #include "server/private_paths.hpp"
@@ -208,10 +209,10 @@ Json json_of(const Inspection& inspection) {
   json["findings"] = json_list(inspection.findings);
   json["marked"] = json_list(inspection.marked);
   json["snapshots"] = json_list(inspection.snapshots);
-  json["closing_needs_note"] = !reasons_for_note(inspection).empty();
-  json["closing_note_for"] = Json::array();
-  for (const ClosingReason reason : reasons_for_note(inspection))
-    json["closing_note_for"].push_back(name_of(reason));
+  Json reasons = Json::array();
+  for (const ClosingReason reason : reasons_for_note(inspection)) reasons.push_back(name_of(reason));
+  json["closing_needs_note"] = !reasons.empty();
+  json["closing_note_for"] = std::move(reasons);
   return json;
 }
 
