@@ -57,10 +57,33 @@ const std::vector<Recipe>& recipes() {
   return all;
 }
 
-const Recipe* find_recipe(std::string_view name) {
-  const auto found = std::find_if(recipes().begin(), recipes().end(),
-                                  [&](const Recipe& recipe) { return recipe.kind.name == name; });
-  return found == recipes().end() ? nullptr : &*found;
+const std::vector<Recipe>& unlisted_recipes() {
+  static const std::vector<Recipe> all{
+      {{"spray-can", 188.0, "aerosol can of 400 ml, 65 mm"}, always<spray_can>},
+      {{"tape-measure", 73.5, "pocket tape of 5 m"}, always<tape_measure>},
+      {{"pliers", 165.7, "ISO 5746 combination pliers, 165 mm"}, always<pliers>},
+      {{"battery", 60.0, "IEC 60086 R20 (D): 33 x 60 mm"}, always<battery>},
+      {{"paper-cup", 94.0, "paper cup of 200 ml"}, always<paper_cup>},
+      {{"hex-key", 97.0, "ISO 2936 hexagon key, 6 mm"}, always<hex_key>},
+      {{"mirror", 212.5, "inspection mirror, 41 mm, with a rod"}, always<mirror>},
+      {{"paint-brush", 190.5, "flat brush, 40 mm"}, always<paint_brush>},
+      {{"hose-clamp", 52.5, "DIN 3017 worm-drive clamp for 40 mm, 12 mm wide"}, always<hose_clamp>},
+      {{"protective-cap", 25.0, "plastic cap of a hydraulic fitting"}, always<protective_cap>},
+      {{"random-shape", 200.0, "none: boxes, cylinders, tubes and cones by chance"}, random_shape},
+  };
+  return all;
+}
+
+const Recipe* find_recipe(const std::vector<Recipe>& recipes, std::string_view name) {
+  const auto found =
+      std::ranges::find_if(recipes, [&](const Recipe& recipe) { return recipe.kind.name == name; });
+  return found == recipes.end() ? nullptr : &*found;
+}
+
+std::vector<DebrisKind> kinds_of(const std::vector<Recipe>& recipes) {
+  std::vector<DebrisKind> kinds;
+  for (const Recipe& recipe : recipes) kinds.push_back(recipe.kind);
+  return kinds;
 }
 
 /// Centre of volume, from the tetrahedra between the triangles and the origin.
@@ -83,21 +106,23 @@ Eigen::Vector3d center_of(const Parts& parts) {
 }  // namespace
 
 const std::vector<DebrisKind>& debris_catalogue() {
-  static const std::vector<DebrisKind> kinds = [] {
-    std::vector<DebrisKind> all;
-    for (const Recipe& recipe : recipes()) all.push_back(recipe.kind);
-    return all;
-  }();
+  static const std::vector<DebrisKind> kinds = kinds_of(recipes());
+  return kinds;
+}
+
+const std::vector<DebrisKind>& unlisted_kinds() {
+  static const std::vector<DebrisKind> kinds = kinds_of(unlisted_recipes());
   return kinds;
 }
 
 const DebrisKind* find_debris_kind(std::string_view name) {
-  const Recipe* recipe = find_recipe(name);
+  const Recipe* recipe = find_recipe(recipes(), name);
   return recipe == nullptr ? nullptr : &recipe->kind;
 }
 
 std::vector<Part> make_debris(std::string_view kind, std::uint64_t shape_seed) {
-  const Recipe* recipe = find_recipe(kind);
+  const Recipe* recipe = find_recipe(recipes(), kind);
+  if (recipe == nullptr) recipe = find_recipe(unlisted_recipes(), kind);
   if (recipe == nullptr) throw std::out_of_range("no debris of kind " + std::string(kind));
   Random random(shape_seed);
   Parts parts = recipe->make(random);

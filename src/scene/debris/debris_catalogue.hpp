@@ -20,13 +20,19 @@ struct DebrisKind {
 /// All kinds of debris.
 [[nodiscard]] const std::vector<DebrisKind>& debris_catalogue();
 
-/// Null for an unknown name.
+/// Objects outside the catalogue, by which it is measured whether a classifier calls them unknown: everyday
+/// objects from the trade, and last "random-shape", of which each seed gives another. Scene files and random
+/// wings do not use them.
+[[nodiscard]] const std::vector<DebrisKind>& unlisted_kinds();
+
+/// Null for a name that the catalogue lacks.
 [[nodiscard]] const DebrisKind* find_debris_kind(std::string_view name);
 
 /// The solids of one piece, in metres, in a frame whose origin is their centre of volume, which serves as the
 /// centre of mass.
-/// @param shape_seed seed of the shape for kinds that vary (rag, glove, swarf, wire, tape)
-/// @throws std::out_of_range for a kind that the catalogue lacks
+/// @param kind       name in debris_catalogue() or unlisted_kinds()
+/// @param shape_seed seed of the shape for kinds that vary (rag, glove, swarf, wire, tape, random-shape)
+/// @throws std::out_of_range for any other kind
 [[nodiscard]] std::vector<Part> make_debris(std::string_view kind, std::uint64_t shape_seed);
 
 }  // namespace rva

@@ -113,4 +113,38 @@ using Parts = std::vector<Part>;
 /// A work glove.
 [[nodiscard]] Parts glove(Random& random);
 
+/// Objects outside the catalogue. One to three boxes, cylinders, tubes or cones of random sizes, 8 to 200 mm
+/// overall, in random directions and materials.
+[[nodiscard]] Parts random_shape(Random& random);
+
+/// A spray can of 400 ml.
+[[nodiscard]] Parts spray_can();
+
+/// A tape measure of 5 m in its case.
+[[nodiscard]] Parts tape_measure();
+
+/// Combination pliers of 165 mm.
+[[nodiscard]] Parts pliers();
+
+/// A battery of size D.
+[[nodiscard]] Parts battery();
+
+/// A paper cup of 200 ml.
+[[nodiscard]] Parts paper_cup();
+
+/// A hexagon key of 6 mm, ISO 2936.
+[[nodiscard]] Parts hex_key();
+
+/// An inspection mirror with its rod.
+[[nodiscard]] Parts mirror();
+
+/// A flat paint brush, 40 mm wide.
+[[nodiscard]] Parts paint_brush();
+
+/// A worm-drive hose clamp for 40 mm.
+[[nodiscard]] Parts hose_clamp();
+
+/// A protective cap of a hydraulic fitting.
+[[nodiscard]] Parts protective_cap();
+
 }  // namespace rva

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <stdexcept>
@@ -85,6 +86,33 @@ TEST(DebrisCatalogue, NamesEachKindOnce) {
     ASSERT_NE(find_debris_kind(kind.name), nullptr);
     EXPECT_EQ(find_debris_kind(kind.name)->name, kind.name);
   }
+}
+
+TEST(DebrisCatalogue, LacksTheObjectsByWhichClassifiersAreTested) {
+  for (const DebrisKind& kind : unlisted_kinds()) {
+    EXPECT_EQ(find_debris_kind(kind.name), nullptr) << kind.name;
+    const SceneObject object = object_of(kind.name, seed);
+    for (const Part& part : object.parts) EXPECT_TRUE(is_closed(part.mesh) && volume_m3(part.mesh) > 0.0);
+    if (kind.name != "random-shape") {
+      EXPECT_NEAR(1e3 * size_m(object).maxCoeff(), kind.size_mm, 0.01 * kind.size_mm) << kind.name;
+    }
+  }
+}
+
+TEST(DebrisCatalogue, RandomShapesAreFrom8To200mmLarge) {
+  double least_mm = 1000.0;
+  double most_mm = 0.0;
+  for (std::uint64_t shape_seed = 1; shape_seed <= 500; ++shape_seed) {
+    const SceneObject object = object_of("random-shape", shape_seed);
+    for (const Part& part : object.parts) ASSERT_TRUE(is_closed(part.mesh) && volume_m3(part.mesh) > 0.0);
+    const double size_mm = 1e3 * size_m(object).maxCoeff();
+    least_mm = std::min(least_mm, size_mm);
+    most_mm = std::max(most_mm, size_mm);
+  }
+  EXPECT_GT(least_mm, 7.9);
+  EXPECT_LT(least_mm, 9.0);
+  EXPECT_GT(most_mm, 180.0);
+  EXPECT_LT(most_mm, 200.1);
 }
 
 TEST(DebrisCatalogue, RefusesAnUnknownKind) {
