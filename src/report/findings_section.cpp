@@ -8,6 +8,7 @@
 #include "report/or_reason.hpp"
 #include "report/report_pictures.hpp"
 #include "report/report_sections.hpp"
+#include "report/report_verdict.hpp"
 #include "report/report_words.hpp"
 
 namespace rva {
@@ -80,9 +81,8 @@ Html planned_work(const ComparedRound& round, const std::vector<ObjectGroup>& gr
 }
 
 std::string round_title(std::size_t number, const InspectionHistory& history, const ComparedRound& round) {
-  const auto& current = history.inspection.comparison;
-  const bool is_current = current && current->number == round.comparison.number;
-  return fmt::format("Findings of round {}{}, {}: {}", number, is_current ? " (the last)" : "",
+  return fmt::format("Findings of round {}{}, {}: {}", number,
+                     is_current(round, history.inspection) ? " (the last)" : "",
                      time_text(round.comparison.compared_at), counts_text(verdicts_of(round.findings)));
 }
 

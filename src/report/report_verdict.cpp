@@ -33,10 +33,6 @@ std::size_t removed_unseen(const Inspection& inspection) {
   return unseen;
 }
 
-bool is_current(const ComparedRound& round, const Inspection& inspection) {
-  return inspection.comparison && inspection.comparison->number == round.comparison.number;
-}
-
 // Debris of earlier rounds that nobody could reach. Where later rounds do not show it, something moved it.
 std::size_t unreachable_before(const InspectionHistory& history) {
   std::size_t unreachable = 0;
@@ -104,6 +100,10 @@ StatedOutcome closed_outcome(const InspectionHistory& history) {
 }
 
 }  // namespace
+
+bool is_current(const ComparedRound& round, const Inspection& inspection) {
+  return inspection.comparison && inspection.comparison->number == round.comparison.number;
+}
 
 ReportVerdict verdict_on(const InspectionHistory& history) {
   const StatedOutcome stated =

@@ -26,6 +26,9 @@ struct ReportVerdict {
 /// The verdict on an inspection. Objects are counted, not findings: what two views show counts once.
 [[nodiscard]] ReportVerdict verdict_on(const InspectionHistory& history);
 
+/// Whether a round is the last one of its inspection, on which the verdict is.
+[[nodiscard]] bool is_current(const ComparedRound& round, const Inspection& inspection);
+
 /// "Inspected: 76 % of the view; objects of 5 mm would have been found in 40 % of it": what every verdict is
 /// about. Of several views, each share is the least of any. Empty before the first comparison.
 [[nodiscard]] std::string extent_text(const Inspection& inspection);

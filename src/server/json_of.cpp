@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "detect/findings/height_fields.hpp"
 #include "inspect/closing.hpp"
 #include "server/private_paths.hpp"
 
@@ -102,18 +103,6 @@ Json json_of(const ComparedView& view) {
             {"judged", view.judged}, {"warnings", warnings},  {"findable", list_of(view.findable)}};
   for (const PlannedWork& work : view.planned) json["planned"].push_back(json_of(work));
   return json;
-}
-
-void add_heights(const Finding& finding, Json& json) {
-  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
-  if (finding.above_surroundings_mm) {
-    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
-    if (finding.height_mm) json["background_jump"] = finding.background_jump;
-  }
-  if (finding.top_above_surroundings_mm) {
-    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
-    json["top_is_least"] = finding.top_is_least;
-  }
 }
 
 template <typename Values>

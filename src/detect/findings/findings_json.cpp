@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "detect/findings/findings.hpp"
+#include "detect/findings/height_fields.hpp"
 
 namespace rva {
 namespace {
@@ -24,15 +25,7 @@ Json json_of(const Finding& finding, bool of_two) {
   json["centroid"] = {finding.centroid.x(), finding.centroid.y()};
   if (const auto& p = finding.position_m) json["position_m"] = {p->x(), p->y(), p->z()};
   if (finding.size_mm) json["size_mm"] = *finding.size_mm;
-  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
-  if (finding.above_surroundings_mm) {
-    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
-    if (finding.height_mm) json["background_jump"] = finding.background_jump;
-  }
-  if (finding.top_above_surroundings_mm) {
-    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
-    json["top_is_least"] = finding.top_is_least;
-  }
+  add_heights(finding, json);
   if (finding.score) json["score"] = *finding.score;
   if (finding.p_value) json["p_value"] = *finding.p_value;
   if (finding.moved_from) json["moved_from"] = *finding.moved_from;
@@ -48,6 +41,18 @@ Json json_of(const Coverage& coverage) {
 }
 
 }  // namespace
+
+void add_heights(const Finding& finding, Json& json) {
+  if (finding.height_mm) json["height_mm"] = *finding.height_mm;
+  if (finding.above_surroundings_mm) {
+    json["above_surroundings_mm"] = *finding.above_surroundings_mm;
+    if (finding.height_mm) json["background_jump"] = finding.background_jump;
+  }
+  if (finding.top_above_surroundings_mm) {
+    json["top_above_surroundings_mm"] = *finding.top_above_surroundings_mm;
+    json["top_is_least"] = finding.top_is_least;
+  }
+}
 
 Json json_of(const Findings& findings) {
   Json json;
