@@ -1,12 +1,12 @@
 #include "classify/finding_classes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
 #include <string>
+#include <utility>
 
 #include "audit/digest.hpp"
+#include "classify/finding_planes.hpp"
 #include "classify/surroundings.hpp"
 #include "core/path_text.hpp"
 #include "detect/findings/drawing.hpp"
@@ -15,16 +15,6 @@ namespace rva {
 namespace {
 
 constexpr double least_overlap = 0.2;  // with the finding's box
-
-ColorImage colored(const Image<float>& grey_levels) {
-  ColorImage picture(grey_levels.width(), grey_levels.height());
-  constexpr float white = 255.0F;
-  for (std::size_t i = 0; i < grey_levels.size(); ++i) {
-    const auto level = static_cast<std::uint8_t>(std::lround(std::clamp(grey_levels[i], 0.0F, white)));
-    picture[i] = {level, level, level};
-  }
-  return picture;
-}
 
 // @param box of the finding in the picture
 FindingClass class_of(const Finding& finding, const Box& box, const ColorImage& picture, ObjectModel& model) {
@@ -40,27 +30,55 @@ FindingClass class_of(const Finding& finding, const Box& box, const ColorImage& 
   return found;
 }
 
+// The box of a finding in the picture; empty if it lies outside.
+std::optional<Box> box_in(const FindingPicture& picture, const Finding& finding, const Detection& detection,
+                          const CaptureInfo& final) {
+  if (!picture.is_color) return finding.box;
+  return box_on_color(finding, detection.final_m, final, picture.image);
+}
+
 }  // namespace
 
-std::optional<FindingClasses> classify(const Detection& detection, const Capture& final, ObjectModel& model) {
-  const bool has_color = final.color_frames() > 0;
-  std::optional<ColorImage> picture;
-  if (has_color) {
-    picture = final.color(0);
-  } else if (const auto infrared = final.infrared_mean(Imager::left, Light::projector)) {
-    picture = colored(*infrared);
-  }
-  if (!picture) return std::nullopt;
-  FindingClasses classes{has_color ? "color" : "infrared", {}};
-  for (const Finding& finding : detection.findings.findings) {
-    const auto box =
-        has_color ? box_on_color(finding, detection.final_m, final.info(), *picture) : finding.box;
-    if (box) classes.findings.push_back(class_of(finding, *box, *picture, model));
+FindingClasses classify(const ShownFindings& shown, FindingModel& model) {
+  FindingClasses classes{shown.picture, {}};
+  for (const ShownFinding& finding : shown.findings) {
+    const LikelyClass likely = model.classify(finding.planes);
+    classes.findings.push_back({finding.finding,
+                                likely.unknown ? std::string(unknown_class) : model.labels()[likely.number],
+                                likely.probability});
   }
   return classes;
 }
 
-void add_classes(const FindingClasses& classes, const ObjectModel& model,
+std::optional<FindingClasses> classify(const Detection& detection, const Capture& final, ObjectModel& model) {
+  const std::optional<FindingPicture> picture = picture_of(final);
+  if (!picture) return std::nullopt;
+  FindingClasses classes{picture->is_color ? "color" : "infrared", {}};
+  for (const Finding& finding : detection.findings.findings) {
+    const auto box = box_in(*picture, finding, detection, final.info());
+    if (box) classes.findings.push_back(class_of(finding, *box, picture->image, model));
+  }
+  return classes;
+}
+
+nlohmann::ordered_json described(const ObjectModel& model) {
+  nlohmann::ordered_json stated{{"model", printable(model.file().filename())},
+                                {"sha256", hex_of(bytes_of(sha256_of_file(model.file())))},
+                                {"classes", model.classes()}};
+  ModelOptions::describe(model.options(), [&](const auto& value, const OptionField& field) {
+    stated[json_name(field)] = value;
+  });
+  return stated;
+}
+
+nlohmann::ordered_json described(const FindingModel& model) {
+  return {{"model", model.name()},
+          {"sha256", model.sha256()},
+          {"classes", model.labels().size()},
+          {"class_certainty", model.least_probability()}};
+}
+
+void add_classes(const FindingClasses& classes, nlohmann::ordered_json model,
                  nlohmann::ordered_json& detections) {
   for (nlohmann::ordered_json& finding : detections["detections"]) {
     const auto found = std::ranges::find(classes.findings, finding["id"].get<int>(), &FindingClass::finding);
@@ -68,14 +86,8 @@ void add_classes(const FindingClasses& classes, const ObjectModel& model,
     finding["class"] = found->name;
     if (found->probability) finding["probability"] = *found->probability;
   }
-  const ModelOptions& options = model.options();
-  nlohmann::ordered_json& stated = detections["classification"];
-  stated["model"] = printable(model.file().filename());
-  stated["sha256"] = hex_of(bytes_of(sha256_of_file(model.file())));
-  stated["classes"] = model.classes();
-  stated["picture"] = classes.picture;
-  ModelOptions::describe(
-      options, [&](const auto& value, const OptionField& field) { stated[json_name(field)] = value; });
+  model["picture"] = classes.picture;
+  detections["classification"] = std::move(model);
 }
 
 }  // namespace rva

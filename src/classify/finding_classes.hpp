@@ -1,4 +1,4 @@
-// What findings may be, by a model that reports objects in pictures (thesis 4.2.1).
+// What findings may be, by the classifier that comes with RVA or by an object detector (thesis 4.2.1).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "capture/capture.hpp"
+#include "classify/finding_model.hpp"
+#include "classify/finding_planes.hpp"
 #include "classify/object_model.hpp"
 #include "detect/findings/detection.hpp"
 
@@ -21,14 +23,20 @@ struct FindingClass {
   int finding = 0;                    ///< id
   std::string name;                   ///< a label of the model, or unknown_class
   std::optional<double> probability;  ///< of the label that is the most probable, also of an unknown class;
-                                      ///< empty where objects_in() has none there
+                                      ///< empty where an object detector reports none there
 };
 
 /// The classes of findings.
 struct FindingClasses {
-  std::string_view picture;            ///< "color" or "infrared": what the model was shown
-  std::vector<FindingClass> findings;  ///< without those that lie outside the colour image
+  std::string_view picture;            ///< "color", "infrared" or, with depth alone, "none"
+  std::vector<FindingClass> findings;  ///< of those that the model was shown, in their order
 };
+
+/// What a classifier calls findings that it is shown: their surroundings in pictures and depth, their sizes
+/// and heights (finding_planes.hpp). Findings that were removed, have no position, or lie outside the colour
+/// image are not shown, and get no class.
+/// @throws Error as FindingModel::classify()
+[[nodiscard]] FindingClasses classify(const ShownFindings& shown, FindingModel& model);
 
 /// Shows a model the surroundings of each finding in the final capture, from the first colour image or, where
 /// there is none, from the left imager's infrared images. The surroundings are a square about the finding,
@@ -41,8 +49,16 @@ struct FindingClasses {
 [[nodiscard]] std::optional<FindingClasses> classify(const Detection& detection, const Capture& final,
                                                      ObjectModel& model);
 
+/// The content of `classification` in `detections.json`: the model's file name, SHA-256, number of classes,
+/// and from when its classes count.
+[[nodiscard]] nlohmann::ordered_json described(const ObjectModel& model);
+/// @overload
+[[nodiscard]] nlohmann::ordered_json described(const FindingModel& model);
+
 /// Adds class and probability to each finding in the content of `detections.json`, and the model to the
 /// whole.
-void add_classes(const FindingClasses& classes, const ObjectModel& model, nlohmann::ordered_json& detections);
+/// @param model as described() returns it
+void add_classes(const FindingClasses& classes, nlohmann::ordered_json model,
+                 nlohmann::ordered_json& detections);
 
 }  // namespace rva

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "classify/quiet_onnx.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/path_text.hpp"
@@ -15,31 +15,6 @@
 
 namespace rva {
 namespace {
-
-// OpenCV also prints what it throws.
-class Silence {
- public:
-  Silence() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
-  ~Silence() { cv::utils::logging::setLogLevel(before_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  cv::utils::logging::LogLevel before_;
-};
-
-cv::dnn::Net read_net(const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = read_file(file);
-  const Silence silence;
-  try {
-    cv::dnn::Net net = cv::dnn::readNetFromONNX(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (!net.empty()) return net;
-  } catch (const cv::Exception&) {
-    // The message names functions of OpenCV. The error below states the same for a user.
-  }
-  throw Error(printable(file), "is no ONNX model, or one with operations that OpenCV does not have",
-              "export the model as ONNX with opset 12 or earlier, without postprocessing");
-}
 
 // Where a picture lies in the model's picture.
 struct Fit {
@@ -74,7 +49,7 @@ ObjectModel::ObjectModel(const std::filesystem::path& file, std::vector<std::str
                          const ModelOptions& options)
     : file_(file), labels_(std::move(labels)), options_(options) {
   check_options(options_);
-  net_ = read_net(file_);
+  net_ = onnx_net(read_file(file_), printable(file_));
 }
 
 std::vector<ModelObject> ObjectModel::objects_in(const ColorImage& picture) {
@@ -85,7 +60,7 @@ std::vector<ModelObject> ObjectModel::objects_in(const ColorImage& picture) {
                              cv::Scalar::all(options_.model_mean));
   std::vector<cv::Mat> outputs;
   try {
-    const Silence silence;
+    const QuietOpenCv quiet;
     net_.setInput(blob);
     net_.forward(outputs, net_.getUnconnectedOutLayersNames());
   } catch (const cv::Exception&) {

@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "classify/finding_classes.hpp"
-#include "classify/labels.hpp"
-#include "classify/object_model.hpp"
 #include "cli/commands.hpp"
+#include "cli/finding_names.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/plan_printing.hpp"
 #include "cli/printing.hpp"
@@ -49,9 +48,7 @@ struct DetectArguments {
   std::vector<std::string> within;
   std::string plan;
   PlanOptions planned;
-  std::string model;
-  std::string labels;
-  ModelOptions model_options;
+  NamingFlags naming;
   bool overwrite = false;
   bool json = false;
   bool fail_on_detection = false;
@@ -105,14 +102,6 @@ void print_table(const Findings& findings) {
   }
 }
 
-void print_classes(const FindingClasses& classes) {
-  for (const FindingClass& found : classes.findings)
-    print("finding {} may be: {}{}\n", found.finding, printable(found.name),
-          found.probability
-              ? fmt::format(" ({:.0f} % for the most probable class)", 100.0 * *found.probability)
-              : "");
-}
-
 // @param final the camera of the first final capture
 // @param match findings compared with a plan, if there is one
 void print_for_a_person(const DetectArguments& arguments, const Detection& detection, const Intrinsics& final,
@@ -124,7 +113,7 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
     print_plan(*match, findings.findings);
   else
     print_table(findings);
-  if (classes) print_classes(*classes);
+  if (classes) print_classes(*classes, match);
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
         100.0 * coverage.compared, 100.0 * coverage.unseen, 100.0 * coverage.invalid);
@@ -229,9 +218,7 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_options(arguments.planned);
   const std::optional<Plan> plan =
       arguments.plan.empty() ? std::nullopt : std::optional(read_plan(arguments.plan));
-  std::optional<ObjectModel> model;
-  if (!arguments.model.empty())
-    model.emplace(arguments.model, read_labels(arguments.labels), arguments.model_options);
+  NamingModel model(arguments.naming);
   OutputFolder out(arguments.out, result_files(), arguments.overwrite ? Existing::replace : Existing::refuse);
   const Sides sides = open_sides(arguments);
   DetectOptions options = arguments.detection;
@@ -251,10 +238,7 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
     add_plan(*match, json);
     write_file(out.path(result_file::plan), json_file_text(json_of(*match)));
   }
-  const auto classes = model ? classify(detection, *sides.final.front(), *model) : std::nullopt;
-  if (classes) add_classes(*classes, *model, json);
-  if (model && !classes)
-    warnings.emplace_back("the final capture has neither colour nor infrared images to classify findings by");
+  const auto classes = model.name_findings(detection, *sides.final.front(), json, warnings);
   std::ranges::move(write_result(result, *sides.final.front(), out.path(""), json),
                     std::back_inserter(warnings));
   out.commit();
@@ -315,21 +299,7 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   PlanOptions::describe(arguments->planned, [&](const auto& /*value*/, const OptionField& field) {
     command.get_option(fmt::format("--{}", field.name))->needs(plan);
   });
-  CLI::Option* const model =
-      command
-          .add_option("--model", arguments->model,
-                      "an object detector, YOLO or SSD, that states what each finding may be")
-          ->type_name("MODEL.onnx");
-  CLI::Option* const labels = command
-                                  .add_option("--labels", arguments->labels,
-                                              "the names of its classes, one a line, in the model's order")
-                                  ->type_name("LABELS.txt")
-                                  ->needs(model);
-  model->needs(labels);
-  add_flags(command, arguments->model_options);
-  ModelOptions::describe(arguments->model_options, [&](const auto& /*value*/, const OptionField& field) {
-    command.get_option(fmt::format("--{}", field.name))->needs(model);
-  });
+  arguments->naming.add_to(command);
   arguments->captures.add_to(command);
   command.add_flag("--overwrite", arguments->overwrite, "replace an earlier result in DIR");
   command.add_flag("--json", arguments->json, "print detections.json instead of a table");

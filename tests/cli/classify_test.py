@@ -1,4 +1,5 @@
-"""`rva detect --model`: what findings may be, by detectors in the layouts of YOLO and SSD.
+"""`rva detect --model` and `--classify`: what findings may be, by detectors in the layouts of YOLO and SSD, by the
+classifier that comes with the program, and by one of a user's own.
 
 usage: classify_test.py RVA
 """
@@ -118,6 +119,77 @@ class ClassifyTest(program.ProgramTest):
             done = self.rva(*self.detect(*options))
             self.assertEqual(done.returncode, 2, options)
             self.check_line(done.stderr, ['--'])
+
+    def test_the_classifier_of_the_program_hides_nothing(self):
+        plain, _ = self.findings()
+        classified, done = self.findings('--classify')
+        stated = classified['classification']
+        self.assertEqual((stated['model'], stated['picture']), ('findings.onnx', 'color'))
+        for finding in classified['detections']:
+            self.assertIn(f'finding {finding["id"]} may be: {finding["class"]}', done.stdout)
+            probability = finding.pop('probability')
+            self.assertEqual(finding.pop('class') == 'unknown', probability < stated['class_certainty'])
+        self.assertEqual(classified['detections'], plain['detections'])
+
+    def test_the_classifier_of_the_program_needs_no_picture(self):
+        result, done = self.findings('--classify', final=self.write_final('blind'))
+        self.assertEqual(result['classification']['picture'], 'none')
+        self.assertTrue(all('class' in finding for finding in result['detections']))
+        self.assertNotIn('neither colour nor infrared', done.stderr)
+
+    def test_a_removed_object_gets_no_class(self):
+        self.succeed('detect', self.final, self.initial, '--method', 'calibrated', '--classify', '--out', self.out)
+        result = json.loads((self.out / 'detections.json').read_text())
+        self.assertEqual({finding['kind'] for finding in result['detections']}, {'removed'})
+        self.assertFalse(any('class' in finding for finding in result['detections']))
+
+    def write_card(self, weights, **changes):
+        """A classifier whose outputs are weighted means of planes: 0 is red, 1 green."""
+        model = onnx_models.classifier(weights)
+        (self.folder / 'own.onnx').write_bytes(model)
+        card = {'format': 'rva-finding-model', 'version': 1, 'model': 'own.onnx',
+                'sha256': hashlib.sha256(model).hexdigest(), 'planes': 14, 'plane_px': 48, 'labels': ['red', 'green'],
+                'temperature': 1.0, 'least_probability': 0.5} | changes
+        (self.folder / 'own.json').write_text(json.dumps({key: value for key, value in card.items() if value is not None}))
+        return self.folder / 'own.json'
+
+    def test_a_classifier_of_ones_own(self):
+        weights = [{0: 30.0, 1: -30.0}, {0: -30.0, 1: 30.0}, {3: 2.0}]
+        result, _ = self.findings('--classifier', self.write_card(weights))
+        found = self.by_place(result)
+        for ((x, y, _, _), rgb) in THINGS[:3]:
+            expected = {RED: 'red', GREEN: 'green', GREY: 'unknown'}[rgb]
+            self.assertEqual(found[x, y]['class'], expected, found[x, y])
+        self.assertEqual(result['classification']['sha256'], hashlib.sha256((self.folder / 'own.onnx').read_bytes()).hexdigest())
+        sharp = found[30, 20]['probability']
+        result, _ = self.findings('--classifier', self.write_card(weights, temperature=10.0))
+        self.assertLess(self.by_place(result)[30, 20]['probability'], sharp)
+        result, _ = self.findings('--classifier', self.write_card(weights, least_probability=1.0))
+        self.assertEqual({finding['class'] for finding in result['detections']}, {'unknown'})
+
+    def test_a_card_that_does_not_fit_is_refused(self):
+        weights = [{0: 1.0}, {1: 1.0}, {2: 1.0}]
+        for changes, names in (({'format': 'other'}, ['format']), ({'version': 2}, ['version']),
+                               ({'planes': 13}, ['planes']), ({'labels': ['red', 'red']}, ['labels', 'twice']),
+                               ({'labels': []}, ['labels']), ({'labels': ['red']}, ['own.onnx', '3 outputs']),
+                               ({'labels': ['red', 'green', 'blue']}, ['own.onnx', '3 outputs']),
+                               ({'temperature': 0}, ['temperature']), ({'least_probability': 1.5}, ['least_probability']),
+                               ({'sha256': '0' * 64}, ['sha256', 'own.onnx']), ({'model': '../own.onnx'}, ['model']),
+                               ({'model': 'missing.onnx'}, ['missing.onnx']), ({'temperature': None}, ['temperature'])):
+            with self.subTest(changes):
+                self.check_fails(*self.detect('--classifier', self.write_card(weights, **changes)), names=names)
+        self.check_fails(*self.detect('--classifier', self.folder / 'none.json'), names=['none.json'])
+        card = self.write_card(weights)
+        model = onnx_models.classifier(weights, planes=3)
+        (self.folder / 'own.onnx').write_bytes(model)
+        card.write_text(json.dumps(json.loads(card.read_text()) | {'sha256': hashlib.sha256(model).hexdigest()}))
+        self.check_fails(*self.detect('--classifier', card), names=['own.onnx', '14 planes'])
+
+    def test_only_one_model_is_taken(self):
+        for options in (['--classify', *self.options()], ['--classify', '--classifier', self.model],
+                        ['--classifier', self.model, *self.options()]):
+            done = self.rva(*self.detect(*options))
+            self.assertEqual(done.returncode, 2, options)
 
 
 if __name__ == '__main__':

@@ -1,4 +1,4 @@
-"""Small object detectors as ONNX files, written field by field, since Debian has no package of onnx for Python.
+"""Small object detectors and classifiers as ONNX files, written field by field, since Debian has no package of onnx for Python.
 
 They report an object in each of 4 x 4 cells: of class `red` as certain as the cell is redder than green, of class
 `green` the other way round. https://github.com/onnx/onnx/blob/main/onnx/onnx.proto has the numbers of the fields.
@@ -45,10 +45,10 @@ def value(name, shape):
     return field(1, name) + field(2, field(1, field(1, FLOAT) + field(2, sizes)))
 
 
-def model(nodes, tensors, outputs):
+def model(nodes, tensors, outputs, images=(1, 3, SIZE, SIZE)):
     """@param outputs shapes by name"""
     graph = (b''.join(field(1, one) for one in nodes) + field(2, 'detector') + b''.join(field(5, one) for one in tensors) +
-             field(11, value('images', (1, 3, SIZE, SIZE))) + b''.join(field(12, value(*one)) for one in outputs.items()))
+             field(11, value('images', images)) + b''.join(field(12, value(*one)) for one in outputs.items()))
     return field(1, 7) + field(8, field(1, '') + field(2, 11)) + field(7, graph)
 
 
@@ -88,3 +88,19 @@ def detector(layout):
         return model([pool, *nodes], tensors, {'columns': (1, numbers, count)})
     nodes.append(node('Transpose', ['columns'], 'rows', perm=[0, 2, 1]))
     return model([pool, *nodes], tensors, {'rows': (1, count, numbers)})
+
+
+def classifier(weights, planes=14, size=48):
+    """A classifier of findings: each output is a weighted sum of the means of the planes.
+
+    @param weights for each output, the weights by the number of the plane
+    """
+    kernel = np.zeros((len(weights), planes, 1, 1), np.float32)
+    for output, of_planes in enumerate(weights):
+        for plane, weight in of_planes.items():
+            kernel[output, plane] = weight
+    nodes = [node('AveragePool', ['images'], 'means', kernel_shape=[size, size], strides=[size, size]),
+             node('Conv', ['means', 'kernel'], 'sums', kernel_shape=[1, 1], strides=[1, 1]),
+             node('Reshape', ['sums', 'shape'], 'classes')]
+    tensors = [tensor('kernel', kernel), tensor('shape', np.asarray((1, len(weights)), np.int64))]
+    return model(nodes, tensors, {'classes': (1, len(weights))}, images=(1, planes, size, size))
