@@ -160,6 +160,8 @@ export interface Decision {
   decided_at: Moment;
   /** The last complete round of the final side at that time; 0 if there was none, or it is not known. */
   round: number;
+  /** What the object is, as the person named it: a class of the classifier or any other name, up to 200 bytes; missing where the person did not. */
+  object?: string;
 }
 
 export interface Finding {
@@ -200,6 +202,10 @@ export interface Finding {
   planned?: PlannedState;
   /** Name of the part of the plan; missing if it is unplanned. */
   planned_item?: string;
+  /** What the classifier calls it, or `unknown`; missing where it was not classified. A hint: it never hides a finding. */
+  class?: string;
+  /** Of the most probable class, also of an unknown one. */
+  probability?: number;
   decision?: Decision;
 }
 
@@ -501,6 +507,8 @@ export interface DecisionRequest {
   comparison: number;
   verdict: GivenVerdict;
   note: string;
+  /** What the object is, as the person named it: a class of the classifier or any other name, up to 200 bytes; missing where the person did not. */
+  object?: string;
   person: string;
 }
 
@@ -522,6 +530,8 @@ export interface GivenDecision {
   mark?: number;
   verdict: GivenVerdict;
   note: string;
+  /** What the object is, as the person named it: a class of the classifier or any other name, up to 200 bytes; missing where the person did not. */
+  object?: string;
 }
 
 /** All of the decisions are recorded, or none. */
@@ -546,6 +556,8 @@ export interface MarkRequest {
 export interface MarkDecisionRequest {
   verdict: GivenVerdict;
   note: string;
+  /** What the object is, as the person named it: a class of the classifier or any other name, up to 200 bytes; missing where the person did not. */
+  object?: string;
   person: string;
 }
 

@@ -20,7 +20,7 @@ export async function expectAccessible(page: Page): Promise<void> {
 
 export async function expectTouchable(page: Page): Promise<void> {
   const small = await page.evaluate(() =>
-    [...document.querySelectorAll<HTMLElement>('button, input:not([type=checkbox]), textarea, label.tick')]
+    [...document.querySelectorAll<HTMLElement>('button, input:not([type=checkbox]), select, textarea, label.tick')]
       .filter((element) => element.offsetParent !== null)
       .map((element) => ({ element, box: element.getBoundingClientRect() }))
       .filter(({ box }) => box.width < 47.5 || box.height < 47.5)

@@ -1,14 +1,18 @@
 // Deciding on findings: one after the other, back again, by a swipe, and several at once.
 import type { Page } from '@playwright/test';
-import type { DecisionsRequest, Inspection } from '../src/types';
+import type { DecisionsRequest, Finding, Inspection } from '../src/types';
 import { expectAccessible, expectTouchable } from './accessibility';
 import { inspectionOf, standIn } from './region_page';
 import { openReview } from './review_page';
 import { expect, test } from './served';
 
-/** A review that is decided on as on a server. @return all requests, the last one last */
-async function openDecidable(page: Page): Promise<DecisionsRequest[]> {
-  await openReview(page);
+/**
+ * A review that is decided on as on a server.
+ * @param known what the server states of each finding besides
+ * @return all requests, the last one last
+ */
+async function openDecidable(page: Page, known: Partial<Finding> = {}): Promise<DecisionsRequest[]> {
+  await openReview(page, true, known);
   let inspection: Inspection = await inspectionOf(page);
   const requests: DecisionsRequest[] = [];
   await page.route('**/api/inspections/1/decisions', (route) => {
@@ -18,7 +22,8 @@ async function openDecidable(page: Page): Promise<DecisionsRequest[]> {
       const given = request.decisions.find((one) => one.finding === finding.number);
       if (!given) return { ...finding, ...(decision && { decision }) };
       if (given.verdict === 'undecided') return finding;
-      return { ...finding, decision: { verdict: given.verdict, note: given.note, person: request.person, decided_at: '2025-01-02T12:00:00Z', round: 1 } };
+      const { verdict, note, object } = given;
+      return { ...finding, decision: { verdict, note, ...(object && { object }), person: request.person, decided_at: '2025-01-02T12:00:00Z', round: 1 } };
     });
     inspection = { ...inspection, findings };
     return route.fulfill({ json: inspection });
@@ -68,6 +73,22 @@ test('a decision is for all views of a finding, leads to the next one, and is ta
   await expect(page.getByTestId('finding-1')).toHaveClass(/selected/);
   await page.keyboard.press('n');
   await expect(page.getByTestId('finding-3')).toHaveClass(/selected/);
+});
+
+test('a person names what a finding is, and the classifier does not', async ({ console: page }) => {
+  const requests = await openDecidable(page, { class: 'wrench', probability: 0.91 });
+  await expect(page.getByTestId('finding-1')).toContainText('may be: wrench (91 %)');
+  await expect(page.getByTestId('object')).toHaveValue('');
+  await expectTouchable(page);
+  await page.getByTestId('verdict-debris').click();
+  expect(requests[0]!.decisions[0]).not.toHaveProperty('object');
+  await expect(page.getByTestId('finding-3')).toHaveClass(/selected/);
+  await page.getByTestId('object').selectOption('drill bit');
+  await page.getByTestId('verdict-debris-removed').click();
+  expect(requests[1]!.decisions.map(({ object }) => object)).toEqual(['drill bit']);
+  await page.getByTestId('finding-3').getByRole('button').first().click();
+  await expect(page.getByTestId('decision')).toContainText('Debris, removed (drill bit)');
+  await expect(page.getByTestId('object')).toHaveValue('drill bit');
 });
 
 test('what is pressed as soon as it is there counts', async ({ console: page }) => {

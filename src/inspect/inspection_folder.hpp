@@ -16,7 +16,9 @@ namespace rva {
 ///   - baseline-check/: what check_baseline() writes;
 ///   - marks/001.png: live pictures in which findings were marked;
 ///   - comparison-1/results/000/: the results of each view (view_result_files());
-///   - comparison-1/map.ply and comparison-1/changes.ply: point clouds of the bay and of the changes.
+///   - comparison-1/map.ply and comparison-1/changes.ply: point clouds of the bay and of the changes;
+///   - comparison-1/shown_findings.npy: what the classifier was shown (npy_of()) of the findings that have a
+///     class, in the order of their numbers.
 /// Later captures and comparisons do not replace earlier ones.
 class InspectionFolder {
  public:
@@ -36,6 +38,8 @@ class InspectionFolder {
   static constexpr const char* marks_name = "marks";
   /// The folder of live pictures that were kept as snapshots.
   static constexpr const char* snapshots_name = "snapshots";
+  /// The file of a comparison that has what the classifier was shown.
+  static constexpr const char* shown_findings = "shown_findings.npy";
 
   /// The name of a comparison's folder in this one.
   [[nodiscard]] static std::string comparison_name(int number);

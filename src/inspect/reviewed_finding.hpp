@@ -41,6 +41,9 @@ struct Decision {
   std::string decided_at;  ///< ISO 8601
   /// The last complete round of the final side at that time; 0 if there was none, or it is not known.
   int round = 0;
+  /// What the object is, as the person named it: a label of the classifier or any other text; empty where the
+  /// person did not.
+  std::string object{};
 };
 
 /// Whether nothing remains to be done about a finding: there is a decision, which neither asks for a second
@@ -65,6 +68,10 @@ struct ReviewedFinding {
   /// detector: it has a box, and a position where that is known, and no evidence.
   std::optional<PlannedState> planned{};
   std::string planned_item{};  ///< the item of the plan that it belongs to; empty if it is unplanned
+  /// What the classifier calls it: a label, or unknown_class; empty where the classifier was not shown it, as
+  /// in comparisons of earlier versions.
+  std::string likely_class{};
+  std::optional<double> class_probability{};  ///< of the most probable label, with likely_class
 };
 
 /// A finding that a person marked in a picture. It stays with its inspection through later rounds.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +12,8 @@
 #include <tuple>
 #include <utility>
 
+#include "classify/finding_classes.hpp"
+#include "classify/finding_model.hpp"
 #include "core/file.hpp"
 #include "core/file_origin.hpp"
 #include "core/interrupt.hpp"
@@ -35,9 +38,14 @@ struct ViewResult {
   SidesDetection changes;
   Provenance provenance;
   std::optional<PlanMatch> match{};  ///< if the view has a plan
+  ShownFindings shown{};
+  FindingClasses classes{};
 
   [[nodiscard]] const Detection& detection() const { return changes.detection; }
 };
+
+/// The planes of findings by view and id.
+using ShownByView = std::map<std::pair<int, int>, cv::Mat>;
 
 // Paths of a view's captures relative to the inspection's folder, which may be copied elsewhere.
 std::vector<std::filesystem::path> capture_paths(const InspectionFolder& folder, const Inspection& inspection,
@@ -49,9 +57,11 @@ std::vector<std::filesystem::path> capture_paths(const InspectionFolder& folder,
 }
 
 ViewResult compare(const InspectionFolder& folder, const Inspection& inspection, int view,
-                   const Progress& progress) {
+                   FindingModel& model, const Progress& progress) {
   ViewResult result{open_captures(folder, inspection, Side::initial, view),
                     open_captures(folder, inspection, Side::final, view),
+                    {},
+                    {},
                     {},
                     {},
                     {}};
@@ -67,11 +77,13 @@ ViewResult compare(const InspectionFolder& folder, const Inspection& inspection,
   if (const auto plan = inspection.planned.find(view); plan != inspection.planned.end())
     result.match = match_plan(plan->second, result.detection(), {camera, result.final.front()->info().depth},
                               PlanOptions{});
+  result.shown = shown_findings(result.detection(), *result.final.front());
+  result.classes = classify(result.shown, model);
   return result;
 }
 
 // @return the picture ReviewPictures::changed
-ColorImage write(const ViewResult& result, const std::filesystem::path& folder) {
+ColorImage write(const ViewResult& result, const FindingModel& model, const std::filesystem::path& folder) {
   std::error_code ignored;  // write_result() reports the error
   std::filesystem::create_directories(folder, ignored);
   nlohmann::ordered_json detections = detections_json(result.changes.detection.findings, result.provenance);
@@ -79,6 +91,7 @@ ColorImage write(const ViewResult& result, const std::filesystem::path& folder) 
     add_plan(*result.match, detections);
     write_file(folder / result_file::plan, json_file_text(json_of(*result.match)));
   }
+  add_classes(result.classes, described(model), detections);
   // Its warnings are of pictures that the review does not show: it has those of ReviewPictures.
   static_cast<void>(write_result(result.changes, *result.final.front(), folder, detections));
   ReviewPictures pictures = draw_review(*result.initial.front(), *result.final.front(), result.detection());
@@ -123,6 +136,13 @@ int clear_px(const Finding& finding, const Detection& detection, const CaptureIn
   }));
 }
 
+void add_class(const FindingClasses& classes, ReviewedFinding& reviewed) {
+  const auto found = std::ranges::find(classes.findings, reviewed.finding.id, &FindingClass::finding);
+  if (found == classes.findings.end()) return;
+  reviewed.likely_class = found->name;
+  reviewed.class_probability = found->probability;
+}
+
 // @param plan of this view, if it has one
 std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, const Plan* plan,
                                          const PanTiltChain& chain) {
@@ -133,6 +153,7 @@ std::vector<ReviewedFinding> findings_of(const ViewResult& result, int view, con
     reviewed.finding = finding;
     reviewed.finding.pixels.clear();
     reviewed.clear_px = clear_px(finding, result.detection(), result.final.front()->info());
+    add_class(result.classes, reviewed);
     findings.push_back(std::move(reviewed));
   }
   if (plan != nullptr)
@@ -178,6 +199,14 @@ void name_moved_things(std::vector<ReviewedFinding>& findings) {
   }
 }
 
+// The planes of findings that have a class, in the order of their numbers.
+std::string planes_by_number(const std::vector<ReviewedFinding>& findings, const ShownByView& shown) {
+  std::vector<cv::Mat> planes;
+  for (const ReviewedFinding& finding : findings)
+    if (!finding.likely_class.empty()) planes.push_back(shown.at({finding.view, finding.finding.id}));
+  return npy_of(planes);
+}
+
 }  // namespace
 
 std::vector<std::string> view_result_files() {
@@ -187,7 +216,7 @@ std::vector<std::string> view_result_files() {
 }
 
 std::vector<std::string> comparison_files() {
-  std::vector<std::string> files{"map.ply", "changes.ply"};
+  std::vector<std::string> files{"map.ply", "changes.ply", InspectionFolder::shown_findings};
   for (const std::string& name : view_result_files()) files.push_back("results/[0-9][0-9][0-9]/" + name);
   return files;
 }
@@ -224,6 +253,8 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
   Compared compared;
   std::vector<ReviewedFinding> findings;
   std::vector<MapPoint> points;
+  ShownByView shown;
+  FindingModel model = FindingModel::shipped();
   for (int view = 0; view < static_cast<int>(inspection.views.size()); ++view) {
     throw_if_interrupted();
     // Reported again at each step of a view, so that the user can cancel the comparison there.
@@ -231,8 +262,8 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
       if (progress) progress("comparing", static_cast<std::size_t>(view), inspection.views.size() + 1);
     };
     views("", 0, 0);
-    const ViewResult result = compare(folder, inspection, view, views);
-    const ColorImage changed = write(result, InspectionFolder::result_in(results.path(""), view));
+    const ViewResult result = compare(folder, inspection, view, model, views);
+    const ColorImage changed = write(result, model, InspectionFolder::result_in(results.path(""), view));
     const CaptureInfo& info = result.final.front()->info();
     std::ranges::move(changed_points(result.detection(), changed, info.depth, map_from_camera(info, chain)),
                       std::back_inserter(points));
@@ -240,11 +271,13 @@ Compared compare_sides(const InspectionFolder& folder, const Inspection& inspect
     const auto plan = inspection.planned.find(view);
     const Plan* const view_plan = plan == inspection.planned.end() ? nullptr : &plan->second;
     std::ranges::move(findings_of(result, view, view_plan, chain), std::back_inserter(findings));
+    for (const ShownFinding& one : result.shown.findings) shown[{view, one.finding}] = one.planes;
   }
   write_inspection_map(results.path("map.ply"), folder, inspection, moved, chain);
   write_ply(results.path("changes.ply"), points, PointFrame::robot_foot);
-  results.commit();
   compared.findings = rank(std::move(findings));
+  write_file(results.path(InspectionFolder::shown_findings), planes_by_number(compared.findings, shown));
+  results.commit();
   return compared;
 }
 

@@ -51,7 +51,8 @@ struct SameDecisions {
 
   [[nodiscard]] bool is_like(const Decision& other, std::size_t other_round) const {
     return round == other_round && decision->verdict == other.verdict && decision->person == other.person &&
-           decision->note == other.note && time_text(decision->decided_at) == time_text(other.decided_at);
+           decision->note == other.note && decision->object == other.object &&
+           time_text(decision->decided_at) == time_text(other.decided_at);
   }
 };
 
@@ -76,6 +77,8 @@ Html text_of(const SameDecisions& same) {
       fmt::format("{}{} {}: {}", of, same.labels.size() > 1 ? "s" : "", listed(same.labels),
                   same.decision->verdict == Verdict::undecided ? "decision taken back"
                                                                : verdict_text(same.decision->verdict)));
+  if (!same.decision->object.empty())
+    text += Html::text(" (") + Html::typed(same.decision->object) + Html::text(")");
   if (!same.decision->note.empty()) text += Html::text(", ") + Html::typed(same.decision->note);
   return text;
 }

@@ -17,6 +17,7 @@ namespace {
 Html decision_of(const std::optional<Decision>& decision) {
   if (!decision) return Html::element("p", Html::text(verdict_text(Verdict::undecided)), "decision open");
   Html text = Html::element("strong", Html::text(verdict_text(decision->verdict)));
+  if (!decision->object.empty()) text += Html::text(" (") + Html::typed(decision->object) + Html::text(")");
   if (!decision->note.empty()) text += Html::text(": ") + Html::typed(decision->note);
   text +=
       Html::text(" — ") + Html::typed(decision->person) + Html::text(", " + time_text(decision->decided_at));
@@ -37,9 +38,11 @@ std::string views_of(const ObjectGroup& group) {
 
 Html of_object(const ObjectGroup& group, ComparisonPictures& pictures) {
   const ReviewedFinding& lead = *group.lead;
-  const std::string measures = measures_text(lead.finding);
+  std::vector<std::string> known{views_of(group)};
+  for (const std::string& text : {measures_text(lead.finding), class_text(lead)})
+    if (!text.empty()) known.push_back(text);
   Html content = title(std::to_string(group.label), change_text(lead));
-  content += Html::element("p", Html::text(views_of(group) + (measures.empty() ? "" : "; " + measures)));
+  content += Html::element("p", Html::text(fmt::format("{}", fmt::join(known, "; "))));
   content += decision_of(lead.decision);
   if (pictures.exist())
     content += or_reason([&] { return pictures.before_and_after(best_seen(group)); });

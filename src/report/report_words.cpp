@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "classify/finding_classes.hpp"
 #include "core/date_time.hpp"
 
 namespace rva {
@@ -132,6 +133,12 @@ std::string measures_text(const Finding& finding) {
     parts.emplace_back("brighter or darker than before; not visible in depth");
   add_height(finding, parts);
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string class_text(const ReviewedFinding& finding) {
+  if (finding.likely_class.empty() || finding.likely_class == unknown_class || !finding.class_probability)
+    return {};
+  return fmt::format("may be: {} ({})", finding.likely_class, percent_text(*finding.class_probability));
 }
 
 std::string findable_text(const std::vector<FindableShare>& shares, bool is_one_view) {

@@ -35,6 +35,9 @@ namespace rva {
 /// "34 mm × 12 mm, 0.71 m away, at least 8 mm high": what is known of size, distance and height.
 [[nodiscard]] std::string measures_text(const Finding& finding);
 
+/// "may be: fastener (91 %)": what the classifier calls it; empty where it is unknown or was not classified.
+[[nodiscard]] std::string class_text(const ReviewedFinding& finding);
+
 /// "objects of 5 mm would have been found in 40 % of it, of 10 mm in 70 %", of one view; of several views,
 /// with the least shares, "in at least 40 % of each view". Empty where it is not known.
 [[nodiscard]] std::string findable_text(const std::vector<FindableShare>& shares, bool is_one_view);

@@ -121,11 +121,13 @@ Json json_of(const TakenSide& side) {
 }
 
 Json json_of(const Decision& decision) {
-  return {{"verdict", name_of(decision.verdict)},
-          {"note", decision.note},
-          {"person", decision.person},
-          {"decided_at", decision.decided_at},
-          {"round", decision.round}};
+  Json json{{"verdict", name_of(decision.verdict)},
+            {"note", decision.note},
+            {"person", decision.person},
+            {"decided_at", decision.decided_at},
+            {"round", decision.round}};
+  if (!decision.object.empty()) json["object"] = decision.object;
+  return json;
 }
 
 Json json_of(const ReviewedFinding& reviewed) {
@@ -150,6 +152,8 @@ Json json_of(const ReviewedFinding& reviewed) {
   if (reviewed.moved_from) json["moved_from"] = *reviewed.moved_from;
   if (reviewed.planned) json["planned"] = name_of(*reviewed.planned);
   if (!reviewed.planned_item.empty()) json["planned_item"] = reviewed.planned_item;
+  if (!reviewed.likely_class.empty()) json["class"] = reviewed.likely_class;
+  if (reviewed.class_probability) json["probability"] = *reviewed.class_probability;
   if (reviewed.decision) json["decision"] = json_of(*reviewed.decision);
   return json;
 }

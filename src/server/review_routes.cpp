@@ -51,7 +51,12 @@ Decision decision_in(const Json& body, const std::string& person) {
         400, "bad-request", "verdict", "is missing or unknown",
         "give debris, debris-removed, debris-unreachable, installed-work, false-alarm, second-look "
         "or undecided");
-  return {*verdict, text_field(body, "note", most_note_bytes), person, iso_8601_now()};
+  return {.verdict = *verdict,
+          .note = text_field(body, "note", most_note_bytes),
+          .person = person,
+          .decided_at = iso_8601_now(),
+          .round = 0,
+          .object = text_field(body, "object")};
 }
 
 // A decision that names its finding, or its marked finding.

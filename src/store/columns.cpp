@@ -57,7 +57,8 @@ Decision recorded_decision_in(SQLite::Statement& row) {
           .note = row.getColumn(1),
           .person = row.getColumn(2),
           .decided_at = row.getColumn(3),
-          .round = row.getColumn(4)};
+          .round = row.getColumn(4),
+          .object = row.getColumn(5)};
 }
 
 std::optional<Decision> decision_in(SQLite::Statement& row) {

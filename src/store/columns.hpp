@@ -24,7 +24,8 @@ void bind_value(SQLite::Statement& statement, int index, const Box& box);
 [[nodiscard]] std::optional<std::array<double, 2>> extent_in(const SQLite::Column& column);
 [[nodiscard]] Box box_in(const SQLite::Column& column);
 
-/// Reads the columns verdict, note, person, decided_at and round, which are the first ones of the row.
+/// Reads the columns verdict, note, person, decided_at, round and object, which are the first ones of the
+/// row.
 [[nodiscard]] Decision recorded_decision_in(SQLite::Statement& row);
 
 /// The same as what applies to a finding: empty if the decision was withdrawn.

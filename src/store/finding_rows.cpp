@@ -18,7 +18,7 @@ std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t i
                                       int finding) {
   SQLite::Statement query(
       database,
-      "select verdict, note, person, decided_at, round from decision where inspection = ? "
+      "select verdict, note, person, decided_at, round, object from decision where inspection = ? "
       "and comparison = ? and finding = ? order by id desc limit 1");
   query.bind(1, inspection);
   query.bind(2, comparison);
@@ -56,8 +56,9 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
                            "insert into finding (inspection, comparison, number, view, same_as, kind, box, "
                            "centroid, position_m, in_foot_m, size_mm, height_mm, score, p_value, moved_from, "
                            "by_depth, by_appearance, above_surroundings_mm, background_jump, "
-                           "top_above_surroundings_mm, top_is_least, clear_px, planned, planned_item) "
-                           "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "top_above_surroundings_mm, top_is_least, clear_px, planned, planned_item, "
+                           "likely_class, class_probability) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                           "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, inspection);
   insert.bind(2, comparison);
   insert.bind(3, reviewed.number);
@@ -82,6 +83,8 @@ void insert_finding(SQLite::Database& database, std::int64_t inspection, int com
   if (reviewed.clear_px) insert.bind(22, *reviewed.clear_px);
   insert.bind(23, reviewed.planned ? std::string(name_of(*reviewed.planned)) : "");
   insert.bind(24, reviewed.planned_item);
+  insert.bind(25, reviewed.likely_class);
+  bind_value(insert, 26, reviewed.class_probability);
   insert.exec();
 }
 
@@ -89,8 +92,9 @@ bool insert_decision(SQLite::Database& database, std::int64_t inspection, int co
                      const Decision& decision) {
   SQLite::Statement insert(
       database,
-      "insert into decision (inspection, comparison, finding, verdict, note, person, decided_at, round) "
-      "select f.inspection, f.comparison, f.number, ?, ?, ?, ?, ? from finding f join inspection i "
+      "insert into decision (inspection, comparison, finding, verdict, note, person, decided_at, round, "
+      "object) "
+      "select f.inspection, f.comparison, f.number, ?, ?, ?, ?, ?, ? from finding f join inspection i "
       "on i.id = f.inspection and i.comparison = f.comparison where f.inspection = ? and f.number = ? "
       "and f.comparison = ?");
   insert.bind(1, std::string(name_of(decision.verdict)));
@@ -98,9 +102,10 @@ bool insert_decision(SQLite::Database& database, std::int64_t inspection, int co
   insert.bind(3, decision.person);
   insert.bind(4, decision.decided_at);
   insert.bind(5, decision.round);
-  insert.bind(6, inspection);
-  insert.bind(7, finding);
-  insert.bind(8, comparison);
+  insert.bind(6, decision.object);
+  insert.bind(7, inspection);
+  insert.bind(8, finding);
+  insert.bind(9, comparison);
   return insert.exec() > 0;
 }
 
@@ -124,6 +129,8 @@ std::vector<ReviewedFinding> findings_of(SQLite::Database& database, std::int64_
       finding.clear_px = clear_px.getInt();
     finding.planned = value_of<PlannedState>(query.getColumn("planned").getString());
     finding.planned_item = query.getColumn("planned_item").getString();
+    finding.likely_class = query.getColumn("likely_class").getString();
+    finding.class_probability = number_in(query.getColumn("class_probability"));
     finding.decision = last_decision(database, inspection, comparison, finding.number);
     findings.push_back(std::move(finding));
   }

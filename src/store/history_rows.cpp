@@ -33,17 +33,17 @@ void read_decisions(SQLite::Database& database, const std::string& select, std::
   SQLite::Statement query(database, select);
   query.bind(1, id);
   while (query.executeStep())
-    decisions.push_back({query.getColumn(5), query.getColumn(6), recorded_decision_in(query)});
+    decisions.push_back({query.getColumn(6), query.getColumn(7), recorded_decision_in(query)});
 }
 
 std::vector<RecordedDecision> decisions_of(SQLite::Database& database, std::int64_t id) {
   std::vector<RecordedDecision> decisions;
   read_decisions(database,
-                 "select verdict, note, person, decided_at, round, comparison, finding from decision "
+                 "select verdict, note, person, decided_at, round, object, comparison, finding from decision "
                  "where inspection = ? order by id",
                  id, decisions);
   read_decisions(database,
-                 "select verdict, note, person, decided_at, round, 0, mark from mark_decision "
+                 "select verdict, note, person, decided_at, round, object, 0, mark from mark_decision "
                  "where inspection = ? order by id",
                  id, decisions);
   return decisions;

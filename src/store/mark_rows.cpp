@@ -13,7 +13,7 @@ namespace {
 
 std::optional<Decision> last_decision(SQLite::Database& database, std::int64_t inspection, int mark) {
   SQLite::Statement query(database,
-                          "select verdict, note, person, decided_at, round from mark_decision "
+                          "select verdict, note, person, decided_at, round, object from mark_decision "
                           "where inspection = ? and mark = ? order by id desc limit 1");
   query.bind(1, inspection);
   query.bind(2, mark);
@@ -52,15 +52,16 @@ bool insert_mark_decision(SQLite::Database& database, std::int64_t inspection, i
                           const Decision& decision) {
   SQLite::Statement insert(
       database,
-      "insert into mark_decision (inspection, mark, round, verdict, note, person, decided_at) "
-      "select inspection, number, ?, ?, ?, ?, ? from mark where inspection = ? and number = ?");
+      "insert into mark_decision (inspection, mark, round, verdict, note, person, decided_at, object) "
+      "select inspection, number, ?, ?, ?, ?, ?, ? from mark where inspection = ? and number = ?");
   insert.bind(1, decision.round);
   insert.bind(2, std::string(name_of(decision.verdict)));
   insert.bind(3, decision.note);
   insert.bind(4, decision.person);
   insert.bind(5, decision.decided_at);
-  insert.bind(6, inspection);
-  insert.bind(7, mark);
+  insert.bind(6, decision.object);
+  insert.bind(7, inspection);
+  insert.bind(8, mark);
   return insert.exec() > 0;
 }
 

@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 7;
+inline constexpr int schema_version = 8;
 
 /// The tables of version 1. Lists within a row are JSON. Rows of `decision` are only added: the latest one of
 /// a finding applies.
@@ -234,6 +234,14 @@ create table plan (
 alter table finding add column planned text not null default '';
 alter table finding add column planned_item text not null default '';
 alter table compared_view add column planned text not null default '[]';
+)sql";
+
+/// Changes from version 7 to 8: what a classifier calls findings, and what people call them.
+inline constexpr const char* schema_8_from_7 = R"sql(
+alter table finding add column likely_class text not null default '';
+alter table finding add column class_probability real;
+alter table decision add column object text not null default '';
+alter table mark_decision add column object text not null default '';
 )sql";
 
 }  // namespace rva

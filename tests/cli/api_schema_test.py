@@ -221,7 +221,8 @@ class ApiSchemaTest(program.ProgramTest):
         self.assertEqual((planned['bracket']['planned'], planned['bracket']['found']), (1, 0))
         self.assertIn('planned', {finding['planned'] for finding in found['findings']})
         self.post('inspections/1/findings/1/decision', 'DecisionRequest',
-                  {'comparison': found['comparison'], 'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
+                  {'comparison': found['comparison'], 'verdict': 'debris-removed', 'note': '', 'object': 'wrench',
+                   'person': 'Ann'}, 'Inspection')
         self.get('inspections', 'InspectionList')
         self.measure_the_review(found)
         self.post('inspections/1/compare', None, {}, status=202)
@@ -254,7 +255,7 @@ class ApiSchemaTest(program.ProgramTest):
                       {'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
         self.post('inspections/1/decisions', 'DecisionsRequest',
                   {'comparison': found['comparison'], 'person': 'Ann', 'decisions': [
-                      {'finding': 1, 'verdict': 'undecided', 'note': ''}, {'mark': 1, 'verdict': 'false-alarm', 'note': ''}]},
+                      {'finding': 1, 'verdict': 'undecided', 'note': ''}, {'mark': 1, 'verdict': 'false-alarm', 'note': '', 'object': ''}]},
                   'Inspection')
         self.refuse('POST', 'inspections/1/marked', {**in_view, 'comparison': 99}, 409)
 

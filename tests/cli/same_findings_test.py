@@ -95,7 +95,7 @@ class SameFindingsTest(program.ProgramTest):
         record = json.loads((exported / 'inspection.json').read_text())
         initial, final = ([exported / capture for capture in round['captures'][0]] for round in record['captured'])
         self.assertEqual([len(initial), len(final)], [4, 4])
-        self.succeed('detect', '--initial', *initial, '--final', *final, '--out', self.out, '--overwrite')
+        self.succeed('detect', '--initial', *initial, '--final', *final, '--classify', '--out', self.out, '--overwrite')
         shown = exported / record['rounds'][0]['results'][0]
         findings = [timeless((folder / 'detections.json').read_text()) for folder in (shown, self.out)]
         self.assertEqual(*findings)

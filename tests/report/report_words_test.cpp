@@ -57,6 +57,16 @@ TEST(ReportWords, MeasuresAreThoseThatAreKnown) {
   EXPECT_NE(measures_text(finding).find("at least 8.0 mm high before"), std::string::npos);
 }
 
+TEST(ReportWords, AClassIsAHintWhereItIsKnown) {
+  ReviewedFinding finding;
+  EXPECT_EQ(class_text(finding), "") << "of an earlier version";
+  finding.likely_class = "drill bit";
+  finding.class_probability = 0.879;
+  EXPECT_EQ(class_text(finding), "may be: drill bit (87 %)");
+  finding.likely_class = "unknown";
+  EXPECT_EQ(class_text(finding), "");
+}
+
 TEST(ReportWords, ChangesAccordingToThePlan) {
   ReviewedFinding finding;
   EXPECT_EQ(change_text(finding), "Added");

@@ -96,8 +96,12 @@ TEST_F(Asked, WhatIsSeenInTheLivePictureIsMarked) {
                                  R"({"stream":"color","bbox":[20,60,10,10],"person":"Ann"})",
                                  R"({"comparison":1,"view":0,"bbox":[20,60,10,10],"person":"Ann"})"})
     EXPECT_GE(ask("POST", path, body).status, 400) << body;
-  EXPECT_EQ(ask("POST", path + "/1/decision", R"({"verdict":"debris","note":"","person":"Ann"})").status,
-            200);
+  const auto named =
+      ask("POST", path + "/1/decision", R"({"verdict":"debris","note":"","object":"rag","person":"Ann"})");
+  EXPECT_EQ(named.status, 200);
+  EXPECT_EQ(Json::parse(named.body)["marked"][0]["decision"]["object"], "rag");
+  EXPECT_EQ(ask("POST", path + "/1/decision", R"({"verdict":"debris","object":7,"person":"Ann"})").status,
+            400);
   EXPECT_EQ(ask("POST", path + "/2/decision", R"({"verdict":"debris","note":"","person":"Ann"})").status,
             409);
   const std::string together = "/api/inspections/1/decisions";

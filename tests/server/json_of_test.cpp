@@ -36,15 +36,18 @@ TEST(JsonOf, FindingStatesWhatIsKnown) {
   reviewed.in_foot_m = Eigen::Vector3d(1.0, 2.0, 3.0);
   reviewed.clear_px = 40;
   reviewed.moved_from = 1;
-  reviewed.decision = Decision{Verdict::installed_work, "a clip", "Ann", "2026-01-01T00:00:00.000Z", 2};
+  reviewed.likely_class = "sheet holder";
+  reviewed.class_probability = 0.75;
+  reviewed.decision =
+      Decision{Verdict::installed_work, "a clip", "Ann", "2026-01-01T00:00:00.000Z", 2, "clip"};
   EXPECT_EQ(json_of(reviewed), Json::parse(R"({"number": 3, "view": 1, "same_as": 2, "kind": "removed",
       "bbox": [4, 5, 6, 7], "centroid": [6.5, 8.25], "position_m": [0.5, -0.25, 1.0],
       "in_foot_m": [1.0, 2.0, 3.0], "size_mm": [12.0, 8.0], "height_mm": -4.0, "above_surroundings_mm": 3.5,
       "background_jump": true, "top_above_surroundings_mm": 6.5, "top_is_least": true, "clear_px": 40,
       "score": 2.5, "p_value": 0.001,
-      "evidence": ["appearance"], "moved_from": 1, "decision": {"verdict": "installed-work",
+      "evidence": ["appearance"], "moved_from": 1, "class": "sheet holder", "probability": 0.75, "decision": {"verdict": "installed-work",
       "note": "a clip", "person": "Ann", "decided_at": "2026-01-01T00:00:00.000Z",
-      "round": 2}})"));
+      "round": 2, "object": "clip"}})"));
 }
 
 TEST(JsonOf, InspectionStatesItsSidesAndViews) {

@@ -46,6 +46,8 @@ inline ReviewedFinding finding(int number) {
   reviewed.finding.above_surroundings_mm = 5.9;
   reviewed.finding.background_jump = true;
   reviewed.finding.top_above_surroundings_mm = 7.5;
+  reviewed.likely_class = "fastener";
+  reviewed.class_probability = 0.75;
   reviewed.finding.top_is_least = true;
   reviewed.clear_px = 120;
   reviewed.finding.score = 9.5;

@@ -47,6 +47,8 @@ TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
   EXPECT_EQ(first.top_above_surroundings_mm, 7.5);
   EXPECT_TRUE(first.top_is_least);
   EXPECT_EQ(back->findings[0].clear_px, 120);
+  EXPECT_EQ(back->findings[0].likely_class, "fastener");
+  EXPECT_EQ(back->findings[0].class_probability, 0.75);
   EXPECT_TRUE(first.background_jump);
   EXPECT_EQ(first.box, (Box{1, 2, 3, 4}));
   EXPECT_EQ(back->findings[1].finding.kind, ChangeKind::removed);
@@ -189,6 +191,18 @@ TEST_F(Kept, AComparisonStatesWhatItFoundOfThePlan) {
   EXPECT_EQ(back.findings[0].planned, PlannedState::missing);
   EXPECT_EQ(back.findings[0].planned_item, "collars");
   EXPECT_FALSE(back.findings[1].planned) << "without a plan";
+}
+
+TEST_F(Kept, ADecisionKeepsWhatThePersonCalledTheObject) {
+  const std::int64_t id = add();
+  records_->set_comparison(id, comparison(1), {}, {finding(1), finding(2)});
+  records_->decide(id, 1, 1, {Verdict::debris, "", "Ann", "noon", 0, "rag"});
+  open();
+  EXPECT_EQ(records_->find(id)->findings[0].decision->object, "rag");
+  const auto history = records_->history(id);
+  ASSERT_EQ(history->decisions.size(), 1U);
+  EXPECT_EQ(history->decisions[0].decision.object, "rag");
+  EXPECT_EQ(history->decisions[0].finding, 1);
 }
 
 // The clock of a computer without a battery stands at one time, or steps back.

@@ -41,6 +41,18 @@ export function whatChanged(finding: Finding): string {
   return words.finding.kinds[finding.kind];
 }
 
+/** The name of a class in the person's language; other names are shown as they are. */
+export function className(name: string): string {
+  const classes: Record<string, string> = words.finding.classes;
+  return classes[name] ?? name;
+}
+
+/** What the classifier calls it; empty where that is unknown. */
+export function likelyClass({ class: name, probability }: Pick<Finding, 'class' | 'probability'>): string {
+  if (name === undefined || name === 'unknown' || probability === undefined) return '';
+  return words.finding.mayBe(className(name), percentText(probability));
+}
+
 /** The character that stands for a finding, beside its number. */
 export function signOf({ kind, planned }: Pick<Finding, 'kind' | 'planned'>): string {
   if (planned === 'missing') return '?';
@@ -66,6 +78,8 @@ export function whereAndHow(finding: Finding, marked = false): string {
   if (finding.background_jump) parts.push(atEdge);
   else if (change !== undefined && height === undefined)
     parts.push(finding.kind === 'added' ? words.finding.nearer(millimetres(Math.abs(change))) : words.finding.farther(millimetres(Math.abs(change))));
+  const likely = likelyClass(finding);
+  if (likely !== '') parts.push(likely);
   return parts.join(', ');
 }
 

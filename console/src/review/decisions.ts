@@ -20,10 +20,12 @@ export interface LastDecision {
 
 export const lastDecision = new Store<LastDecision | null>(null);
 
-function given(group: Group, decision: Pick<GivenDecision, 'verdict' | 'note'>): GivenDecision[] {
-  const { verdict, note } = decision;
-  if (group.marked) return [{ mark: group.marked.number, verdict, note }];
-  return group.all.map((finding) => ({ finding: finding.number, verdict, note }));
+type Given = Pick<GivenDecision, 'verdict' | 'note' | 'object'>;
+
+function given(group: Group, { verdict, note, object }: Given): GivenDecision[] {
+  const decision: Given = object ? { verdict, note, object } : { verdict, note };
+  if (group.marked) return [{ mark: group.marked.number, ...decision }];
+  return group.all.map((finding) => ({ finding: finding.number, ...decision }));
 }
 
 function personOf(inspection: Inspection, session: Session): string {
@@ -36,10 +38,13 @@ export function goOn(inspection: Inspection): void {
   if (next) show(selectionOf(next));
 }
 
-/** Decides on all of these findings or, where the server refuses one, on none, and goes on to the next one. */
-export async function decide(inspection: Inspection, groups: Group[], verdict: Verdict, note: string, session: Session): Promise<boolean> {
+/**
+ * Decides on all of these findings or, where the server refuses one, on none, and goes on to the next one.
+ * @param object what they are, as the person named it; empty where the person did not
+ */
+export async function decide(inspection: Inspection, groups: Group[], verdict: Verdict, note: string, session: Session, object = ''): Promise<boolean> {
   return attempt(async () => {
-    const decisions = groups.flatMap((group) => given(group, { verdict, note }));
+    const decisions = groups.flatMap((group) => given(group, { verdict, note, object }));
     const before = groups.flatMap((group) => given(group, decisionOf(group) ?? { verdict: 'undecided', note: '' }));
     const after = await api.decideAll(inspection, decisions, personOf(inspection, session));
     const numbers = groups.map(({ lead, label }) => ({ number: lead.number, label }));

@@ -35,6 +35,9 @@ test('every kind has a phrase and a sign', () => {
 
 test('a finding is described by what is known about it', () => {
   expect(whereAndHow(finding(1))).toBe('');
+  expect(whereAndHow(finding(1, { class: 'drill bit', probability: 0.874 }))).toBe('may be: drill bit (87 %)');
+  expect(whereAndHow(finding(1, { class: 'of a later version', probability: 0.9 }))).toBe('may be: of a later version (90 %)');
+  expect(whereAndHow(finding(1, { class: 'unknown', probability: 0.3 })), 'an unknown class is no hint').toBe('');
   expect(whereAndHow(finding(1, { size_mm: [12.4, 8.25], position_m: [0, 0, 0.456], height_mm: -3.2 }))).toBe(
     '12 mm × 8.3 mm, 0.46 m away, surface 3.2 mm nearer than before',
   );
