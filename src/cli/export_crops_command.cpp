@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "classify/finding_planes.hpp"
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
@@ -34,24 +35,31 @@ void run(const ExportCropsArguments& arguments) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   OutputFolder out(arguments.out, labelled_crop_files(),
                    arguments.overwrite ? Existing::replace : Existing::refuse);
-  nlohmann::ordered_json crops = nlohmann::ordered_json::array();
+  LabelledCrops all;
   const Progress progress = terminal_progress();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    for (auto& crop :
-         write_labelled_crops(recorded_inspection(arguments.data, numbers[i]), arguments.data, out.path("")))
-      crops.push_back(std::move(crop));
+    const LabelledCrops crops =
+        write_labelled_crops(recorded_inspection(arguments.data, numbers[i]), arguments.data, out.path(""));
+    all.crops.insert(all.crops.end(), crops.crops.begin(), crops.crops.end());
+    all.shown.insert(all.shown.end(), crops.shown.begin(), crops.shown.end());
+    all.planes += crops.planes;
     if (progress) progress("inspections", i + 1, numbers.size());
   }
   const nlohmann::ordered_json described{{"format", "rva-crops"},
                                          {"version", 1},
                                          {"provenance", provenance_json(time_of_making())},
-                                         {"crops", crops}};
+                                         {"crops", all.crops}};
   write_file(out.path("crops.json"), json_file_text(described));
+  const nlohmann::ordered_json training{{"run", {{"planes", finding_planes}, {"plane_px", plane_px}}},
+                                        {"findings", all.shown}};
+  write_file(out.path("findings.json"), json_file_text(training));
+  write_file(out.path("planes.f16"), all.planes);
   out.commit();
   std::map<std::string, int> counts;
-  for (const auto& crop : crops) ++counts[crop["label"]];
+  for (const auto& crop : all.crops) ++counts[crop["label"]];
   for (const auto& [label, count] : counts) print("{}: {}\n", label, count);
-  print("{} finding(s) of {} inspection(s)\n{}\n", crops.size(), numbers.size(), arguments.out);
+  print("{} finding(s) of {} inspection(s), {} of them to train with\n{}\n", all.crops.size(), numbers.size(),
+        all.shown.size(), arguments.out);
 }
 
 }  // namespace

@@ -5,10 +5,15 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <system_error>
+#include <vector>
 
+#include "classify/finding_planes.hpp"
 #include "classify/surroundings.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/path_text.hpp"
 #include "depth/image_file.hpp"
 #include "inspect/inspection_folder.hpp"
 
@@ -54,6 +59,7 @@ Json described(const Inspection& inspection, std::string_view label, const Decis
   crop["label"] = label;
   crop["verdict"] = name_of(decision.verdict);
   crop["note"] = decision.note;
+  if (!decision.object.empty()) crop["object"] = decision.object;
   crop["inspection"] = inspection.id;
   crop["finding"] = number;
   return crop;
@@ -86,6 +92,36 @@ void add_findings(const Inspection& inspection, const ComparedRound& round, cons
     ViewPictures& view =
         views.try_emplace(finding.view, InspectionFolder::result_in(comparison, finding.view)).first->second;
     crops.push_back(of_finding(inspection, finding, *label, round.comparison.number, view, folder));
+  }
+}
+
+// What a finding is, for training; empty where nobody stated it.
+std::optional<std::string> kind_of(const Decision& decision) {
+  if (decision.verdict == Verdict::false_alarm) return "";
+  return decision.object.empty() ? std::nullopt : std::optional(decision.object);
+}
+
+// Adds the findings whose kind is known, if the comparison kept what the classifier was shown.
+void add_shown(const Inspection& inspection, const ComparedRound& round, const fs::path& comparison,
+               LabelledCrops& all) {
+  const fs::path file = comparison / InspectionFolder::shown_findings;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return;
+  const std::vector<std::byte> bytes = read_file(file);
+  const auto halves = halves_in(bytes, printable(file));
+  std::size_t next = 0;
+  for (const ReviewedFinding& finding : round.findings) {
+    if (finding.likely_class.empty()) continue;
+    if (next == halves.size())
+      throw Error(printable(file), "lacks findings that are recorded", "compare the inspection again");
+    const std::span<const std::byte> planes = halves[next++];
+    const auto kind = label_of(finding.decision) ? kind_of(*finding.decision) : std::nullopt;
+    if (!kind) continue;
+    all.planes.append(reinterpret_cast<const char*>(planes.data()), planes.size());
+    all.shown.push_back({{"kind", *kind},
+                         {"inspection", inspection.id},
+                         {"comparison", round.comparison.number},
+                         {"finding", finding.number}});
   }
 }
 
@@ -126,22 +162,25 @@ std::optional<std::string_view> label_of(const std::optional<Decision>& decision
 }
 
 std::vector<std::string> labelled_crop_files() {
-  std::vector<std::string> files{"crops.json"};
+  std::vector<std::string> files{"crops.json", "findings.json", "planes.f16"};
   for (const char* const label : labels) files.push_back(fmt::format("{}/*.png", label));
   return files;
 }
 
-Json write_labelled_crops(const InspectionHistory& history, const fs::path& data, const fs::path& folder) {
+LabelledCrops write_labelled_crops(const InspectionHistory& history, const fs::path& data,
+                                   const fs::path& folder) {
   const Inspection& inspection = history.inspection;
   const InspectionFolder own(data, inspection.id);
   for (const char* const label : labels) fs::create_directories(folder / label);
-  Json crops = Json::array();
+  LabelledCrops all;
   for (const ComparedRound& round : history.rounds) {
     const fs::path comparison = own.in_comparison(round.comparison, "");
-    if (!comparison.empty()) add_findings(inspection, round, comparison, folder, crops);
+    if (comparison.empty()) continue;
+    add_findings(inspection, round, comparison, folder, all.crops);
+    add_shown(inspection, round, comparison, all);
   }
-  add_marks(inspection, own.path(), folder, crops);
-  return crops;
+  add_marks(inspection, own.path(), folder, all.crops);
+  return all;
 }
 
 }  // namespace rva

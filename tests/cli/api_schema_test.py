@@ -221,8 +221,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.assertEqual((planned['bracket']['planned'], planned['bracket']['found']), (1, 0))
         self.assertIn('planned', {finding['planned'] for finding in found['findings']})
         self.post('inspections/1/findings/1/decision', 'DecisionRequest',
-                  {'comparison': found['comparison'], 'verdict': 'debris-removed', 'note': '', 'object': 'wrench',
-                   'person': 'Ann'}, 'Inspection')
+                  {'comparison': found['comparison'], 'verdict': 'debris-removed', 'note': '', 'object': 'rag', 'person': 'Ann'}, 'Inspection')
         self.get('inspections', 'InspectionList')
         self.measure_the_review(found)
         self.post('inspections/1/compare', None, {}, status=202)
@@ -252,7 +251,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.post('inspections/1/marked', 'MarkRequest', live, 'Inspection', 201)
         for number in (1, 2):
             self.post(f'inspections/1/marked/{number}/decision', 'MarkDecisionRequest',
-                      {'verdict': 'debris-removed', 'note': '', 'person': 'Ann'}, 'Inspection')
+                      {'verdict': 'debris-removed', 'note': '', 'object': 'rag', 'person': 'Ann'}, 'Inspection')
         self.post('inspections/1/decisions', 'DecisionsRequest',
                   {'comparison': found['comparison'], 'person': 'Ann', 'decisions': [
                       {'finding': 1, 'verdict': 'undecided', 'note': ''}, {'mark': 1, 'verdict': 'false-alarm', 'note': '', 'object': ''}]},
@@ -346,14 +345,15 @@ class ApiSchemaTest(program.ProgramTest):
         detected = {finding['number']: finding for finding in found['findings'] if finding.get('planned') != 'missing'}
         self.assertEqual(latest.keys(), detected.keys(), 'a missing part of the plan shows nothing')
         self.assertEqual({crop['label'] for crop in latest.values()}, {'installed-work'})
-        marked = {crop['finding']: crop['label'] for crop in crops if crop.get('marked')}
-        self.assertEqual(marked, {1: 'false-alarm', 2: 'debris'})
+        self.assertEqual((out / 'planes.f16').stat().st_size, 14 * 48 * 48 * 2 * (out / 'findings.json').read_text().count('"kind"'))
+        marked = {crop['finding']: (crop['label'], crop.get('object')) for crop in crops if crop.get('marked')}
+        self.assertEqual(marked, {1: ('false-alarm', None), 2: ('debris', 'rag')})
         pictures = self.folder / f'data/inspections/000001/comparison-{found["comparison"]}/results/000'
         for number, crop in latest.items():
+            u, v, width, height = detected[number]['bbox']
             self.assertEqual(set(crop['files']), {'initial_color', 'final_color', 'initial_depth', 'final_depth'})
             for name, file in crop['files'].items():
                 self.assertTrue(file.startswith('installed-work/'), file)
-                u, v, width, height = detected[number]['bbox']
                 x, y = crop['box_in_crop'][:2]
                 cut, whole = read_image(out / file), read_image(pictures / f'{name}.png')
                 self.assertTrue((cut[y:y + height, x:x + width] == whole[v:v + height, u:u + width]).all(), file)

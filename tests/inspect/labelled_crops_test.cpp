@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "classify/finding_planes.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "depth/image_file.hpp"
@@ -63,7 +64,8 @@ TEST(LabelledCrops, AreOfFindingsWithALabelAndOfThePicturesThatThereAre) {
   write_file(result_folder(data) / "final_depth.png", encode_png(ColorImage(64, 48, {1, 2, 3})));
   const auto crops = write_labelled_crops(history_of({decided(Verdict::debris), decided(Verdict::second_look),
                                                       std::nullopt, decided(Verdict::false_alarm)}),
-                                          data.path(), out.path());
+                                          data.path(), out.path())
+                         .crops;
   ASSERT_EQ(crops.size(), 2U);
   EXPECT_EQ(crops[0]["finding"], 1);
   EXPECT_EQ(crops[1]["finding"], 4);
@@ -82,8 +84,47 @@ TEST(LabelledCrops, AMissingPictureIsAnError) {
   EXPECT_THROW(static_cast<void>(
                    write_labelled_crops(history_of({decided(Verdict::debris)}), data.path(), out.path())),
                Error);
-  EXPECT_TRUE(write_labelled_crops(history_of({std::nullopt}), data.path(), out.path()).empty())
+  EXPECT_TRUE(write_labelled_crops(history_of({std::nullopt}), data.path(), out.path()).crops.empty())
       << "which nobody needs";
+}
+
+// The planes of the second and the last finding; the first one has no class.
+TEST(LabelledCrops, ForTrainingHaveWhatPeopleCalledThem) {
+  const test::TemporaryFolder data;
+  const test::TemporaryFolder out;
+  write_file(result_folder(data) / "final_depth.png", encode_png(ColorImage(64, 48, {1, 2, 3})));
+  InspectionHistory history =
+      history_of({decided(Verdict::debris), decided(Verdict::debris_removed), decided(Verdict::debris),
+                  decided(Verdict::second_look), decided(Verdict::false_alarm)});
+  auto& findings = history.rounds.front().findings;
+  findings[1].decision->object = "flashlight";
+  findings[3].decision->object = "pen";
+  std::vector<cv::Mat> planes;
+  for (std::size_t i = 1; i < findings.size(); ++i) {
+    findings[i].likely_class = "unknown";
+    planes.emplace_back(std::vector<int>{finding_planes, plane_px, plane_px}, CV_32F,
+                        cv::Scalar(static_cast<double>(i)));
+  }
+  const auto file = InspectionFolder(data.path(), 7).path() / InspectionFolder::comparison_name(1) /
+                    InspectionFolder::shown_findings;
+  write_file(file, npy_of(planes));
+  const LabelledCrops labelled = write_labelled_crops(history, data.path(), out.path());
+  ASSERT_EQ(labelled.shown.size(), 2U) << "neither a name nor a decision is known of the others";
+  EXPECT_EQ(labelled.shown[0]["kind"], "flashlight");
+  EXPECT_EQ(labelled.shown[0]["finding"], 2);
+  EXPECT_EQ(labelled.shown[1]["kind"], "");
+  EXPECT_EQ(labelled.shown[1]["finding"], 5);
+  const std::size_t bytes_each = labelled.planes.size() / 2;
+  cv::Mat first;
+  cv::Mat(1, finding_planes * plane_px * plane_px, CV_16F, const_cast<char*>(labelled.planes.data()))
+      .convertTo(first, CV_32F);
+  EXPECT_EQ(bytes_each, first.total() * 2U);
+  EXPECT_EQ(first.at<float>(0), 1.0F);
+
+  write_file(file, npy_of({planes[0]}));
+  EXPECT_THROW(static_cast<void>(write_labelled_crops(history, data.path(), out.path())), Error);
+  write_file(file, std::string_view("none"));
+  EXPECT_THROW(static_cast<void>(write_labelled_crops(history, data.path(), out.path())), Error);
 }
 
 TEST(LabelledCrops, AMissingPartOfThePlanShowsNothing) {
@@ -91,7 +132,7 @@ TEST(LabelledCrops, AMissingPartOfThePlanShowsNothing) {
   const test::TemporaryFolder out;
   InspectionHistory history = history_of({decided(Verdict::debris)});
   history.rounds.front().findings.front().planned = PlannedState::missing;
-  EXPECT_TRUE(write_labelled_crops(history, data.path(), out.path()).empty());
+  EXPECT_TRUE(write_labelled_crops(history, data.path(), out.path()).crops.empty());
 }
 
 }  // namespace
