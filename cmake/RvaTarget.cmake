@@ -1,7 +1,8 @@
 # Flags and rules for all targets of the project.
 
 add_library(rva_flags INTERFACE)
-target_compile_options(rva_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
+# Warnings of another compiler do not stop the build of a project that embeds RVA.
+target_compile_options(rva_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>)
 # The results of the detectors must equal those of the thesis' formulas to the last bit, so a product and a sum
 # are rounded separately and never fused.
 target_compile_options(rva_flags INTERFACE -ffp-contract=off)
@@ -27,25 +28,29 @@ target_precompile_headers(rva_precompiled PRIVATE
   <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
   <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
 
-# rva_library(NAME [SOURCES ...] [LINKS ...]): builds one folder of src/ as a static library.
+# rva_library(NAME [SOURCES ...] [LINKS ...]): builds one folder of src/ as a static library, rva_FOLDER. Other projects
+# link to it as rva::FOLDER.
 # docs/design.md defines which folders a folder may link; tests/architecture checks that the includes conform.
 function(rva_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  string(REGEX REPLACE "^rva_" "" folder ${name})
   add_library(${name} STATIC ${ARG_SOURCES})
-  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE rva_flags Eigen3::Eigen fmt::fmt)
+  add_library(rva::${folder} ALIAS ${name})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rva>)
+  target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:rva_flags>)
+  # For the precompiled headers. A folder whose own headers include them has them among its LINKS.
+  target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:fmt::fmt>)
   target_precompile_headers(${name} REUSE_FROM rva_precompiled)
+  set_target_properties(${name} PROPERTIES EXPORT_NAME ${folder})
+  set_property(GLOBAL APPEND PROPERTY RVA_COMPONENTS ${folder})
+  if(RVA_INSTALL)
+    install(TARGETS ${name} EXPORT rvaTargets ARCHIVE COMPONENT library)
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rva/${folder}
+            COMPONENT library FILES_MATCHING PATTERN *.hpp)
+  endif()
 endfunction()
-
-# OpenCV's headers cause warnings under -Wconversion, so they are included as system headers.
-add_library(rva_opencv INTERFACE)
-target_include_directories(rva_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
-target_link_libraries(rva_opencv INTERFACE opencv_core opencv_imgproc)
-
-# PCL's headers are included as system headers for the same reason.
-add_library(rva_pcl INTERFACE)
-target_include_directories(rva_pcl SYSTEM INTERFACE ${PCL_INCLUDE_DIRS})
-target_link_libraries(rva_pcl INTERFACE pcl_common pcl_kdtree pcl_octree pcl_registration pcl_search)
 
 # Disables GCC's warning that the thread sanitizer does not support fences. Asio uses fences, but also locks, which the
 # sanitizer does support.
