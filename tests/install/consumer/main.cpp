@@ -10,6 +10,6 @@ int main(int, char** arguments) {
   after.push_back(rva::open_capture(arguments[2]));
   const rva::SidesDetection result = rva::detect(before, after, rva::DetectOptions{}, {});
   for (const rva::Finding& finding : result.detection.findings.findings)
-    fmt::print("{} {} {} {} {} {}\n", rva::name_of(finding.kind), finding.pixels.size(), finding.box.x, finding.box.y,
-               finding.box.width, finding.box.height);
+    fmt::print("{} {} {} {} {} {}\n", rva::name_of(finding.kind), finding.pixels.size(), finding.box.x,
+               finding.box.y, finding.box.width, finding.box.height);
 }
