@@ -25,8 +25,8 @@ module camera_body(c) {
 }
 
 module camera_plug(c) {
-  translate([c[4] + c[5] * (c[0] / 2 + plug_length / 2), -plug_behind_imager, 0])
-    cube([plug_length, plug_size.x, plug_size.y], center = true);
+  translate([c[4] + c[5] * (c[0] / 2 + plug_length / 2), -c[11], 0])
+    cube([plug_length, c[12], c[13]], center = true);
 }
 
 module led() {  // dome towards +y, its collar at y = 0
@@ -41,6 +41,12 @@ module suction_cup() {  // the lip at z = 0, the stud upwards
   translate([0, 0, foot_clearance - 4]) cylinder(d = 20, h = 4, $fn = 48);
   translate([0, 0, foot_clearance]) cylinder(d = 5, h = foot_thickness + 8, $fn = 24);
   translate([0, 0, foot_clearance + foot_thickness]) cylinder(d = 9, h = 5, $fn = 6);
+}
+
+module support_foot() {
+  cylinder(d = support_diameter, h = 6, $fn = 32);
+  translate([0, 0, 6]) cylinder(d = 5, h = foot_clearance + foot_thickness + 2, $fn = 24);
+  for (z = [foot_clearance - 4, foot_clearance + foot_thickness]) translate([0, 0, z]) cylinder(d = 9, h = 4, $fn = 6);
 }
 
 // A screw along -z, the head's contact at z = 0 for a cylindrical head, its top at z = 0 for a sunk one.

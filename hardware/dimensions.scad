@@ -12,16 +12,16 @@ imager_y = 20;  // PanTiltChain::bracket_from_camera
 imager_z = 10;  // PanTiltChain::bracket_from_camera
 
 // Cameras: width, height, depth, imager behind the front, imager beside the middle, side of the plug
-// (1 right, -1 left), distance of the threads in the back, mass in grams, field of view of depth (horizontal,
-// vertical, degrees).
-camera_D435 = [90, 25, 25.05, 4.3, 17.5, 1, 45, 75, 87, 58];  // realsense2_description, _d435.urdf.xacro; mass: Clearpath's page; threads, field: data sheet, check
-camera_D435i = [90, 25, 25.05, 4.3, 17.5, 1, 45, 75, 87, 58];  // as D435: its description includes that of the D435
-camera_D405 = [42, 42, 23, 3.8, 9, -1, 20, 60, 87, 58];  // realsense2_description, _d405.urdf.xacro; threads, mass, field: check
-camera_D455 = [124, 29, 26, 4.55, 47.5, -1, 95, 103, 87, 58];  // realsense2_description, _d455.urdf.xacro; threads (M4), mass, field: check
+// (1 right, -1 left), distance of the threads in the back, mass in grams, field of view of depth (horizontal and
+// vertical, degrees), size of the threads, plug behind the imager, its size along the view and across,
+// distance of the imagers.
+camera_D435 = [90, 25, 25.05, 4.3, 17.5, 1, 45, 75, 87, 58, 3, 6, 8, 18.5, 50];  // realsense2_description, _d435.urdf.xacro; mass: Clearpath's page; threads, field: data sheet, check
+camera_D435i = [90, 25, 25.05, 4.3, 17.5, 1, 45, 75, 87, 58, 3, 6, 8, 18.5, 50];  // as D435: its description includes that of the D435
+camera_D405 = [42, 42, 23, 3.8, 9, -1, 20, 60, 87, 58, 3, 12.4, 8, 18.5, 18];  // realsense2_description, _d405.urdf.xacro; threads, mass, field: check
+camera_D455 = [124, 29, 26, 4.55, 47.5, -1, 95, 103, 87, 58, 4, 4.1, 18.5, 8, 95];  // realsense2_description, _d455.urdf.xacro; threads (M4), mass, field: check
 plug_length = 18;  // right-angle USB-C plug with its cable, beside the camera: chosen, check against the cable
-plug_size = [8, 18.5];  // realsense2_description, _usb_plug.urdf.xacro: along the view, across
-plug_behind_imager = 6;  // realsense2_description, _d435.urdf.xacro
-camera_screw_grip = 3;  // thread that is used in the camera's back: check against the data sheet
+camera_screw = 16;  // length: chosen, 2.75 to 3.5 of it in the camera's thread, check against the data sheet
+camera_screw_seat = 13.25;  // head to the camera's back: chosen
 
 // Servo, Herkulex DRS-0101.
 servo_size = [24, 45, 31];  // DRS-0101 manual: width, length, height without horn; check
@@ -47,6 +47,7 @@ m3_hole = 3.4;  // ISO 273, medium
 m3_head = [6, 3];  // ISO 14580 / ISO 4762 M3: largest diameter and height of a head
 m3_sunk = 6.7;  // ISO 10642 M3: theoretical diameter of the head
 m3_insert = [4.0, 5.7];  // ruthex RX-M3x5.7: hole, length
+m4_hole = 4.5;  // ISO 273, medium
 m2_hole = 2.4;  // ISO 273, medium
 m5_insert = [6.4, 9.5];  // ruthex RX-M5x9.5: hole, length
 m5_hole = 5.5;  // ISO 273, medium
@@ -65,13 +66,15 @@ strength_mpa = 20;  // chosen: half of the 40 to 50 of solid PETG, across layers
 
 // Foot.
 foot_side = 150;  // chosen: inside a circle of 200, which leaves 15 around it in a hole of 230
-foot_corner = 22;  // chosen: the corner's centre is the cup's
+foot_corner = 22;  // chosen: no sharp edge
 foot_thickness = 8;  // chosen: deflection below 0.5 under the tether's pull
 foot_clearance = 12;  // height of a cup under vacuum, or of a magnet with its washer: chosen, check against the cup
-cup_diameter = 40;  // chosen: four hold 60 N and more at 0.2 bar below ambient
-cup_vacuum_kpa = 20;  // chosen: a hand-pressed cup with a screw lip; check
-cup_at = 53;  // centre of a cup from both middles: chosen, as far out as the plate allows
+cup_diameter = 40;  // chosen: four hold 64 N at 0.2 bar below ambient
+cup_vacuum_kpa = 20;  // chosen, low: a hand-pressed cup with a screw lip; check
+cup_at = 40;  // centre of a cup from both middles: chosen, between column and supports
 cup_mass_g = 12;  // chosen, check against the cup
+support_at = 63;  // feet that bear the plate while the cups pull it down, from both middles: chosen, at the corners
+support_diameter = 10;  // rubber cap on an M5 screw: chosen
 
 // Column.
 column_x = 31;  // half width: bearing's radius, 26, and a wall of 5
@@ -98,7 +101,7 @@ pivot_arm = 7;  // thickness of the other arm: the bearing, and a lip of 2
 ear_radius = 14;  // horn's screws at 7, and 7
 bracket_thickness = 5;  // chosen: as the servo's ear
 bracket_back = -14;  // rear face of the bracket, behind the tilt axis: as ear_radius
-stand = [13, 7.5];  // around the camera's screws, between bracket and camera: chosen, beside the driver of the horn's screws
+stand = [13, 4.1];  // around the camera's screws, between bracket and camera, its height beyond the hole: chosen, beside the driver of the horn's screws
 post_diameter = 8;  // of the LED frame's posts: the M3 insert and 2 around it
 
 // LED ring.
@@ -117,5 +120,31 @@ clamp_y = -52;  // chosen, between column and lever
 clamp_z = 16;  // cable's middle above the foot: chosen, above the lever's bearing
 lever_pivot = [-67, 24];  // y and z: chosen, behind the clamp, above the plate
 lever_nose = [-27, -13];  // from the pivot, at rest: chosen, 11 above the ground
+lever_tip = 3;  // radius of the nose: chosen, no sharp edge
 lever_arm = 60;  // pivot to cord: chosen, force ratio in statics
 lever_width = 10;  // chosen
+
+// Loads and play, for the statics.
+tether_pull_n = 20;  // chosen: eight times the drag of 5 m of 0.1 kg/m on metal (friction 0.5)
+cable_torque_nm = 0.05;  // chosen: bending the USB cable at a joint; to be measured
+joint_friction_nm = 0.02;  // chosen: sealed bearings, SKF's start-up torque is below it
+servo_speed_deg_s = 90;  // firmware/rva_robot/limits.h
+servo_start_s = 0.1;  // chosen: from rest to full speed
+servo_play_deg = 0.3;  // backlash_deg of src/sim/simulated_robot.hpp, as assumed there; to be measured
+servo_step_deg = 0.325;  // docs/protocol.md
+focal_px = 425;  // src/sim/sensor/stereo_sensor_options.hpp
+bearing_clearance_mm = 0.02;  // SKF, normal internal clearance of a 40 mm bore: 6 to 20 micrometres; check
+friction = 0.5;  // rubber on painted metal: chosen, low
+
+// Supply, for the power drop.
+tether_m = 5;  // as the issue of this model states
+copper_ohm_mm2_m = 0.0175;  // copper at 20 degrees C, IEC 60228
+supply_mm2 = 1.0;  // cross-section of the 12 V wires: chosen
+signal_mm2 = 0.205;  // AWG 24, CAT5e
+usb_mm2 = 0.519;  // AWG 20, power wires that the active cable must have: AWG 22 would leave 4.62 V
+servo_current_a = 1.0;  // each, stalled: chosen above the manual's value; check
+servo_least_v = 7;  // DRS-0101 manual: 7 to 12 V; check
+led_current_a = 0.02;  // LED data sheets
+receiver_current_a = 0.05;  // RS-422 transceiver: chosen, check
+camera_current_a = 0.7;  // 3.5 W at 5 V, Clearpath's page on the D435
+camera_least_v = 4.75;  // Clearpath's page on the D435

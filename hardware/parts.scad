@@ -30,6 +30,7 @@ module foot() {
       translate([0, 0, foot_z]) linear_extrude(foot_thickness) difference() {
         rounded(-foot_side / 2, foot_side / 2, -foot_side / 2, foot_side / 2, foot_corner);
         for (x = [-cup_at, cup_at], y = [-cup_at, cup_at]) translate([x, y]) circle(d = m5_hole, $fn = 24);
+        at(supports) circle(d = m5_hole, $fn = 24);
         translate([-slot, -foot_side / 2 - 1]) square([2 * slot, foot_side / 2 + 1 + lever_pivot.x + 7]);
       }
       for (x = [-slot - 6, slot]) along_x(x, 6) hull() {
@@ -41,7 +42,7 @@ module foot() {
     at(posts) translate([0, 0, foot_z]) rotate([180, 0, 0]) sunk_m3(foot_thickness + 1);
     along_x(-20, 40) translate(lever_pivot) circle(d = m3_hole, $fn = 24);
     clamp_grooves();
-    at(clamp_screws) translate([0, 0, column_z + clamp_z - m3_insert.y - 1]) cylinder(d = m3_insert.x, h = 10, $fn = 24);
+    at(clamp_screws) translate([0, 0, column_z + clamp_z - m3_insert.y - 3]) cylinder(d = m3_insert.x, h = 20, $fn = 24);
   }
 }
 
@@ -65,7 +66,7 @@ module release_lever() {
   along_x(-lever_width / 2, lever_width) translate(lever_pivot) difference() {
     union() {
       hull() { circle(7); translate([0, lever_arm]) circle(5); }
-      hull() { circle(7); translate(lever_nose) circle(3); }
+      hull() { circle(7); translate(lever_nose) circle(lever_tip); }
     }
     circle(d = m3_hole, $fn = 24);
     translate([0, lever_arm]) circle(d = 4, $fn = 24);
@@ -168,7 +169,7 @@ module servo_cradle() {
 
 module yoke_floor() {
   length = pivot_arm_x - servo_arm_x;
-  mirrored() difference() {
+  difference() {
     union() {
       translate([0, 0, servo1_z]) linear_extrude(yoke_thickness) translate([servo_arm_x, -yoke_y]) square([length, 2 * yoke_y]);
       translate([0, 0, ring_z]) cylinder(d = pan_bearing_shoulders[0], h = servo1_z - ring_z + 1, $fn = 96);
@@ -182,7 +183,7 @@ module yoke_floor() {
 }
 
 module servo_arm() {
-  mirrored() difference() {
+  difference() {
     along_x(tilt_servo_x, floor_thickness) difference() {
       hull() {
         rounded(-yoke_y, yoke_y, servo1_z, servo1_z + yoke_thickness, 2);
@@ -196,7 +197,7 @@ module servo_arm() {
 }
 
 module pivot_arm() {
-  mirrored() difference() {
+  difference() {
     along_x(pivot_arm_x, pivot_arm) difference() {
       hull() {
         rounded(-yoke_y, yoke_y, servo1_z, servo1_z + yoke_thickness, 2);
@@ -212,6 +213,7 @@ module pivot_arm() {
 module camera_bracket() {
   z0 = imager_z - plate_z;
   z1 = imager_z + plate_z;
+  sunk = camera_back_y - bracket_back - camera_screw_seat;
   module ear(x, thickness) along_x(x, thickness) intersection() {
     hull() {
       circle(ear_radius);
@@ -219,22 +221,23 @@ module camera_bracket() {
     }
     translate([bracket_back, -50]) square(100);
   }
-  module slots() for (x = [-cam[6] / 2, cam[6] / 2]) translate([x, imager_z]) hull()
-    for (d = [-1, 1]) translate([d, 0]) circle(d = m3_hole, $fn = 24);
-  on_tilt_axis() mirrored() difference() {
+  module slots(hole) for (x = [-cam[6] / 2, cam[6] / 2]) translate([x, imager_z]) hull()
+    for (d = [-1, 1]) translate([d, 0]) circle(d = hole, $fn = 24);
+  on_tilt_axis() difference() {
     union() {
       along_y(bracket_back, bracket_thickness) difference() {
         rounded(servo_ear_x - ear, pivot_ear_x + pivot_ear, z0, z1, 3);
         if (cam[6] > 30) rounded(-cam[6] / 2 + 9, cam[6] / 2 - 9, imager_z - 9, imager_z + 9, 3);
-        for (x = [half + 5, half + 13], z = [-8, 8]) translate([x, imager_z + z]) square(3, center = true);
+        for (x = [half + 5, half + 13]) translate([side * x, -8]) square(3, center = true);
       }
       for (x = [-cam[6] / 2, cam[6] / 2]) along_y(plate_y - 0.01, camera_back_y - plate_y + 0.01)
-        translate([x, imager_z]) square(stand, center = true);
+        translate([x, imager_z]) square([stand.x, stand.y + camera_hole], center = true);
       ear(servo_ear_x - ear, ear);
       ear(pivot_ear_x, pivot_ear);
       for (p = led_posts) along_y(plate_y - 0.01, frame_y - plate_y + 0.01) translate(p) circle(d = post_diameter + 0.1);
     }
-    along_y(bracket_back - 1, 100) slots();
+    along_y(bracket_back - 1, 100) slots(camera_hole);
+    if (sunk > 0) along_y(bracket_back - 1, sunk + 1) slots(2 * camera_hole + 0.5);
     for (p = led_posts) along_y(frame_y - m3_insert.y - 3, 20) translate(p) circle(d = m3_insert.x, $fn = 24);
     along_x(servo_ear_x - ear - 1, ear + 2) {
       circle(d = 7, $fn = 24);
@@ -245,7 +248,7 @@ module camera_bracket() {
 }
 
 module led_frame() {
-  on_tilt_axis() mirrored() difference() {
+  on_tilt_axis() difference() {
     along_y(frame_y, led_frame_y) difference() {
       rounded(-half - led_opening - led_bar, half + led_opening + led_bar, imager_z - led_row - led_bar / 2,
               imager_z + led_row + led_bar / 2, 5);
@@ -254,5 +257,7 @@ module led_frame() {
       at(leds) circle(d = led_hole, $fn = 24);
     }
     for (p = led_posts) translate([p.x, frame_y + led_frame_y, p.y]) rotate([-90, 0, 0]) sunk_m3(led_frame_y + 1);
+    if (plug_front_y > frame_y) along_y(frame_y - 1, plug_front_y > frame_y + led_frame_y - wall ? 20 : plug_front_y - frame_y + 1)
+      translate([side > 0 ? half : -half - plug_length - 20, imager_z - cam[13] / 2 - 0.5]) square([plug_length + 20, cam[13] + 1]);
   }
 }

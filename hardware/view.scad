@@ -7,7 +7,7 @@ tilt_deg = 0;
 show = [for (p = parts) p[0]];
 shown_screws = [];
 apart = [];  // name and shift of parts that are drawn apart
-cut = 0;  // 1: without the half to the right of the pan axis, 2: without what is in front of the tilt axis
+bright = [];  // parts in their colours, the other printed ones grey; all in colours if empty
 
 function colour(p) = p[2] == "printed" ? (p[1] == "fixed" ? [0.35, 0.45, 0.6] : p[1] == "pan" ? [0.85, 0.6, 0.25] : [0.45, 0.65, 0.4])
   : p[0] == "camera" ? [0.75, 0.76, 0.78] : p[0] == "leds" ? [1, 1, 0.8]
@@ -23,16 +23,18 @@ module moved(group) {
   }
 }
 
-module kept() {
-  if (cut == 0) children();
-  else difference() {
-    children();
-    if (cut == 1) translate([0, -500, -1]) cube(1000);
-    else translate([-500, 0, -1]) cube(1000);
-  }
+// The camera's cable at pan 0 and tilt 0: from the plug in front of the bracket down, over the yoke's rear edge, in a
+// loop to the column, and through its lower window to the clamp.
+module camera_cable() {
+  path = [[half + 9, 14, tilt_axis_z + 4], [half + 9, 8, tilt_axis_z - 16], [half + 4, -12, tilt_axis_z - 22],
+          [half - 8, -34, 208], [30, -30, 198], [27, -22, 194], [22, -34, 186], [12, -56, 160], [4, -62, 138], [0, -54, 124],
+          [0, -44, 114], [0, -37, 100], [4, -37, 60], [clamp_x, -40, column_z + clamp_z], [clamp_x, clamp_y, column_z + clamp_z]];
+  for (i = [0 : len(path) - 2]) hull() for (p = [path[i], path[i + 1]]) translate(p) sphere(d = usb_cable, $fn = 16);
 }
 
-for (p = parts) if (listed(p[0], show))
-  color(colour(p)) kept() moved(p[1]) translate(shift_of(p[0])) import(str(folder, "/", p[0], ".stl"));
-for (s = screws) if (listed(s[0], shown_screws))
-  color([0.6, 0.1, 0.1]) kept() translate(shift_of(s[0])) at_screw(s) screw(s[1], s[2], s[3]);
+for (p = parts) if (listed(p[0], show)) color(p[2] == "printed" && len(bright) > 0 && !listed(p[0], bright) ? [0.82, 0.84, 0.86] : colour(p))
+  moved(p[1]) translate(shift_of(p[0])) import(str(folder, "/", p[0], ".stl"));
+for (s = screws) if (listed(s[0], shown_screws)) color([0.75, 0.1, 0.1]) translate(shift_of(s[0])) at_screw(s) screw(s[1], s[2], s[3]);
+if (listed("camera", show)) color([0.1, 0.1, 0.12]) on_tilt_axis() translate(shift_of("camera"))
+  for (x = [0, cam[14]]) translate([x - cam[4], imager_y + cam[3] - 0.5, imager_z]) rotate([-90, 0, 0]) cylinder(d = 9, h = 1, $fn = 32);
+if (listed("camera_cable", show)) color([0.2, 0.2, 0.22]) camera_cable();

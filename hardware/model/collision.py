@@ -4,7 +4,7 @@ import numpy as np
 from printing import turned
 
 INSET_MM = 0.15  # parts may touch, and faceted cylinders lie this much inside round ones
-SPACING_MM = 3.0
+SPACING_MM = 4.0
 
 
 class Samples:
@@ -23,6 +23,10 @@ class Samples:
 def overlap(one, other, samples_of_one, samples_of_other, pose=None):
     """A point of both meshes, None if none was found. `pose`: rotation and translation of `one` to `other`."""
     rotation, translation = pose or (np.eye(3), np.zeros(3))
+    (low, high), (other_low, other_high) = one.bounds, other.bounds
+    middle, half = rotation @ ((low + high) / 2) + translation, np.abs(rotation) @ ((high - low) / 2)
+    if (middle + half < other_low).any() or (middle - half > other_high).any():
+        return None
     for mesh, points in ((other, samples_of_one.points @ rotation.T + translation),
                          (one, (samples_of_other.points - translation) @ rotation)):
         low, high = mesh.bounds
@@ -62,8 +66,8 @@ class Clashes:
                       for other in self.robot.named(group=other_group) if self.between(one, other, pose) is not None]
         return found
 
-    def range_of(self, joint, step_deg, limit_deg):
-        """The angles around 0, in steps, at which the joint moves free while the other is at 0."""
+    def range_of(self, joint, step_deg, limit_deg=180):
+        """The angles around 0, in steps, between which the joint is free while the other is at 0."""
         ends = []
         for sign in (-1, 1):
             free = 0
@@ -109,14 +113,23 @@ def blocked_driver(screw, parts, diameter, length):
     return [part.name for part in parts if part.mesh.contains(points).any()]
 
 
-def self_view(robot, field_deg, from_imager_mm, tilt_deg, grid=(13, 9)):
+def first_self_view(robot, field_deg, lowest_deg=-90):
+    """The tilt, to a degree, below which the depth image shows the robot itself."""
+    low, high = lowest_deg, 0
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if self_view(robot, field_deg, middle) > 0 else (low, middle)
+    return high
+
+
+def self_view(robot, field_deg, tilt_deg, grid=(13, 9)):
     """The share of the depth image's rays that meet the robot itself at a tilt."""
     horizontal, vertical = (np.tan(np.radians(value / 2)) for value in field_deg)
     u, v = np.meshgrid(np.linspace(-horizontal, horizontal, grid[0]), np.linspace(-vertical, vertical, grid[1]))
     rays = np.stack([u.ravel(), np.ones(u.size), -v.ravel()], axis=1)
     rotation = turned([tilt_deg, 0, 0])
-    origin = robot.tilt_axis + rotation @ np.array(from_imager_mm)
-    steps = np.arange(8.0, 400.0, 2.0)
+    origin = robot.tilt_axis + rotation @ np.array(robot.chain_mm[2:])
+    steps = np.arange(8.0, 350.0, 3.0)
     points = (origin + steps[:, None, None] * (rays @ rotation.T)).reshape(-1, 3)
     hit = np.zeros(len(points), bool)
     for part in robot.parts.values():

@@ -1,4 +1,5 @@
 """Triangle meshes: STL files, soundness, volume, points inside, thickness."""
+import functools
 import pathlib
 
 import numpy as np
@@ -27,7 +28,7 @@ class Mesh:
         areas = self.area_vectors
         return areas / np.maximum(np.linalg.norm(areas, axis=1, keepdims=True), 1e-12)
 
-    @property
+    @functools.cached_property
     def bounds(self):
         points = self.corners.reshape(-1, 3)
         return points.min(axis=0), points.max(axis=0)
@@ -36,6 +37,14 @@ class Mesh:
     def volume(self):
         a, b, c = self.corners[:, 0], self.corners[:, 1], self.corners[:, 2]
         return np.einsum('ij,ij->i', a, np.cross(b, c)).sum() / 6
+
+    @property
+    def second_moment(self):
+        """The integral of x x' over the volume, mm5."""
+        a, b, c = self.corners[:, 0], self.corners[:, 1], self.corners[:, 2]
+        signed = np.einsum('ij,ij->i', a, np.cross(b, c)) / 6
+        total = a + b + c
+        return sum(np.einsum('i,ij,ik->jk', signed, v, v) for v in (a, b, c, total)) / 20
 
     @property
     def centroid(self):

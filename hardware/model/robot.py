@@ -1,5 +1,6 @@
 """The robot as OpenSCAD exports it: parts with their meshes, screws, kinematic chain, dimensions."""
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
@@ -15,6 +16,7 @@ from printing import turned
 
 HARDWARE = pathlib.Path(__file__).resolve().parent.parent
 CAMERAS = ('D435', 'D435i', 'D405', 'D455')
+SAME_BODY = {'D435i': 'D435'}
 DIMENSION = re.compile(r'^(\w+) = ([^;]+);\s*//\s*(\S.*)$')
 
 
@@ -85,7 +87,7 @@ def run(file, out, settings, *flags, screen=False):
     command = [openscad(), '-o', str(out), *flags, *values, str(HARDWARE / file)]
     if screen and not os.environ.get('DISPLAY'):
         command = ['xvfb-run', '-a', *command]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=1800, check=False)
     if done.returncode or 'WARNING' in done.stderr:
         raise RuntimeError(f'{" ".join(command)}\n{done.stderr}')
 
@@ -99,12 +101,24 @@ def listed(camera):
 
 
 def export(robot, folder, jobs=2):
-    """Writes each part as a binary STL file, in the robot's frame at pan 0 and tilt 0."""
-    pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
+    """Writes each part as a binary STL file, in the robot's frame at pan 0 and tilt 0, and loads them. Parts that are
+    there already, made from the same sources, remain."""
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    sources = hashlib.sha256(b''.join(path.read_bytes() for path in sorted(HARDWARE.glob('*.scad')) if path.name != 'view.scad'))
+    stamp = folder / 'sources.txt'
+    text = f'{robot.camera} {sources.hexdigest()}\n'
+    if not stamp.exists() or stamp.read_text() != text:
+        for old in folder.glob('*.stl'):
+            old.unlink()
+        stamp.write_text(text)
 
     def write(name):
-        run('robot.scad', pathlib.Path(folder) / f'{name}.stl', {'part': name, 'camera': robot.camera},
-            '--export-format', 'binstl')
+        out = folder / f'{name}.stl'
+        if not out.exists():
+            new = folder / f'{name}.new.stl'
+            run('robot.scad', new, {'part': name, 'camera': robot.camera}, '--export-format', 'binstl')
+            new.replace(out)
 
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         list(pool.map(write, robot.parts))

@@ -11,7 +11,8 @@ import tempfile
 import unittest
 
 RVA, ROOT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-PAGES = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'data/README.md', 'examples/README.md', 'firmware/README.md')]
+PAGES = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'data/README.md', 'examples/README.md', 'firmware/README.md',
+                                 'hardware/README.md', 'hardware/assembly.md', 'hardware/bill-of-materials.md')]
 PAGES += sorted((ROOT / 'docs').glob('*.md'))
 
 
