@@ -7,6 +7,8 @@ tilt_deg = 0;
 show = [for (p = parts) p[0]];
 shown_screws = [];
 apart = [];  // name and shift of parts that are drawn apart
+cut = "";  // "x": without what is right of the pan axis; "y": without what is in front of the tilt axis
+uncut = [];  // parts that stay whole
 bright = [];  // parts in their colours, the other printed ones grey; all in colours if empty
 
 function colour(p) = p[2] == "printed" ? (p[1] == "fixed" ? [0.35, 0.45, 0.6] : p[1] == "pan" ? [0.85, 0.6, 0.25] : [0.45, 0.65, 0.4])
@@ -32,9 +34,17 @@ module camera_cable() {
   for (i = [0 : len(path) - 2]) hull() for (p = [path[i], path[i + 1]]) translate(p) sphere(d = usb_cable, $fn = 16);
 }
 
-for (p = parts) if (listed(p[0], show)) color(p[2] == "printed" && len(bright) > 0 && !listed(p[0], bright) ? [0.82, 0.84, 0.86] : colour(p))
-  moved(p[1]) translate(shift_of(p[0])) import(str(folder, "/", p[0], ".stl"));
+function shade(c, i) = cut == "" ? c : [for (v = c) min(1, v * (0.65 + 0.25 * (i % 4)))];  // adjacent cut parts differ
+
+for (i = [0 : len(parts) - 1]) let (p = parts[i], at = 0.01 + 0.02 * i) if (listed(p[0], show))
+  color(p[2] == "printed" && len(bright) > 0 && !listed(p[0], bright) ? [0.82, 0.84, 0.86] : shade(colour(p), i))
+    moved(p[1]) translate(shift_of(p[0])) difference() {
+      import(str(folder, "/", p[0], ".stl"), convexity = 10);
+      // The viewer must be outside of the box; faces in one plane would all get the colour of the last part.
+      if (cut != "" && !listed(p[0], uncut)) translate(cut == "x" ? [at, -150, -10] : [-150, at, -10])
+        cube(cut == "x" ? [150, 300, 320] : [300, 150, 320]);
+    }
 for (s = screws) if (listed(s[0], shown_screws)) color([0.75, 0.1, 0.1]) translate(shift_of(s[0])) at_screw(s) screw(s[1], s[2], s[3]);
-if (listed("camera", show)) color([0.1, 0.1, 0.12]) on_tilt_axis() translate(shift_of("camera"))
+if (listed("camera", show) && cut == "") color([0.1, 0.1, 0.12]) on_tilt_axis() translate(shift_of("camera"))
   for (x = [0, cam[14]]) translate([x - cam[4], imager_y + cam[3] - 0.5, imager_z]) rotate([-90, 0, 0]) cylinder(d = 9, h = 1, $fn = 32);
 if (listed("camera_cable", show)) color([0.2, 0.2, 0.22]) camera_cable();

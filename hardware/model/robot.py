@@ -2,7 +2,6 @@
 import concurrent.futures
 import hashlib
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -81,12 +80,10 @@ def openscad():
     return shutil.which('openscad')
 
 
-def run(file, out, settings, *flags, screen=False):
+def run(file, out, settings, *flags):
     """Runs OpenSCAD; its warnings are errors."""
     values = [f'-D{name}={json.dumps(value)}' for name, value in settings.items()]
     command = [openscad(), '-o', str(out), *flags, *values, str(HARDWARE / file)]
-    if screen and not os.environ.get('DISPLAY'):
-        command = ['xvfb-run', '-a', *command]
     done = subprocess.run(command, capture_output=True, text=True, timeout=1800, check=False)
     if done.returncode or 'WARNING' in done.stderr:
         raise RuntimeError(f'{" ".join(command)}\n{done.stderr}')
