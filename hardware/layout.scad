@@ -42,7 +42,7 @@ camera_back_y = imager_y + cam[3] - cam[2];
 camera_hole = cam[10] == 4 ? m4_hole : m3_hole;
 plate_y = bracket_back + bracket_thickness;  // the bracket's front
 frame_y = camera_back_y + cam[2] + 2 - led_frame_y;  // rear face of the LED frame, 2 in front of the camera
-plug_front_y = imager_y - cam[11] + cam[12] / 2 + 0.5;
+plug_front_y = imager_y - cam[11] + cam[12] / 2 + 0.2;
 led_row = cam[1] / 2 + led_opening + led_bar / 2;  // from the imager's height
 led_column = half + led_opening + led_bar / 2;
 leds_in_row = floor((half + led_bar / 2) / led_pitch);

@@ -105,7 +105,8 @@ module pan_housing() {
     translate([0, 0, servo_z + floor_thickness]) cylinder(d = pan_bearing_shoulders[1], h = 60);
     translate([0, 0, bearings_z[0]]) cylinder(d = pan_bearing[1] + fit, h = 60, $fn = 96);
     at(cradle_screws) translate([0, 0, servo_z + floor_thickness]) {
-      sunk_m3(floor_thickness + 1, 60);
+      sunk_m3(floor_thickness + 1);
+      cylinder(d = driver.x + 0.6, h = 60);
     }
     at(ring_screws) translate([0, 0, ring_z - preload - m3_insert.y - 1]) cylinder(d = m3_insert.x, h = 20, $fn = 24);
   }

@@ -85,7 +85,7 @@ class Model(unittest.TestCase):
         low, high = self.robot.parts['led_frame'].mesh.bounds
         column = self.robot.parts['column']
         mesh, samples = column.mesh, self.clashes.samples['column']
-        planted = box([-5, high[1] - 3, low[2]], [5, high[1] + 10, high[2]])
+        planted = box([30, high[1] - 3, low[2]], [40, high[1] + 10, high[2]])
         try:
             column.mesh, self.clashes.samples['column'] = planted, collision.Samples(planted)
             self.assertIn(('led_frame', 'column'), self.clashes.at(0, 0))
