@@ -1,22 +1,26 @@
 """Whether parts of the robot overlap, at rest and over the range of both joints; screws in their holes."""
 import numpy as np
 
+from mesh import Mesh
 from printing import turned
 
 INSET_MM = 0.15  # parts may touch, and faceted cylinders lie this much inside round ones
 SPACING_MM = 4.0
+SLIVER_MM = 0.001  # triangles of less height, left by the export
 
 
 class Samples:
     """Points just below the surface of a part."""
 
     def __init__(self, mesh, spacing=SPACING_MM):
-        points, owners = mesh.samples(spacing)
-        centres = mesh.corners.mean(axis=1)[owners]
+        # The direction of a sliver is not known: a point below it may lie on the surface.
+        broad = Mesh(mesh.corners[mesh.heights > SLIVER_MM])
+        points, owners = broad.samples(spacing)
+        centres = broad.corners.mean(axis=1)[owners]
         # Away from edges, where two facets meet that the point must both be below.
         points = points + (centres - points) * np.minimum(
             0.5, 2 * INSET_MM / np.maximum(np.linalg.norm(centres - points, axis=1, keepdims=True), 1e-9))
-        self.points = points - INSET_MM * mesh.normals[owners]
+        self.points = points - INSET_MM * broad.normals[owners]
         self.points = self.points[mesh.contains(self.points)]
 
 

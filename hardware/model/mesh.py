@@ -28,6 +28,11 @@ class Mesh:
         areas = self.area_vectors
         return areas / np.maximum(np.linalg.norm(areas, axis=1, keepdims=True), 1e-12)
 
+    @property
+    def heights(self):
+        """Of each triangle above its longest edge."""
+        return 2 * np.linalg.norm(self.area_vectors, axis=1) / np.maximum(np.linalg.norm(self.edges, axis=2).max(axis=1), 1e-12)
+
     @functools.cached_property
     def bounds(self):
         points = self.corners.reshape(-1, 3)

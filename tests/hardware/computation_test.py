@@ -101,6 +101,13 @@ class Collisions(unittest.TestCase):
         self.assertIsNone(collision.overlap(one, other, *samples))
         self.assertIsNotNone(collision.overlap(one, other, *samples, pose=(np.eye(3), np.array([9.0, 0, 0]))))
 
+    def test_a_triangle_without_area_adds_no_points(self):
+        plain = box([0, 0, 0], [10, 10, 10])
+        line = [[[1, 4, 10], [5, 4, 10], [9, 4, 10]]]
+        found = collision.Samples(Mesh(np.concatenate([plain.corners, line])))
+        np.testing.assert_array_equal(found.points, collision.Samples(plain).points)
+        self.assertGreater(len(found.points), 20)
+
     def test_screws_through_a_plate_without_a_hole_and_blocked_drivers(self):
         plate = model.Part('plate', 'fixed', 'printed', [0, 0, 0])
         plate.mesh = box([-10, -10, -5], [10, 10, 0])
