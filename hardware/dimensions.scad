@@ -103,6 +103,7 @@ bracket_thickness = 5;  // chosen: as the servo's ear
 bracket_back = -14;  // rear face of the bracket, behind the tilt axis: as ear_radius
 stand = [13, 4.1];  // around the camera's screws, between bracket and camera, its height beyond the hole: chosen, beside the driver of the horn's screws
 post_diameter = 8;  // of the LED frame's posts: the M3 insert and 2 around it
+post_outwards = 1;  // of the posts from the middle of the frame's bars: chosen, beside the driver of the horn's screws
 
 // LED ring.
 led_diameter = 5;  // LED 5 mm, T-1 3/4

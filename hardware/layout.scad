@@ -47,10 +47,11 @@ led_row = cam[1] / 2 + led_opening + led_bar / 2;  // from the imager's height
 led_column = half + led_opening + led_bar / 2;
 leds_in_row = floor((half + led_bar / 2) / led_pitch);
 post_at = led_pitch * floor(half / led_pitch) + led_pitch / 2;
-led_posts = [for (x = [-post_at, post_at], z = [-led_row, led_row]) [x, imager_z + z]];
+post_row = led_row + post_outwards;
+led_posts = [for (x = [-post_at, post_at], z = [-post_row, post_row]) [x, imager_z + z]];
 leds = concat([for (i = [-leds_in_row : leds_in_row], z = [-led_row, led_row]) [i * led_pitch, imager_z + z]],
               [for (x = [-led_column, led_column], z = [-cam[1] / 2, cam[1] / 2]) [x, imager_z + z]]);
-plate_z = led_row + post_diameter / 2 + 1;  // half height of the bracket's plate, from the imager's height
+plate_z = post_row + post_diameter / 2 + 1;  // half height of the bracket's plate, from the imager's height
 
 module on_tilt_axis() { translate([0, 0, tilt_axis_z]) children(); }
 // Servo's frame to the tilt servo's: the shaft points along +x, the case downwards.
