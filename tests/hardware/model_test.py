@@ -146,6 +146,8 @@ class Model(unittest.TestCase):
         self.assertLess(found['mass_g'], 2000)
         if CAMERA == 'D435':
             self.assertLess(found['price_usd'], 600)
+            covered = collision.self_view(self.robot, self.d['camera_D435'][8:10], -50, grid=(41, 31))
+            self.assertIn(f'show it in {covered * 100:.0f} % of the image', (ROOT / 'hardware/README.md').read_text())
             self.assertIn(build.figure_table(found), (ROOT / 'hardware/README.md').read_text())
 
     def test_geometry_is_that_of_the_code(self):
@@ -170,7 +172,10 @@ class Model(unittest.TestCase):
     def test_documents_are_those_of_the_model(self):
         hardware = ROOT / 'hardware'
         self.assertEqual((hardware / 'bill-of-materials.md').read_text(), bill.page(bill.rows(), self.robot))
-        assembly = (hardware / 'assembly.md').read_text()
+        assembly, printed = (hardware / 'assembly.md').read_text(), len(self.robot.named('printed'))
+        self.assertIn(f'{len(self.robot.screws)} screws and {printed} printed parts', (hardware / 'README.md').read_text())
+        self.assertIn(f'| printed parts, without cracks or missing corners | {printed} |', assembly)
+        self.assertRegex(assembly, rf'\| screws .* \| {len(self.robot.screws)} \|')
         for number, step in enumerate(pictures.steps(), 1):
             self.assertIn(f"## {number}. {step['title']}\n", assembly)
             self.assertIn(f'](images/step-{number:02}.png)', assembly)
