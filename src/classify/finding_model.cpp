@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/core.hpp>
 #include <set>
 #include <string_view>
 
@@ -115,6 +115,9 @@ LikelyClass FindingModel::classify(const cv::Mat& planes) {
   if (outputs.total() != labels_.size() + 1 || outputs.type() != CV_32F)
     throw Error(name_,
                 fmt::format("has {} outputs, {} labels need one more", outputs.total(), labels_.size()),
+                "use a model that training/train.py wrote");
+  if (!cv::checkRange(outputs))
+    throw Error(name_, "states probabilities that are no numbers",
                 "use a model that training/train.py wrote");
   const std::vector<double> all = probabilities(outputs, temperature_);
   const auto best = std::max_element(all.begin(), all.end() - 1);

@@ -35,6 +35,8 @@ class FindingModel {
   /// The class of a finding: unknown if the most probable label is less probable than the card's
   /// `least_probability`.
   /// @param planes as planes_of() returns them
+  /// @throws Error when the model does not take them, or its outputs are not finite or not one for each label
+  ///         and one more
   [[nodiscard]] LikelyClass classify(const cv::Mat& planes);
 
   /// The names of its classes.

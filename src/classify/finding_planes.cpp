@@ -51,10 +51,10 @@ class Planes {
   cv::Mat all_;
 };
 
-cv::Mat scaled(const cv::Mat& part, int smooth) {
+cv::Mat scaled(const cv::Mat& part) {
   cv::Mat made;
   const bool shrinks = part.cols > plane_px || part.rows > plane_px;
-  cv::resize(part, made, {plane_px, plane_px}, 0, 0, shrinks ? cv::INTER_AREA : smooth);
+  cv::resize(part, made, {plane_px, plane_px}, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
   return made;
 }
 
@@ -70,7 +70,7 @@ void add_picture(const Box& box, const FindingPicture& picture, Planes& planes) 
   }
   std::array<cv::Mat, 3> channels{planes[FindingPlane::red], planes[FindingPlane::green],
                                   planes[FindingPlane::blue]};
-  cv::split(scaled(values, cv::INTER_LINEAR), channels.data());
+  cv::split(scaled(values), channels.data());
   planes[picture.is_color ? FindingPlane::color : FindingPlane::infrared] = 1.0;
 }
 

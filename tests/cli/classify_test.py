@@ -179,6 +179,8 @@ class ClassifyTest(program.ProgramTest):
             with self.subTest(changes):
                 self.check_fails(*self.detect('--classifier', self.write_card(weights, **changes)), names=names)
         self.check_fails(*self.detect('--classifier', self.folder / 'none.json'), names=['none.json'])
+        endless = self.write_card([{0: float('inf')}, {1: 1.0}, {2: 1.0}])
+        self.check_fails(*self.detect('--classifier', endless), names=['own.onnx', 'no numbers'])
         card = self.write_card(weights)
         model = onnx_models.classifier(weights, planes=3)
         (self.folder / 'own.onnx').write_bytes(model)
