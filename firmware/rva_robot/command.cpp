@@ -83,6 +83,14 @@ Refusal parse_move(Words& words, Command& command) {
   return speed ? Refusal::none : Refusal::limit;
 }
 
+Refusal parse_lamp(Words& words, Command& command) {
+  const char* word = nullptr;
+  uint8_t length = 0;
+  words.next(word, length);
+  if (!parse_byte(word, length, command.lamp_percent) || !words.ended()) return Refusal::form;
+  return command.lamp_percent <= 100 ? Refusal::none : Refusal::limit;
+}
+
 Refusal parse_verb(Words& words, Command& command) {
   struct Name {
     const char* text;
@@ -96,6 +104,10 @@ Refusal parse_verb(Words& words, Command& command) {
   if (is(word, length, "MOVE")) {
     command.verb = Verb::move;
     return parse_move(words, command);
+  }
+  if (is(word, length, "LAMP")) {
+    command.verb = Verb::lamp;
+    return parse_lamp(words, command);
   }
   for (const Name& name : names) {
     if (!is(word, length, name.text)) continue;

@@ -8,10 +8,10 @@
 
 namespace rva_robot {
 
-enum class Verb : uint8_t { move, stop, ping, clear, info };
+enum class Verb : uint8_t { move, stop, ping, clear, info, lamp };
 
 /// Why a command is refused.
-enum class Refusal : uint8_t { none, crc, form, limit, blind, fault };
+enum class Refusal : uint8_t { none, crc, form, limit, blind, fault, heat };
 
 struct Command {
   Verb verb = Verb::ping;
@@ -21,6 +21,7 @@ struct Command {
   bool moves[axes] = {false, false};
   int16_t target_cdeg[axes] = {0, 0};
   int16_t speed_cdeg_s = fastest_cdeg_s;
+  uint8_t lamp_percent = 0;
 };
 
 /// Parses the text of a frame between `$` and the end of the line.

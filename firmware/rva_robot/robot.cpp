@@ -12,7 +12,7 @@ constexpr uint8_t hold_every_ms = 100;
 
 }  // namespace
 
-Robot::Robot(Port& host, Port& servos) : host_(host), bus_(servos) {}
+Robot::Robot(Port& host, Port& servos, LampPort& lamp) : host_(host), bus_(servos), lamp_(lamp) {}
 
 void Robot::take_from_host(uint8_t byte, uint32_t now_ms) {
   input_.take(byte, now_ms);
@@ -30,6 +30,7 @@ void Robot::tick(uint32_t now_ms) {
     motions_[axis].tick(bus_, axis, now_ms);
   }
   bus_.tick(now_ms);
+  lamp_.tick(now_ms);
   report(now_ms);
   outbox_.drain(host_);
 }
@@ -56,7 +57,11 @@ Refusal Robot::carry_out(const Command& command, uint32_t now_ms) {
     case Verb::info:
       ready_said_ = false;
       status_asked_ = axes;
+      lamp_asked_ = true;
       break;
+    case Verb::lamp:
+      lamp_asked_ = true;
+      return lamp_.set(command.lamp_percent) ? Refusal::none : Refusal::heat;
     case Verb::ping:
       break;
   }
@@ -90,7 +95,9 @@ void Robot::clear(uint8_t axis, uint32_t now_ms) {
 }
 
 void Robot::keep_host_in_sight(uint32_t now_ms) {
-  if (!input_.framed() || !moving() || now_ms - heard_ms_ < host_falls_silent_ms) return;
+  if (!input_.framed() || now_ms - heard_ms_ < host_falls_silent_ms) return;
+  if (lamp_.percent() > 0) (void)lamp_.set(0);
+  if (!moving()) return;
   stop(now_ms);
   lost_ = true;
 }

@@ -6,6 +6,7 @@
 
 #include "axis_motion.h"
 #include "host_input.h"
+#include "lamp.h"
 #include "limits.h"
 #include "outbox.h"
 #include "port.h"
@@ -17,7 +18,7 @@ namespace rva_robot {
 /// No member blocks. Call tick() at least every 5 ms.
 class Robot {
  public:
-  Robot(Port& host, Port& servos);
+  Robot(Port& host, Port& servos, LampPort& lamp);
 
   void take_from_host(uint8_t byte, uint32_t now_ms);
   void take_from_servos(uint8_t byte, uint32_t now_ms) { bus_.take(byte, now_ms); }
@@ -46,11 +47,13 @@ class Robot {
   void say_positions(uint32_t now_ms);
   void say_bare_positions(uint32_t now_ms);
   bool say_status(uint8_t axis);
+  void say_lamp(uint32_t now_ms);
   bool say(const Line& line, uint8_t room_to_leave);
   bool say_frame(Line& line, uint8_t room_to_leave);
 
   Port& host_;
   ServoBus bus_;
+  Lamp lamp_;
   HostInput input_;
   Outbox outbox_;
   AxisMotion motions_[axes];
@@ -63,6 +66,8 @@ class Robot {
   uint32_t status_ms_ = 0;
   uint8_t status_axis_ = pan;
   uint8_t status_asked_ = 0;  // number of status lines that the host has requested
+  uint32_t lamp_ms_ = 0;
+  bool lamp_asked_ = false;
   uint32_t ready_ms_ = 0;
   bool ready_said_ = false;
 };

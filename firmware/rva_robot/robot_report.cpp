@@ -7,6 +7,7 @@ namespace {
 
 constexpr uint8_t positions_every_ms = 25;
 constexpr uint16_t status_every_ms = 250;  // alternating between the axes
+constexpr uint16_t lamp_every_ms = 500;
 constexpr uint16_t ready_every_ms = 1000;
 constexpr uint16_t millivolts_a_count = 74;
 constexpr uint8_t for_answers = 64;  // bytes of the outbox reserved for answers
@@ -21,6 +22,7 @@ void Robot::report(uint32_t now_ms) {
     positions_ms_ = now_ms;
     input_.framed() ? say_positions(now_ms) : say_bare_positions(now_ms);
   }
+  if (input_.framed() && (lamp_asked_ || now_ms - lamp_ms_ >= lamp_every_ms)) say_lamp(now_ms);
   if (!input_.framed() || (status_asked_ == 0 && now_ms - status_ms_ < status_every_ms)) return;
   if (!say_status(status_axis_)) return;
   status_ms_ = now_ms;
@@ -29,7 +31,7 @@ void Robot::report(uint32_t now_ms) {
 }
 
 void Robot::answer(const Command& command, Refusal refusal) {
-  static const char* const reasons[] = {"", "CRC", "FORM", "LIMIT", "BLIND", "FAULT"};
+  static const char* const reasons[] = {"", "CRC", "FORM", "LIMIT", "BLIND", "FAULT", "HEAT"};
   Line line;
   if (refusal == Refusal::none)
     line.text("ACK ").number(command.number);
@@ -95,6 +97,18 @@ bool Robot::say_status(uint8_t axis) {
   else
     line.text("- -");
   return say_frame(line, for_answers);
+}
+
+void Robot::say_lamp(uint32_t now_ms) {
+  Line line;
+  line.text("LAMP ").number(lamp_.percent()).character(' ');
+  if (lamp_.heat_dc() == no_heat)
+    line.text("- NONE");
+  else
+    line.decimal(lamp_.heat_dc(), 1).text(lamp_.too_hot() ? " HOT" : " COOL");
+  if (!say_frame(line, for_answers)) return;
+  lamp_asked_ = false;
+  lamp_ms_ = now_ms;
 }
 
 // Lines for which there is no room are dropped: the next positions are newer, and hosts

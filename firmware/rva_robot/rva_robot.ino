@@ -1,5 +1,6 @@
-// The RVA's robot: an Arduino MEGA 2560 between the host (USB) and two Herkulex DRS-0101 servos (Serial1).
-// See docs/protocol.md. All code that can be tested without a board is in the other files.
+// The RVA's robot: an Arduino MEGA 2560 between the host (USB), two Herkulex DRS-0101 servos (Serial1) and
+// the lamp: the gate of a MOSFET at pin 6, the thermistor at pin A0. See docs/protocol.md. All code that can
+// be tested without a board is in the other files.
 #include <Arduino.h>
 #include <avr/wdt.h>
 
@@ -17,13 +18,26 @@ class SerialPort : public rva_robot::Port {
   HardwareSerial& serial_;
 };
 
+class LampPins : public rva_robot::LampPort {
+ public:
+  void drive(uint8_t level) { analogWrite(leds, level); }
+  uint16_t thermistor() { return static_cast<uint16_t>(analogRead(A0)); }
+
+  // Pulses at 31 kHz: images of the same exposure get the same light, which those at 490 Hz would not.
+  void begin() { TCCR4B = static_cast<uint8_t>((TCCR4B & 0xF8) | 0x01); }
+
+ private:
+  static constexpr uint8_t leds = 6;
+};
+
 constexpr uint32_t baud = 115200;
 // Limits the bytes read per loop, so that a burst from the host does not delay the servos.
 constexpr uint8_t bytes_at_once = 16;
 
 SerialPort host(Serial);
 SerialPort servos(Serial1);
-rva_robot::Robot robot(host, servos);
+LampPins lamp;
+rva_robot::Robot robot(host, servos, lamp);
 
 }  // namespace
 
@@ -31,6 +45,7 @@ void setup() {
   wdt_enable(WDTO_250MS);
   Serial.begin(baud);
   Serial1.begin(baud);
+  lamp.begin();
 }
 
 void loop() {

@@ -8,7 +8,7 @@ namespace rva_robot {
 
 /// The version of the protocol in docs/protocol.md.
 constexpr uint8_t protocol_version = 1;
-constexpr const char* firmware_version = "1.0.0";
+constexpr const char* firmware_version = "1.1.0";
 
 }  // namespace rva_robot
 

@@ -13,6 +13,13 @@ namespace {
 
 constexpr std::int64_t reply_after_steps = 5;  // half a millisecond
 
+// A thermistor of 10 kOhm at 25 degrees, B = 3950 K, below a resistor of 10 kOhm.
+double thermistor_share(const std::optional<double>& celsius) {
+  if (!celsius) return 1.0;
+  const double ratio = std::exp(3950.0 * (1.0 / (*celsius + 273.15) - 1.0 / 298.15));
+  return ratio / (1.0 + ratio);
+}
+
 }  // namespace
 
 Board::Board(std::unique_ptr<Firmware> firmware, Start start, std::uint64_t seed)
@@ -87,6 +94,7 @@ void Board::forget_extremes() {
 void Board::step() {
   carry_host();
   carry_servos();
+  firmware_->set_thermistor(thermistor_share(lamp_celsius));
   firmware_->step();
   for (SimulatedServo& servo : servos_) servo.advance(step_s);
   watch();

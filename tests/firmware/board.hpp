@@ -26,6 +26,10 @@ class Firmware {
   /// Bytes as they arrive: no faster than a line carries them.
   virtual void from_host(std::uint8_t byte) = 0;
   virtual void from_servos(std::uint8_t byte) = 0;
+  /// The voltage at the lamp's thermistor as a share of its supply, 0 to 1.
+  virtual void set_thermistor(double /*share*/) {}
+  /// The share of time for which the LEDs are on, 0 to 1.
+  [[nodiscard]] virtual double lamp() { return 0.0; }
   /// Runs for a tenth of a millisecond, a little more than a byte takes.
   virtual void step() = 0;
 
@@ -79,6 +83,10 @@ class Board {
   [[nodiscard]] double now_ms() const { return 1000.0 * step_s * static_cast<double>(steps_); }
   [[nodiscard]] SimulatedServo& pan() { return servos_[0]; }
   [[nodiscard]] SimulatedServo& tilt() { return servos_[1]; }
+  /// The share of time for which the LEDs are on, 0 to 1.
+  [[nodiscard]] double lamp() { return firmware_->lamp(); }
+  /// Degrees Celsius at the lamp's thermistor; empty: its cable is cut.
+  std::optional<double> lamp_celsius = 25.0;
 
   /// Over the whole run.
   struct Extremes {

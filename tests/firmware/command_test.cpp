@@ -52,7 +52,7 @@ Command only_command_of(const std::string& bytes) {
 
 TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
   const std::vector<std::string> lines = golden_lines("host");
-  ASSERT_EQ(lines.size(), 6U);
+  ASSERT_EQ(lines.size(), 7U);
   std::vector<Verb> verbs;
   for (const std::string& line : lines) {
     const Command command = only_command_of(line + "\n");
@@ -60,7 +60,9 @@ TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
     EXPECT_TRUE(command.framed);
     verbs.push_back(command.verb);
   }
-  EXPECT_EQ(verbs, (std::vector{Verb::ping, Verb::move, Verb::move, Verb::stop, Verb::clear, Verb::info}));
+  EXPECT_EQ(verbs, (std::vector{Verb::ping, Verb::move, Verb::move, Verb::stop, Verb::clear, Verb::info,
+                                Verb::lamp}));
+  EXPECT_EQ(only_command_of(lines[6] + "\n").lamp_percent, 40);
   const Command slow = only_command_of(lines[2] + "\r\n");
   EXPECT_EQ(slow.number, 2);
   EXPECT_EQ(slow.target_cdeg[0], -9000);
@@ -70,7 +72,7 @@ TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
 
 TEST(Frames, GoldenLinesOfTheRobotHaveItsChecksums) {
   const std::vector<std::string> lines = golden_lines("robot");
-  ASSERT_EQ(lines.size(), 8U);
+  ASSERT_EQ(lines.size(), 12U);
   for (const std::string& line : lines) {
     Line built;
     built.text(line.substr(1, line.size() - 6).c_str()).close_frame();
@@ -94,6 +96,12 @@ TEST(Frames, WhatIsNoCommandIsRefusedWithItsReason) {
                                              {"1 MOVE -90.01 0", Refusal::limit},
                                              {"1 MOVE 0 0 90.01", Refusal::limit},
                                              {"1 MOVE 0 0 0.99", Refusal::limit},
+                                             {"1 LAMP 101", Refusal::limit},
+                                             {"1 LAMP 256", Refusal::form},
+                                             {"1 LAMP -1", Refusal::form},
+                                             {"1 LAMP 4.5", Refusal::form},
+                                             {"1 LAMP", Refusal::form},
+                                             {"1 LAMP 4 4", Refusal::form},
                                              {"1 MOVE 0", Refusal::form},
                                              {"1 MOVE 0 0 10 10", Refusal::form},
                                              {"1 MOVE 0  0", Refusal::form},

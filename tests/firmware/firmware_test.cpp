@@ -96,7 +96,7 @@ TEST_P(FirmwareTest, SaysWhichRobotItIsAndWhereItStands) {
   robot.run_ms(200);
   const std::vector<std::string> lines = robot.take_lines();
   ASSERT_FALSE(lines.empty());
-  EXPECT_EQ(lines.front(), "$READY 1 1.0.0 -90 90 -90 9 90*4C36");
+  EXPECT_EQ(lines.front(), "$READY 1 1.1.0 -90 90 -90 9 90*9229");
   const std::vector<Positions> positions = positions_in(lines);
   ASSERT_GT(positions.size(), 5U);
   EXPECT_NEAR(positions.back().pan_deg, 12.0, 0.2);
@@ -402,6 +402,96 @@ TEST_P(FirmwareTest, NoiseOnTheHostsLineIsRefusedAndRepeatsGetThrough) {
   EXPECT_LT(taken, 0.95 * frames);
   expect_within_limits(robot);
   EXPECT_NEAR(robot.pan().angle_deg(), 10.0, 0.2);
+}
+
+// The temperature is the mean of eight readings, 10 ms apart.
+bool run_until_lamp_is_known(Board& board) {
+  const bool ready = board.run_until_ready();
+  board.run_ms(100);
+  return ready;
+}
+
+std::string last_lamp_line(Board& board) {
+  board.take_lines();
+  board.send_frame("INFO");
+  board.run_ms(100);
+  std::string last;
+  for (const std::string& line : board.take_lines())
+    if (line.starts_with("$LAMP ")) last = line.substr(1, line.find('*') - 1);
+  return last;
+}
+
+TEST_P(FirmwareTest, TheLampIsOffUntilItIsSwitchedOn) {
+  Board robot = board();
+  ASSERT_TRUE(run_until_lamp_is_known(robot));
+  EXPECT_EQ(robot.lamp(), 0.0);
+  EXPECT_THAT(last_lamp_line(robot), testing::MatchesRegex("LAMP 0 25\\.[01] COOL"));
+  for (const int percent : {40, 100, 1, 0}) {
+    const int number = robot.send_frame(fmt::format("LAMP {}", percent));
+    EXPECT_EQ(robot.answer(number), fmt::format("ACK {}", number));
+    EXPECT_NEAR(robot.lamp(), percent / 100.0, 0.5 / 255.0);
+    EXPECT_THAT(last_lamp_line(robot), testing::MatchesRegex(fmt::format("LAMP {} 25\\.[01] COOL", percent)));
+  }
+  EXPECT_THAT(robot.answer(robot.send_frame("LAMP 101")), HasSubstr("LIMIT"));
+}
+
+TEST_P(FirmwareTest, TheLampGoesOutWhenTheHostFallsSilentOrTheBoardStartsAnew) {
+  Board robot = board();
+  ASSERT_TRUE(run_until_lamp_is_known(robot));
+  robot.send_frame("LAMP 60");
+  run_in_sight_ms(robot, 2000);
+  robot.send("!");
+  run_in_sight_ms(robot, 100);
+  EXPECT_GT(robot.lamp(), 0.5) << "a stop leaves it on: somebody may have to see why";
+  robot.run_ms(350);
+  EXPECT_GT(robot.lamp(), 0.5);
+  robot.run_ms(100);
+  EXPECT_EQ(robot.lamp(), 0.0);
+  robot.send_frame("PING");
+  robot.run_ms(50);
+  EXPECT_EQ(robot.lamp(), 0.0) << "it stays off until it is switched on";
+  robot.send_frame("LAMP 60");
+  robot.run_ms(50);
+  robot.reset(GetParam() == Kind::native ? native_firmware() : simulated_board());
+  robot.run_ms(50);
+  EXPECT_EQ(robot.lamp(), 0.0);
+}
+
+TEST_P(FirmwareTest, ALampThatIsTooHotGoesOutUntilItIsCool) {
+  Board robot = board();
+  ASSERT_TRUE(run_until_lamp_is_known(robot));
+  robot.send_frame("LAMP 100");
+  robot.lamp_celsius = 59.0;
+  run_in_sight_ms(robot, 300);
+  EXPECT_EQ(robot.lamp(), 1.0);
+  robot.lamp_celsius = 61.5;
+  run_in_sight_ms(robot, 300);
+  EXPECT_EQ(robot.lamp(), 0.0);
+  EXPECT_THAT(last_lamp_line(robot), testing::MatchesRegex("LAMP 0 6[0-9]\\.[0-9] HOT"));
+  robot.lamp_celsius = 52.0;
+  run_in_sight_ms(robot, 300);
+  EXPECT_THAT(robot.answer(robot.send_frame("LAMP 100")), HasSubstr("HEAT")) << "not yet cool";
+  robot.lamp_celsius = 48.0;
+  run_in_sight_ms(robot, 300);
+  EXPECT_EQ(robot.lamp(), 0.0) << "it does not blink by itself";
+  EXPECT_THAT(robot.answer(robot.send_frame("LAMP 100")), StartsWith("ACK"));
+  EXPECT_EQ(robot.lamp(), 1.0);
+}
+
+TEST_P(FirmwareTest, ALampWhoseTemperatureIsNotKnownStaysOff) {
+  Board robot = board();
+  ASSERT_TRUE(run_until_lamp_is_known(robot));
+  robot.send_frame("LAMP 80");
+  run_in_sight_ms(robot, 100);
+  EXPECT_GT(robot.lamp(), 0.5);
+  for (const std::optional<double> celsius : {std::optional<double>(), std::optional<double>(300.0)}) {
+    robot.lamp_celsius = celsius;
+    run_in_sight_ms(robot, 300);
+    EXPECT_EQ(robot.lamp(), 0.0);
+    EXPECT_EQ(last_lamp_line(robot), "LAMP 0 - NONE");
+    EXPECT_THAT(robot.answer(robot.send_frame("LAMP 1")), HasSubstr("HEAT"));
+    EXPECT_THAT(robot.answer(robot.send_frame("LAMP 0")), StartsWith("ACK")) << "off is always allowed";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Logic, FirmwareTest, testing::Values(Kind::native));

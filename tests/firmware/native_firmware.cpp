@@ -21,12 +21,26 @@ class Line : public rva_robot::Port {
   std::deque<std::uint8_t> buffer_;
 };
 
+class LampPins : public rva_robot::LampPort {
+ public:
+  void drive(std::uint8_t level) override { level_ = level; }
+  std::uint16_t thermistor() override { return counts_; }
+  void set_thermistor(double share) { counts_ = static_cast<std::uint16_t>(1023.0 * share); }
+  [[nodiscard]] double share() const { return level_ / 255.0; }
+
+ private:
+  std::uint8_t level_ = 0;
+  std::uint16_t counts_ = 0;
+};
+
 class NativeFirmware : public Firmware {
  public:
   explicit NativeFirmware(std::uint32_t start_ms) : start_ms_(start_ms) {}
 
   void from_host(std::uint8_t byte) override { robot_.take_from_host(byte, now_ms()); }
   void from_servos(std::uint8_t byte) override { robot_.take_from_servos(byte, now_ms()); }
+  void set_thermistor(double share) override { lamp_.set_thermistor(share); }
+  [[nodiscard]] double lamp() override { return lamp_.share(); }
   void step() override {
     robot_.tick(now_ms());
     host_.carry_one(to_host);
@@ -39,7 +53,8 @@ class NativeFirmware : public Firmware {
 
   Line host_;
   Line servos_;
-  rva_robot::Robot robot_{host_, servos_};
+  LampPins lamp_;
+  rva_robot::Robot robot_{host_, servos_, lamp_};
   std::uint32_t start_ms_;
   std::uint32_t steps_ = 0;
 };

@@ -1,3 +1,4 @@
+#include <simavr/avr_adc.h>
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_elf.h>
@@ -10,6 +11,11 @@
 namespace rva::test {
 namespace {
 
+constexpr std::uint32_t supply_mv = 5000;
+// Registers of the ATmega2560 for pin 6 (PH3, OC4A), as addresses in its data space.
+constexpr std::size_t port_h = 0x102;
+constexpr std::size_t timer_4_control = 0xA0;
+constexpr std::size_t timer_4_compare = 0xA8;
 constexpr avr_cycle_count_t cycles_a_step = 1600;  // a tenth of a millisecond at 16 MHz
 
 elf_firmware_t read() {
@@ -27,6 +33,7 @@ class SimulatedBoard : public Firmware {
     avr_ = avr_make_mcu_by_name("atmega2560");
     avr_init(avr_);
     avr_->frequency = 16000000;
+    avr_->vcc = avr_->avcc = avr_->aref = supply_mv;
     avr_->log = LOG_NONE;
     avr_->sleep = [](avr_t*, avr_cycle_count_t) {};
     avr_load_firmware(avr_, &firmware);
@@ -39,6 +46,15 @@ class SimulatedBoard : public Firmware {
 
   void from_host(std::uint8_t byte) override { raise('0', byte); }
   void from_servos(std::uint8_t byte) override { raise('1', byte); }
+  void set_thermistor(double share) override {
+    avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0),
+                  static_cast<std::uint32_t>(share * supply_mv));
+  }
+  [[nodiscard]] double lamp() override {
+    const bool pulses = (avr_->data[timer_4_control] & 0x80) != 0;
+    if (pulses) return avr_->data[timer_4_compare] / 255.0;
+    return (avr_->data[port_h] & 0x08) != 0 ? 1.0 : 0.0;
+  }
   void step() override {
     until_ += cycles_a_step;
     while (avr_->cycle < until_) {
