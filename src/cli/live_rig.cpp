@@ -58,7 +58,7 @@ LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::
   if (robot == "sim") opened.robot->move_to({after.stand.pan_deg, after.stand.tilt_deg});
   rig.robot = std::move(opened.robot);
   auto bay = std::make_unique<SimulatedBay>(std::move(before), std::move(after), seed,
-                                            joints_of(view, std::move(opened.joints)));
+                                            joints_of(view, std::move(opened.joints)), opened.lamp);
   if (work) rig.simulated_work = [&bay = *bay](bool done) { bay.set_work_done(done); };
   rig.camera = std::move(bay);
   return rig;

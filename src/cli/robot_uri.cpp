@@ -11,12 +11,17 @@
 namespace rva::cli {
 namespace {
 
+std::function<double()> lamp_of(Robot& robot) {
+  return [&robot] { return robot.lamp().value_or(LampState{}).percent / 100.0; };
+}
+
 OpenRobot open_simulated_robot(const Clock& clock, std::uint64_t seed) {
   SimulatedRobotOptions options;
   options.rest_error_deg = 0.16;
   auto robot = std::make_unique<SimulatedRobot>(options, clock.now_s, seed);
   std::function<PanTilt()> joints = [&simulated = *robot] { return simulated.true_joints(); };
-  return {std::move(robot), std::move(joints)};
+  std::function<double()> lamp = lamp_of(*robot);
+  return {std::move(robot), std::move(joints), std::move(lamp)};
 }
 
 OpenRobot open_serial_robot(const std::string& uri) {
@@ -25,7 +30,8 @@ OpenRobot open_serial_robot(const std::string& uri) {
     throw UsageError(printable(uri), "is not a robot", "give sim or serial:DEVICE");
   auto robot = std::make_unique<SerialRobot>(uri.substr(serial.size()));
   std::function<PanTilt()> joints = [&real = *robot] { return real.joints(); };
-  return {std::move(robot), std::move(joints)};
+  std::function<double()> lamp = lamp_of(*robot);
+  return {std::move(robot), std::move(joints), std::move(lamp)};
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ struct OpenRobot {
   std::unique_ptr<Robot> robot;  ///< null for none
   /// The true angles of a simulated robot, the reported ones of another; empty for none.
   std::function<PanTilt()> joints;
+  /// The brightness of its lamp, 0 to 1, which lights the view of a simulated camera; empty for none.
+  std::function<double()> lamp;
 };
 
 /// @param uri   sim: a robot whose servos, like real ones, rest anywhere within the step that they report;

@@ -171,6 +171,7 @@ void Drive::ask_joints() {
     ++questions_;
   }
   std::optional<PanTilt> joints;
+  const std::optional<LampState> lamp = robot_.lamp();
   std::string problem = failure_;
   try {
     joints = robot_.joints();
@@ -180,6 +181,7 @@ void Drive::ask_joints() {
   const std::lock_guard lock(mutex_);
   state_.joints = joints;
   state_.problem = problem;
+  state_.lamp = lamp;
   answers_ = questions_;
   changed_.notify_all();
 }

@@ -10,6 +10,7 @@
 
 #include "core/clock.hpp"
 #include "core/options.hpp"
+#include "robot/lamp.hpp"
 #include "robot/robot.hpp"
 
 namespace rva {
@@ -42,6 +43,7 @@ struct DriveState {
   bool driving = false;           ///< moved by the sticks
   bool armed = true;              ///< false after a stop, until the sticks have been released
   bool lent = false;              ///< moved automatically, for captures
+  std::optional<LampState> lamp;  ///< as last reported; empty where the robot has none
   bool at_limit = false;          ///< driven against a limit that has been reached
 };
 
@@ -66,6 +68,10 @@ class Drive {
 
   /// Stops the robot, also when it is lent. Repeated until the robot takes the command.
   void halt();
+
+  /// Sets the brightness of the robot's lamp, and waits until the robot has taken the command.
+  /// @throws UsageError, Error as Robot::set_lamp()
+  void set_lamp(int percent) { robot_.set_lamp(percent); }
 
   /// The state, with the joints as last reported.
   [[nodiscard]] DriveState state() const;

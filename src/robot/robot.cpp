@@ -38,6 +38,8 @@ void wait_for_rest(Robot& robot, const PanTilt& target, const Clock& clock, doub
 
 }  // namespace
 
+void Robot::set_lamp(int /*percent*/) { throw Error("robot", "has no lamp", "light the bay by other means"); }
+
 PanTilt move_and_wait(Robot& robot, const PanTilt& target, const Clock& clock, double limit_s) {
   robot.move_to(target);
   try {

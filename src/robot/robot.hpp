@@ -1,8 +1,11 @@
 // The interface of every robot: a device or a simulation.
 #pragma once
 
+#include <optional>
+
 #include "core/clock.hpp"
 #include "geometry/pan_tilt.hpp"
+#include "robot/lamp.hpp"
 #include "robot/robot_limits.hpp"
 
 namespace rva {
@@ -33,6 +36,16 @@ class Robot {
 
   /// Abandons the target and holds the joints where they are. @throws Error when the robot does not answer
   virtual void stop() = 0;
+
+  /// The lamp around the camera; empty where the robot has none, or does not report it.
+  [[nodiscard]] virtual std::optional<LampState> lamp() { return std::nullopt; }
+
+  /// Sets the brightness of the lamp. The robot switches it off when it hears nothing from its host.
+  /// @param percent 0 (off) to 100
+  /// @throws UsageError when it is out of this range; Error when there is no lamp, when it is too hot, or
+  /// when
+  ///         the robot does not take the command; the lamp is then unchanged
+  virtual void set_lamp(int percent);
 };
 
 /// A robot at rest has arrived if its joints() are this close to the target. This is more than a servo's

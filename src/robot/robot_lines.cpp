@@ -126,6 +126,21 @@ std::optional<RobotLine> parse_status(std::string_view text, const Words& words)
   return StatusLine{std::string(words[1]), std::string(text.substr(words[0].size() + words[1].size() + 2))};
 }
 
+std::optional<RobotLine> parse_lamp(const Words& words) {
+  constexpr double coldest_celsius = -20.0;
+  constexpr double hottest_celsius = 100.0;
+  LampState lamp;
+  double celsius = 0.0;
+  if (words.size() != 4 || !parse_count(words[1], lamp.percent, 100)) return std::nullopt;
+  if (words[2] == "-" && words[3] == "NONE") return LampLine{};
+  const bool known = parse_decimal(words[2], celsius, coldest_celsius, hottest_celsius) &&
+                     (words[3] == "COOL" || words[3] == "HOT");
+  if (!known) return std::nullopt;
+  lamp.celsius = celsius;
+  lamp.too_hot = words[3] == "HOT";
+  return LampLine{lamp};
+}
+
 bool is_printable(std::string_view text) {
   return std::ranges::all_of(text, [](char character) { return character >= ' ' && character <= '~'; });
 }
@@ -142,6 +157,7 @@ std::optional<RobotLine> parse_frame(std::string_view frame) {
   if (words[0] == "READY") return parse_ready(words);
   if (words[0] == "ACK" || words[0] == "NAK") return parse_answer(words);
   if (words[0] == "POS") return parse_positions(words);
+  if (words[0] == "LAMP") return parse_lamp(words);
   if (words[0] == "STAT") return parse_status(text, words);
   return std::nullopt;
 }
@@ -172,6 +188,8 @@ std::string robot_frame(int number, std::string_view body) {
 std::string move_body(const PanTilt& target) {
   return fmt::format("MOVE {:.2f} {:.2f}", target.pan_deg, target.tilt_deg);
 }
+
+std::string lamp_body(int percent) { return fmt::format("LAMP {}", percent); }
 
 std::optional<RobotLine> parse_robot_line(std::string_view line) {
   if (line.empty()) return std::nullopt;

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "geometry/pan_tilt.hpp"
+#include "robot/lamp.hpp"
 #include "robot/robot_limits.hpp"
 
 namespace rva {
@@ -19,6 +20,9 @@ namespace rva {
 
 /// The body of MOVE: angles in degrees with two decimals.
 [[nodiscard]] std::string move_body(const PanTilt& target);
+
+/// The body of LAMP. @param percent 0 to 100
+[[nodiscard]] std::string lamp_body(int percent);
 
 /// The line with which the robot states its protocol and limits.
 struct ReadyLine {
@@ -52,13 +56,18 @@ struct StatusLine {
   std::string rest;  ///< the remaining words: error, detail, volts, heat
 };
 
+/// The lamp, if the robot has one.
+struct LampLine {
+  std::optional<LampState> lamp;  ///< empty if there is no thermistor, so that the lamp cannot be used
+};
+
 /// Positions of a robot with the thesis' firmware, which sends bare angles.
 struct BarePositionsLine {
   PanTilt joints;  ///< as the robot sends them
 };
 
 /// A line from the robot that was understood.
-using RobotLine = std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, BarePositionsLine>;
+using RobotLine = std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, LampLine, BarePositionsLine>;
 
 /// Parses a line, strictly as docs/protocol.md defines it. Lines are rejected if they state limits beyond
 /// those of RobotLimits, angles that are not numbers or exceed 180 degrees, or ages of more than 250 ms.

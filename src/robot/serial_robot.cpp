@@ -25,6 +25,7 @@ constexpr milliseconds ping_every{100};
 constexpr milliseconds answer_within{100};
 constexpr int tries = 5;
 constexpr milliseconds position_counts{250};
+constexpr milliseconds lamp_counts{2000};  // the robot reports its lamp twice a second
 constexpr milliseconds known_within{5000};
 constexpr milliseconds ready_within{1000};
 // RVA's firmware sends READY every second until it is commanded, so that after this time a robot is a
@@ -88,6 +89,21 @@ class SerialRobot::Conversation {
     link_.write(fmt::format("{}.{}", whole(target.pan_deg), whole(target.tilt_deg)));
     const std::scoped_lock lock(mutex_);
     bare_moved_at_ = now();
+  }
+
+  [[nodiscard]] std::optional<LampState> lamp() const {
+    const std::scoped_lock lock(mutex_);
+    if (kind_ != RobotKind::framed || now() - lamp_at_ > lamp_counts) return std::nullopt;
+    return lamp_;
+  }
+
+  void set_lamp(int percent) {
+    check_lamp_percent(percent);
+    if (kind_or_throw() != RobotKind::framed || !lamp())
+      throw Error(
+          device_, "the robot has no lamp, or its thermistor is not connected",
+          "check the lamp's cable, and load the firmware of this version of rva (firmware/README.md)");
+    ask(lamp_body(percent));
   }
 
   [[nodiscard]] PanTilt joints() const {
@@ -198,6 +214,10 @@ class SerialRobot::Conversation {
     state_since_command_ = positions.state;
   }
   void take(const StatusLine& /*status*/) {}
+  void take(const LampLine& line) {
+    lamp_ = line.lamp;
+    lamp_at_ = now();
+  }
   void take(const BarePositionsLine& positions) {
     if (kind_ == RobotKind::framed) return;
     if (kind_ == RobotKind::unknown && now() - opened_at_ > bare_after) kind_ = RobotKind::bare;
@@ -235,6 +255,8 @@ class SerialRobot::Conversation {
     if (reason == "FAULT")
       return {device_, "a servo is at fault, and its torque is off",
               "let it cool, remove obstacles, and check its power"};
+    if (reason == "HEAT")
+      return {device_, "the lamp is too hot, and off", "let it cool down, then switch it on again"};
     if (reason == "BLIND")
       return {device_, "the joint angles are unknown", "check the servos' power and their cable"};
     return {device_, fmt::format("the robot refuses the command ({})", reason),
@@ -278,6 +300,8 @@ class SerialRobot::Conversation {
   std::optional<Measured> tilt_;
   std::optional<std::string> state_since_command_;
   Time bare_moved_at_{};
+  std::optional<LampState> lamp_;
+  Time lamp_at_{};
   std::map<int, AnswerLine> answers_;
   int number_ = 0;
   std::mutex asking_;
@@ -299,5 +323,7 @@ void SerialRobot::move_to(const PanTilt& target) { conversation_->move_to(target
 PanTilt SerialRobot::joints() { return conversation_->joints(); }
 bool SerialRobot::moving() { return conversation_->moving(); }
 void SerialRobot::stop() { conversation_->stop(); }
+std::optional<LampState> SerialRobot::lamp() { return conversation_->lamp(); }
+void SerialRobot::set_lamp(int percent) { conversation_->set_lamp(percent); }
 
 }  // namespace rva

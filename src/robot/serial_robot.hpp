@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "robot/robot.hpp"
@@ -46,6 +47,11 @@ class SerialRobot : public Robot {
 
   /// Takes precedence over other commands. A bare robot is sent to its present angles.
   void stop() override;
+
+  /// Firmware before 1.1 reports no lamp, and neither does a bare robot.
+  [[nodiscard]] std::optional<LampState> lamp() override;
+  /// Repeats the command as move_to().
+  void set_lamp(int percent) override;
 
  private:
   class Conversation;

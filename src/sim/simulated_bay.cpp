@@ -7,9 +7,9 @@
 namespace rva {
 
 SimulatedBay::SimulatedBay(Scene before, Scene after, std::uint64_t seed,
-                           const std::function<PanTilt()>& joints)
-    : before_(std::move(before), {}, seed, ColorFrames::all, joints),
-      after_(std::move(after), {}, mix(seed, 1), ColorFrames::all, joints) {}
+                           const std::function<PanTilt()>& joints, const std::function<double()>& lamp)
+    : before_(std::move(before), {}, seed, ColorFrames::all, joints, lamp),
+      after_(std::move(after), {}, mix(seed, 1), ColorFrames::all, joints, lamp) {}
 
 void SimulatedBay::set_light(Light light) {
   before_.set_light(light);

@@ -17,8 +17,9 @@ class SimulatedBay : public Camera {
  public:
   /// @param before, after scenes with the same camera stand
   /// @param seed          seed of the camera's noise
-  /// @param joints        source of the joint angles, as for SimulatedCamera
-  SimulatedBay(Scene before, Scene after, std::uint64_t seed, const std::function<PanTilt()>& joints);
+  /// @param joints, lamp  as for SimulatedCamera
+  SimulatedBay(Scene before, Scene after, std::uint64_t seed, const std::function<PanTilt()>& joints,
+               const std::function<double()>& lamp = {});
 
   /// Selects the scene from the next frame on: `after` if done, else `before`. Callable from any thread.
   void set_work_done(bool done) { done_ = done; }

@@ -68,17 +68,25 @@ FineGrayImage brightness_of(const InfraredImage& infrared) {
 }  // namespace
 
 SimulatedCamera::SimulatedCamera(Scene scene, const StereoSensorOptions& options, std::uint64_t seed,
-                                 ColorFrames color_frames, std::function<PanTilt()> joints)
+                                 ColorFrames color_frames, std::function<PanTilt()> joints,
+                                 std::function<double()> lamp)
     : scene_(std::move(scene)),
       options_(checked(options)),
       seed_(seed),
       color_frames_(color_frames),
       joints_(std::move(joints)),
+      lamp_(std::move(lamp)),
       rays_(scene_),
       infrared_(scene_, rays_, options_),
       rig_(stereo_rig(options_)) {
   if (!joints_)
     joints_ = [pan_tilt = PanTilt{scene_.stand.pan_deg, scene_.stand.tilt_deg}] { return pan_tilt; };
+}
+
+// The lamp of the camera and that of its robot are the same one.
+OwnLight SimulatedCamera::own_light() const {
+  if (light_ == Light::lamp) return {.projector = false, .lamp = 1.0};
+  return {.projector = true, .lamp = lamp_ ? lamp_() : 0.0};
 }
 
 CameraStand SimulatedCamera::stand() const {
@@ -135,7 +143,7 @@ bool SimulatedCamera::wants_color(bool moving) const {
   return false;
 }
 
-void SimulatedCamera::render(const Transform& world_from_camera) {
+void SimulatedCamera::render(const Transform& world_from_camera, const OwnLight& light) {
   const bool moving = rendered_ == Rendered::moving;
   StereoSensorOptions options = options_;
   if (moving) {
@@ -148,27 +156,28 @@ void SimulatedCamera::render(const Transform& world_from_camera) {
   const Transform pose =
       moving ? world_from_camera : swayed(world_from_camera, options.sway_mm, capture_seed);
   InfraredPair pair =
-      infrared_.render(pose, misalignment_of(options_, capture_seed), options.supersampling, light_);
-  if (light_ == Light::projector && wants_color(moving))
-    color_ = render_color(scene_, rays_, rig_, pose, options.supersampling);
+      infrared_.render(pose, misalignment_of(options_, capture_seed), options.supersampling, light);
+  if (light.projector && wants_color(moving))
+    color_ = render_color(scene_, rays_, rig_, pose, options.supersampling, light.lamp);
   sensor_ = std::make_unique<StereoSensor>(std::move(pair), options,
                                            speckle_of(stand(), world_from_camera, options),
                                            moving ? mix(capture_seed, number_) : capture_seed);
   rendered_pose_ = world_from_camera;
-  rendered_light_ = light_;
+  rendered_light_ = light;
 }
 
 std::optional<CameraFrame> SimulatedCamera::wait_for_frame() {
   throw_if_interrupted();
   const Transform pose = world_from_camera();
+  const OwnLight light = own_light();
   const bool same = rendered_ != Rendered::nothing && pose.matrix() == rendered_pose_.matrix();
   const bool moving = rendered_ != Rendered::nothing && !same;
   if (!same || rendered_ == Rendered::moving) {
     rendered_ = moving ? Rendered::moving : Rendered::resting;
     if (!moving) ++rests_;
-    render(pose);
-  } else if (rendered_light_ != light_) {
-    render(pose);
+    render(pose, light);
+  } else if (rendered_light_ != light) {
+    render(pose, light);
   }
   StereoFrame stereo = light_ == Light::lamp ? sensor_->next_pair() : sensor_->next_frame();
   left_infrared_ = std::move(stereo.left);

@@ -25,14 +25,17 @@ enum class ColorFrames { none, first, all };
 /// imager that must expose for two frames. Once it rests, the view is rendered in full and kept until the
 /// next move.
 ///
-/// Frames depend only on scene, options, seed, light and poses. They never end and are not paced by a clock:
+/// Frames depend only on scene, options, seed, lights and poses. They never end and are not paced by a clock:
 /// the timestamp of frame n is n / 30 s.
 class SimulatedCamera : public Camera {
  public:
   /// @param joints returns the true joint angles; without it, those of the scene's stand apply
+  /// @param lamp   returns the brightness of the robot's lamp beside the imagers, 0 to 1 of its full light;
+  ///               without it, that lamp is off
   /// @throws UsageError when an option is out of range or the matcher's window is even
   SimulatedCamera(Scene scene, const StereoSensorOptions& options, std::uint64_t seed,
-                  ColorFrames color_frames = ColorFrames::all, std::function<PanTilt()> joints = {});
+                  ColorFrames color_frames = ColorFrames::all, std::function<PanTilt()> joints = {},
+                  std::function<double()> lamp = {});
 
   [[nodiscard]] CaptureInfo info() const override;
   [[nodiscard]] std::optional<CameraFrame> wait_for_frame() override;
@@ -60,13 +63,15 @@ class SimulatedCamera : public Camera {
  private:
   [[nodiscard]] bool wants_color(bool moving) const;
   [[nodiscard]] CameraStand stand() const;  // with the current joint angles
-  void render(const Transform& world_from_camera);
+  [[nodiscard]] OwnLight own_light() const;
+  void render(const Transform& world_from_camera, const OwnLight& light);
 
   Scene scene_;
   StereoSensorOptions options_;
   std::uint64_t seed_;
   ColorFrames color_frames_;
   std::function<PanTilt()> joints_;
+  std::function<double()> lamp_;
   RayCaster rays_;
   InfraredRenderer infrared_;
   StereoRig rig_;
@@ -75,7 +80,7 @@ class SimulatedCamera : public Camera {
   Transform rendered_pose_ = Transform::Identity();
   enum class Rendered { nothing, moving, resting } rendered_ = Rendered::nothing;
   Light light_ = Light::projector;
-  Light rendered_light_ = Light::projector;
+  OwnLight rendered_light_;
   std::unique_ptr<StereoSensor> sensor_;
   ColorView color_;
   InfraredImage left_infrared_;

@@ -71,6 +71,17 @@ bool SimulatedRobot::moving() {
   return pan_.servo_deg != pan_.target_deg || tilt_.servo_deg != tilt_.target_deg;
 }
 
+std::optional<LampState> SimulatedRobot::lamp() {
+  const std::lock_guard lock(mutex_);
+  return LampState{.percent = lamp_percent_};
+}
+
+void SimulatedRobot::set_lamp(int percent) {
+  check_lamp_percent(percent);
+  const std::lock_guard lock(mutex_);
+  lamp_percent_ = percent;
+}
+
 PanTilt SimulatedRobot::true_joints() {
   const std::lock_guard lock(mutex_);
   advance_to_now();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 
 #include "core/options.hpp"
 #include "core/random.hpp"
@@ -40,6 +41,8 @@ struct SimulatedRobotOptions {
 /// until the play is used up. A joint that always arrives from below therefore has no error except
 /// rest_error_deg, which is drawn anew from a uniform distribution after every command.
 ///
+/// Its lamp never gets hot.
+///
 /// Thread-safe if `now_s` is.
 class SimulatedRobot : public Robot {
  public:
@@ -55,6 +58,9 @@ class SimulatedRobot : public Robot {
   [[nodiscard]] PanTilt joints() override;
   [[nodiscard]] bool moving() override;
   void stop() override;
+
+  [[nodiscard]] std::optional<LampState> lamp() override;
+  void set_lamp(int percent) override;
 
   /// The true angles of the camera, play included, which a real robot cannot report.
   [[nodiscard]] PanTilt true_joints();
@@ -79,6 +85,7 @@ class SimulatedRobot : public Robot {
   double advanced_s_ = 0.0;
   Axis pan_;
   Axis tilt_;
+  int lamp_percent_ = 0;
 };
 
 }  // namespace rva

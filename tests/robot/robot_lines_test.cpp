@@ -23,19 +23,20 @@ Said said(const std::string& line) {
 
 TEST(RobotLines, FramesToTheRobotAreTheGoldenOnes) {
   const std::vector<std::string> golden = golden_lines("host");
-  ASSERT_EQ(golden.size(), 6U);
+  ASSERT_EQ(golden.size(), 7U);
   EXPECT_EQ(robot_frame(0, "PING"), golden[0] + "\n");
   EXPECT_EQ(robot_frame(1, move_body({45.0, -10.5})), golden[1] + "\n");
   EXPECT_EQ(robot_frame(3, "STOP"), golden[3] + "\n");
   EXPECT_EQ(robot_frame(255, "INFO"), golden[5] + "\n");
+  EXPECT_EQ(robot_frame(6, lamp_body(40)), golden[6] + "\n");
 }
 
 TEST(RobotLines, GoldenLinesFromTheRobotAreUnderstood) {
   const std::vector<std::string> golden = golden_lines("robot");
-  ASSERT_EQ(golden.size(), 8U);
+  ASSERT_EQ(golden.size(), 12U);
   const auto ready = said<ReadyLine>(golden[0]);
   EXPECT_EQ(ready.protocol, 1);
-  EXPECT_EQ(ready.firmware, "1.0.0");
+  EXPECT_EQ(ready.firmware, "1.1.0");
   EXPECT_EQ(ready.limits, RobotLimits{});
   EXPECT_EQ(said<AnswerLine>(golden[1]).number, 255);
   EXPECT_EQ(said<AnswerLine>(golden[1]).refusal, "");
@@ -49,6 +50,10 @@ TEST(RobotLines, GoldenLinesFromTheRobotAreUnderstood) {
   EXPECT_FALSE(said<PositionsLine>(golden[5]).pan.has_value()) << "no angle that was not measured";
   EXPECT_EQ(said<StatusLine>(golden[6]).rest, "00 42 12.0 140");
   EXPECT_EQ(said<StatusLine>(golden[7]).axis, "TILT");
+  EXPECT_EQ(said<AnswerLine>(golden[8]).refusal, "HEAT");
+  EXPECT_EQ(said<LampLine>(golden[9]).lamp, (LampState{.percent = 40, .celsius = 31.4, .too_hot = false}));
+  EXPECT_EQ(said<LampLine>(golden[10]).lamp, (LampState{.percent = 0, .celsius = 62.5, .too_hot = true}));
+  EXPECT_FALSE(said<LampLine>(golden[11]).lamp.has_value());
 }
 
 TEST(RobotLines, DamagedFramesSayNothing) {
@@ -91,6 +96,14 @@ TEST(RobotLines, WhatTheProtocolDoesNotAllowSaysNothingWhateverItsChecksum) {
                                  "POS x 1.00 3 0.00 3 HOLD",
                                  "POS 5 1.00 3 0.00 3 DANCE",
                                  "READY 1 1.0.0 -1000000 1000000 -90 9 90",
+                                 "LAMP 101 25.0 COOL",
+                                 "LAMP -1 25.0 COOL",
+                                 "LAMP 40 25.0 WARM",
+                                 "LAMP 40 nan COOL",
+                                 "LAMP 40 101.0 HOT",
+                                 "LAMP 40 - COOL",
+                                 "LAMP 40 25.0 NONE",
+                                 "LAMP 40 25.0",
                                  "READY 1 1.0.0 -inf inf -90 9 90",
                                  "READY 1 1.0.0 nan nan -90 9 90",
                                  "READY 1 1.0.0 -90 90 -90 9.01 90",

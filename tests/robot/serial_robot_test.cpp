@@ -108,7 +108,7 @@ TEST_F(SerialRobotTest, RecognisesOurFirmwareAndMovesIt) {
   PtyBoard board = this->board();
   SerialRobot robot(terminal());
   EXPECT_EQ(robot.kind(), RobotKind::framed);
-  EXPECT_EQ(robot.firmware(), "1.0.0");
+  EXPECT_EQ(robot.firmware(), "1.1.0");
   EXPECT_EQ(robot.limits(), RobotLimits{});
   EXPECT_NEAR(robot.joints().tilt_deg, -10.0, 0.2);
   expect_moves(robot, {70.0, -60.0});
@@ -125,11 +125,50 @@ TEST_F(SerialRobotTest, MovesTheBuiltProgramOnASimulatedBoard) {
   expect_moves(robot, {-40.0, -45.0});
 }
 
+TEST_F(SerialRobotTest, SwitchesTheLamp) {
+  PtyBoard board = this->board();
+  SerialRobot robot(terminal());
+  ASSERT_TRUE(eventually([&] { return robot.lamp().has_value(); }));
+  EXPECT_EQ(robot.lamp()->percent, 0);
+  robot.set_lamp(60);
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  board.with_board(
+      [](Board& there) { EXPECT_NEAR(there.lamp(), 0.6, 0.01) << "a silent host switches it off"; });
+  EXPECT_EQ(robot.lamp()->percent, 60);
+  EXPECT_NEAR(robot.lamp()->celsius.value(), 25.0, 0.5);
+  EXPECT_THROW(robot.set_lamp(101), UsageError);
+  EXPECT_THROW(robot.set_lamp(-1), UsageError);
+  board.with_board([](Board& there) { there.lamp_celsius = 70.0; });
+  ASSERT_TRUE(eventually([&] { return robot.lamp()->too_hot; }));
+  EXPECT_EQ(robot.lamp()->percent, 0);
+  EXPECT_THAT(error_of([&] { robot.set_lamp(60); }), HasSubstr("too hot"));
+  board.with_board([](Board& there) { there.lamp_celsius.reset(); });
+  ASSERT_TRUE(eventually([&] { return !robot.lamp(); })) << "without a thermistor there is no lamp";
+  EXPECT_THAT(error_of([&] { robot.set_lamp(60); }), HasSubstr("has no lamp"));
+}
+
+TEST_F(SerialRobotTest, TheLampGoesOutWithTheProgram) {
+  PtyBoard board = this->board();
+  {
+    SerialRobot robot(terminal());
+    ASSERT_TRUE(eventually([&] { return robot.lamp().has_value(); }));
+    robot.set_lamp(100);
+    board.with_board([](Board& there) { EXPECT_EQ(there.lamp(), 1.0); });
+  }
+  EXPECT_TRUE(eventually([&] {
+    double lamp = 1.0;
+    board.with_board([&](Board& there) { lamp = there.lamp(); });
+    return lamp == 0.0;
+  }));
+}
+
 TEST_F(SerialRobotTest, RecognisesTheThesisFirmwareAndMovesIt) {
   const PtyBoard board(terminal(), [] { return std::make_unique<ThesisFirmware>(); });
   SerialRobot robot(terminal());
   EXPECT_EQ(robot.kind(), RobotKind::bare);
   EXPECT_EQ(robot.firmware(), "");
+  EXPECT_FALSE(robot.lamp());
+  EXPECT_THAT(error_of([&] { robot.set_lamp(10); }), HasSubstr("has no lamp"));
   expect_moves(robot, {30.0, -20.0});
   robot.move_to({-80.0, -20.0});
   ASSERT_TRUE(eventually([&] { return robot.joints().pan_deg < 28.0; }));

@@ -60,6 +60,41 @@ TEST(SimulatedCamera, InABayThatGivesWayItRestsElsewhereEachTime) {
       << "the robot does not measure it";
 }
 
+TEST(SimulatedCamera, SeesTheRobotsLampInColorAndInfraredAsSoonAsItIsSwitched) {
+  Scene room = test::room_with_wall(1.0);
+  room.lighting.visible = 0.0;
+  StereoSensorOptions options = test::quick();
+  options.exposure = 4000.0;
+  double lamp = 0.0;
+  SimulatedCamera camera(
+      room, options, 5, ColorFrames::all, [] { return PanTilt{}; }, [&lamp] { return lamp; });
+  const auto mean = [](const auto& image, const auto& level) {
+    double sum = 0.0;
+    for (const auto& pixel : image.pixels()) sum += level(pixel);
+    return sum / static_cast<double>(image.pixels().size());
+  };
+  struct Levels {
+    double color = 0.0;
+    double infrared = 0.0;
+  };
+  const auto levels_at = [&](double share) {
+    lamp = share;
+    const CameraFrame frame = *camera.wait_for_frame();
+    return Levels{mean(*frame.color, [](Rgb pixel) { return static_cast<double>(pixel.g); }),
+                  mean(camera.left_infrared(), [](auto counts) { return static_cast<double>(counts); })};
+  };
+  const Levels dark = levels_at(0.0);
+  const Levels once = levels_at(0.1);
+  const Levels twice = levels_at(0.2);
+  EXPECT_LT(dark.color, 12.0);
+  EXPECT_GT(once.color, 2.0 * dark.color);
+  EXPECT_GT(twice.color, once.color);
+  EXPECT_NEAR(twice.infrared - dark.infrared, 2.0 * (once.infrared - dark.infrared),
+              0.05 * (twice.infrared - dark.infrared));
+  EXPECT_GT(once.infrared, 1.1 * dark.infrared);
+  EXPECT_NEAR(levels_at(0.0).infrared, dark.infrared, 0.05 * dark.infrared);
+}
+
 TEST(SimulatedCamera, CountsAndDatesItsFrames) {
   SimulatedCamera camera(test::room_with_wall(1.0), test::quick(), 1, ColorFrames::none);
   EXPECT_TRUE(camera.left_infrared().empty());

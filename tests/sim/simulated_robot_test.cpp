@@ -177,6 +177,15 @@ TEST_F(Simulated, EveryTargetIsAnArrivalForMoveAndWait) {
     EXPECT_NO_THROW(move_and_wait(robot, target, clock_.clock()));
 }
 
+TEST_F(Simulated, ItsLampHasTheBrightnessThatWasSet) {
+  SimulatedRobot robot = this->robot();
+  EXPECT_EQ(robot.lamp(), LampState{});
+  robot.set_lamp(40);
+  EXPECT_EQ(robot.lamp()->percent, 40);
+  for (const int percent : {-1, 101}) EXPECT_THROW(robot.set_lamp(percent), UsageError);
+  EXPECT_EQ(robot.lamp()->percent, 40);
+}
+
 TEST_F(Simulated, RefusesImpossibleOptions) {
   EXPECT_THROW(robot({.speed_deg_s = 0.0}), UsageError);
   EXPECT_THROW(robot({.backlash_deg = -0.1}), UsageError);

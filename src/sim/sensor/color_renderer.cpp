@@ -15,9 +15,11 @@ namespace rva {
 namespace {
 
 // Room light: a lamp above and behind the near spar, and ambient light.
-const Eigen::Vector3f lamp_m{0.4F, -0.6F, 2.0F};
-constexpr float lamp_share = 0.7F;
+const Eigen::Vector3f room_lamp_m{0.4F, -0.6F, 2.0F};
+constexpr float room_lamp_share = 0.7F;
 constexpr float around_share = 0.45F;
+// What a white surface returns of the robot's lamp at 1 m and full brightness: an assumption.
+constexpr float own_lamp_light = 0.5F;
 constexpr float read_noise = 0.004F;
 constexpr float shot_noise = 0.010F;
 constexpr double gamma = 2.2;
@@ -39,8 +41,11 @@ Eigen::Vector3f color_of(const Material& material) {
 class RowPainter {
  public:
   RowPainter(const Scene& scene, const RayCaster& caster, const Intrinsics& imager,
-             const Transform& world_from_color, int supersampling)
-      : strength_(static_cast<float>(scene.lighting.visible / (supersampling * supersampling))),
+             const Transform& world_from_color, int supersampling, const Lamp& lamp)
+      : weight_(1.0F / static_cast<float>(supersampling * supersampling)),
+        room_(static_cast<float>(scene.lighting.visible)),
+        lamp_m_(lamp.position_m.cast<float>()),
+        lamp_(static_cast<float>(lamp.strength)),
         imager_(imager),
         world_from_color_(world_from_color),
         supersampling_(supersampling),
@@ -50,11 +55,11 @@ class RowPainter {
     for (int sub = 0; sub < supersampling_; ++sub) {
       aim(v + offset(sub));
       row_.cast();
-      row_.find_shadows(lamp_m);
-      std::size_t sample = 0;
-      for (int u = 0; u < imager_.width; ++u) {
-        for (int i = 0; i < supersampling_; ++i) add(sample++, u, v, view);
-      }
+      row_.find_shadows(room_lamp_m);
+      add(v, view, [&](std::size_t i) { return room_ * from_room(i); });
+      if (lamp_ <= 0.0F) continue;
+      row_.find_shadows(lamp_m_);
+      add(v, view, [&](std::size_t i) { return lamp_ * from_lamp(i); });
     }
   }
 
@@ -76,20 +81,40 @@ class RowPainter {
 
   // Light is computed per unit of albedo and then multiplied by the colour, so that the glossy lobe of paint
   // and metal is coloured as well.
-  void add(std::size_t i, int u, int v, ColorView& view) const {
-    if (!row_.seen(i)) return;
-    const SurfacePoint& point = row_.point(i);
-    const Material& material = row_.material(i);
-    float light = around_share * reflected_surroundings(material, row_.grain(i), point);
-    if (row_.lit(i))
-      light += lamp_share * reflected(material, row_.grain(i), point, (lamp_m - point.position).normalized());
-    const Eigen::Vector3f color = strength_ * light * color_of(material);
-    view.red(u, v) += color.x();
-    view.green(u, v) += color.y();
-    view.blue(u, v) += color.z();
+  template <typename LightOfSample>
+  void add(int v, ColorView& view, const LightOfSample& light_of) const {
+    std::size_t sample = 0;
+    for (int u = 0; u < imager_.width; ++u) {
+      for (int sub = 0; sub < supersampling_; ++sub, ++sample) {
+        if (!row_.seen(sample)) continue;
+        const Eigen::Vector3f color = weight_ * light_of(sample) * color_of(row_.material(sample));
+        view.red(u, v) += color.x();
+        view.green(u, v) += color.y();
+        view.blue(u, v) += color.z();
+      }
+    }
   }
 
-  float strength_;
+  [[nodiscard]] float from_room(std::size_t i) const {
+    const float around =
+        around_share * reflected_surroundings(row_.material(i), row_.grain(i), row_.point(i));
+    return row_.lit(i) ? around + room_lamp_share * reflected_from(i, room_lamp_m) : around;
+  }
+
+  [[nodiscard]] float from_lamp(std::size_t i) const {
+    if (!row_.lit(i)) return 0.0F;
+    return own_lamp_light * reflected_from(i, lamp_m_) / (lamp_m_ - row_.point(i).position).squaredNorm();
+  }
+
+  [[nodiscard]] float reflected_from(std::size_t i, const Eigen::Vector3f& light_m) const {
+    const SurfacePoint& point = row_.point(i);
+    return reflected(row_.material(i), row_.grain(i), point, (light_m - point.position).normalized());
+  }
+
+  float weight_;  // of a sample in its pixel
+  float room_;    // strength of the room's light
+  Eigen::Vector3f lamp_m_;
+  float lamp_;  // share of the full light of the lamp beside the imagers
   const Intrinsics& imager_;
   const Transform& world_from_color_;
   int supersampling_;
@@ -112,12 +137,13 @@ std::uint8_t encoded(float light) {
 }  // namespace
 
 ColorView render_color(const Scene& scene, const RayCaster& rays, const StereoRig& rig,
-                       const Transform& world_from_depth, int supersampling) {
+                       const Transform& world_from_depth, int supersampling, double lamp) {
   const Transform world_from_color = world_from_depth * rig.color_from_depth.inverse();
   const Image<float> black(rig.color.width, rig.color.height);
   ColorView view{black, black, black};
   parallel_bands(rig.color.height, [&](int first, int end) {
-    RowPainter painter(scene, rays, rig.color, world_from_color, supersampling);
+    RowPainter painter(scene, rays, rig.color, world_from_color, supersampling,
+                       {world_from_depth * rig.lamp_m, lamp});
     for (int v = first; v < end; ++v) {
       throw_if_interrupted();
       painter.paint(v, view);

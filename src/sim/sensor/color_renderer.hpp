@@ -19,9 +19,10 @@ struct ColorView {
 
 /// Renders the view of the colour imager.
 /// @param supersampling rays per pixel along each side
+/// @param lamp share of the full light of the lamp beside the imagers, 0 to 1
 /// @throws Interrupted when the user stops the program
 [[nodiscard]] ColorView render_color(const Scene& scene, const RayCaster& rays, const StereoRig& rig,
-                                     const Transform& world_from_depth, int supersampling);
+                                     const Transform& world_from_depth, int supersampling, double lamp = 0.0);
 
 /// One colour image of the view, with noise, gamma encoding and 8 bits per channel. A dark wing yields a
 /// nearly black image, not an empty one.

@@ -48,14 +48,14 @@ struct InfraredRenderer::Eye {
 class InfraredRenderer::RowShader {
  public:
   RowShader(const InfraredRenderer& renderer, const Eye& eye, const Transform& world_from_camera,
-            int supersampling, Light light)
+            int supersampling, const OwnLight& light)
       : renderer_(renderer),
         eye_(eye),
-        light_(light),
+        projects_(light.projector),
         turn_(world_from_camera.rotation().cast<float>()),
         origin_((world_from_camera * eye.position_m).cast<float>()),
         projector_((world_from_camera * renderer.rig_.projector_m).cast<float>()),
-        lamp_{world_from_camera * renderer.rig_.lamp_m, renderer.lamp_light_},
+        lamp_{world_from_camera * renderer.rig_.lamp_m, light.lamp * renderer.lamp_light_},
         dots_shift_(static_cast<float>(eye.dots_px / renderer.rig_.imager.fx)),
         supersampling_(supersampling),
         row_(renderer.scene_, renderer.rays_,
@@ -66,12 +66,11 @@ class InfraredRenderer::RowShader {
     for (int sub = 0; sub < supersampling_; ++sub) {
       aim(v + offset(sub));
       row_.cast();
-      if (light_ == Light::projector) {
+      if (projects_) {
         row_.find_shadows(projector_);
         add(projected, [&](std::size_t i) { return from_projector(i); });
-      } else {
-        add_lamp(lamp_, steady);
       }
+      if (lamp_.strength > 0.0) add_lamp(lamp_, steady);
       add(steady, [&](std::size_t i) { return from_around(i); });
       for (const Lamp& lamp : renderer_.scene_.lighting.lamps) add_lamp(lamp, steady);
     }
@@ -136,7 +135,7 @@ class InfraredRenderer::RowShader {
   }
 
   [[nodiscard]] float from_around(std::size_t i) const {
-    const double own = light_ == Light::projector ? 1.0 : lamp_.strength;
+    const double own = (projects_ ? 1.0 : 0.0) + lamp_.strength;
     const auto light = static_cast<float>(renderer_.scene_.lighting.ambient + own * renderer_.bounce_);
     if (!row_.seen(i) || light <= 0.0F) return 0.0F;
     return light * reflected_surroundings(row_.material(i), albedo(i), row_.point(i));
@@ -152,11 +151,11 @@ class InfraredRenderer::RowShader {
 
   const InfraredRenderer& renderer_;
   const Eye& eye_;
-  Light light_;
+  bool projects_;
   Eigen::Matrix3f turn_;  // world from camera
   Eigen::Vector3f origin_;
   Eigen::Vector3f projector_;
-  Lamp lamp_;  // the camera's own lamp
+  Lamp lamp_;  // beside the imagers
   float dots_shift_;
   int supersampling_;
   SurfaceRow row_;
@@ -175,7 +174,7 @@ InfraredRenderer::InfraredRenderer(const Scene& scene, const RayCaster& rays,
       lamp_light_(options.lamp_light) {}
 
 ImagerLight InfraredRenderer::render_eye(const Eye& eye, const Transform& world_from_camera,
-                                         int supersampling, Light light) const {
+                                         int supersampling, const OwnLight& light) const {
   ImagerLight view{Image<float>(rig_.imager.width, rig_.imager.height),
                    Image<float>(rig_.imager.width, rig_.imager.height)};
   parallel_bands(rig_.imager.height, [&](int first, int end) {
@@ -191,7 +190,7 @@ ImagerLight InfraredRenderer::render_eye(const Eye& eye, const Transform& world_
 }
 
 InfraredPair InfraredRenderer::render(const Transform& world_from_camera, const Misalignment& misalignment,
-                                      int supersampling, Light light) const {
+                                      int supersampling, const OwnLight& light) const {
   const Eye left{Eigen::Vector3d::Zero(), Misalignment{}, misalignment.dots_px, left_error_};
   const Eye right{Eigen::Vector3d(rig_.baseline_m, 0.0, 0.0), misalignment, misalignment.dots_px,
                   right_error_};

@@ -1,7 +1,6 @@
 // The light on the two infrared imagers, before any noise.
 #pragma once
 
-#include "capture/capture.hpp"
 #include "depth/image.hpp"
 #include "scene/ray_caster.hpp"
 #include "scene/scene.hpp"
@@ -24,6 +23,13 @@ struct InfraredPair {
   ImagerLight right;  ///< on the right imager
 };
 
+/// The light that camera and robot give off.
+struct OwnLight {
+  bool projector = true;  ///< whether dots are projected
+  double lamp = 0.0;      ///< share of the full light of the lamp beside the imagers, 0 to 1
+  bool operator==(const OwnLight&) const = default;
+};
+
 /// The truth at the centre of each pixel of the depth (left) imager.
 struct TrueView {
   Image<float> depth_m;  ///< along z; 0 where there is no surface
@@ -39,9 +45,9 @@ class InfraredRenderer {
 
   /// Renders both imagers with `supersampling` squared rays per pixel, shadows of the projector and of lamps,
   /// and the blur of the lenses.
-  /// @param light the camera's own light; lamps of the scene are always on
+  /// @param light lamps of the scene are always on
   [[nodiscard]] InfraredPair render(const Transform& world_from_camera, const Misalignment& misalignment,
-                                    int supersampling, Light light = Light::projector) const;
+                                    int supersampling, const OwnLight& light = {}) const;
 
   /// The truth for a pose, with one ray per pixel.
   [[nodiscard]] TrueView true_view(const Transform& world_from_camera) const;
@@ -50,7 +56,7 @@ class InfraredRenderer {
   struct Eye;
   class RowShader;
   [[nodiscard]] ImagerLight render_eye(const Eye& eye, const Transform& world_from_camera, int supersampling,
-                                       Light light) const;
+                                       const OwnLight& light) const;
 
   const Scene& scene_;
   const RayCaster& rays_;

@@ -64,6 +64,20 @@ ColorView flat(float light) {
   return {even, even, even};
 }
 
+TEST(ColorRenderer, TheLampBesideTheImagersLightsADarkWingByTheSquareOfTheDistance) {
+  const auto brightness_at = [](double distance_m, double lamp) {
+    Scene wing = scene_of(test::wall_at(distance_m, painted({255, 255, 255})));
+    wing.lighting.visible = 0.0;
+    const RayCaster rays(wing);
+    return render_color(wing, rays, stereo_rig({}), Transform::Identity(), 1, lamp).green(424, 240);
+  };
+  EXPECT_EQ(brightness_at(1.0, 0.0), 0.0F);
+  const float full = brightness_at(1.0, 1.0);
+  EXPECT_GT(full, 0.05F);
+  EXPECT_NEAR(brightness_at(1.0, 0.3) / full, 0.3, 1e-4);
+  EXPECT_NEAR(brightness_at(2.0, 1.0) / full, 0.25, 0.01) << "the lamp is a few degrees off the axis";
+}
+
 TEST(ColorExposure, AppliesGamma) {
   for (const float light : {0.02F, 0.2F, 0.5F, 0.9F}) {
     const ColorImage image = expose_color(flat(light), 1);
