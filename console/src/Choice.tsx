@@ -5,14 +5,16 @@ interface Props<T extends string> {
   value: T;
   /** Prefix of the options' test ids. */
   name?: string;
+  /** Whether no other option can be chosen at the moment. */
+  disabled?: boolean;
   onPick: (value: T) => void;
 }
 
-export function Choice<T extends string>({ label, options, value, name = label.toLowerCase(), onPick }: Props<T>) {
+export function Choice<T extends string>({ label, options, value, name = label.toLowerCase(), disabled = false, onPick }: Props<T>) {
   return (
     <div class="switch" role="radiogroup" aria-label={label}>
       {options.map(([option, text]) => (
-        <button key={option} type="button" role="radio" aria-checked={option === value} data-testid={`${name}-${option}`} onClick={() => onPick(option)}>
+        <button key={option} type="button" role="radio" aria-checked={option === value} disabled={disabled} data-testid={`${name}-${option}`} onClick={() => onPick(option)}>
           {text}
         </button>
       ))}

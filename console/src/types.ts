@@ -600,6 +600,11 @@ export interface ExposureRequest {
   gain?: number;
 }
 
+export interface LampRequest {
+  /** Brightness; 0 switches the lamp off. */
+  percent: number;
+}
+
 export interface SnapshotRequest {
   stream: Stream;
   /** The picture that was frozen; without it, the newest of the stream. */
@@ -734,6 +739,17 @@ export interface RobotStatus {
   tilt_deg?: number;
   problem?: string;
   limits: JointLimits;
+  lamp?: LampStatus;
+}
+
+/** Of the lamp around the camera; missing where the robot has none. */
+export interface LampStatus {
+  /** Brightness; 0 is off. */
+  percent: number;
+  /** Temperature of the lamp; missing where it is simulated. */
+  celsius?: number;
+  /** It was switched off, and stays off until it has cooled down. */
+  too_hot: boolean;
 }
 
 export interface Noise {

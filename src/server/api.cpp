@@ -76,6 +76,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"GET", "/api/inspections/{}/rounds/{}/map", PersonRole::viewer, &Api::get_map},
       {"GET", "/api/inspections/{}/rounds/{}/changes", PersonRole::viewer, &Api::get_changes},
       {"PUT", "/api/camera/exposure", PersonRole::operator_, &Api::set_exposure},
+      {"PUT", "/api/robot/lamp", PersonRole::operator_, &Api::set_lamp},
       {"POST", "/api/readiness", PersonRole::operator_, &Api::check_readiness},
       {"GET", "/api/findable.png", PersonRole::viewer, &Api::get_findable},
       {"POST", "/api/cancel", PersonRole::operator_, &Api::cancel},

@@ -131,7 +131,9 @@ class Api {
       std::shared_ptr<const LiveFrame> first) const;
   [[nodiscard]] std::shared_ptr<const FrozenPicture> frozen_in(const std::string& number) const;
   ApiResponse freeze(const Call& call) const;
+  void require_no_capture(const std::string& what) const;
   ApiResponse set_exposure(const Call& call) const;
+  ApiResponse set_lamp(const Call& call) const;
   ApiResponse measure_points(const Call& call) const;
   ApiResponse measure_view(const Call& call) const;
   ApiResponse measure_map(const Call& call) const;

@@ -240,6 +240,16 @@ Json json_of(const TaskState& task) {
   return json;
 }
 
+namespace {
+
+Json json_of(const LampState& lamp) {
+  Json json{{"percent", lamp.percent}, {"too_hot", lamp.too_hot}};
+  if (lamp.celsius) json["celsius"] = rounded(*lamp.celsius, 1);
+  return json;
+}
+
+}  // namespace
+
 Json json_of(const DriveState& state, const RobotLimits& limits) {
   Json json{
       {"driving", state.driving}, {"armed", state.armed}, {"lent", state.lent}, {"at_limit", state.at_limit}};
@@ -250,6 +260,7 @@ Json json_of(const DriveState& state, const RobotLimits& limits) {
   if (!state.problem.empty()) json["problem"] = without_folders(state.problem);
   json["limits"] = {{"pan_deg", {limits.pan.min_deg, limits.pan.max_deg}},
                     {"tilt_deg", {limits.tilt.min_deg, limits.tilt.max_deg}}};
+  if (state.lamp) json["lamp"] = json_of(*state.lamp);
   return json;
 }
 

@@ -2,7 +2,6 @@
 
 usage: api_schema_test.py RVA REPOSITORY
 """
-import html.parser
 import json
 import os
 import re
@@ -15,40 +14,14 @@ import program
 from api_schema import ApiSchema
 from captures import read_image
 from console_client import Console, ask
+from read_page import ReadPage
 from simulations import TOOLS, contents
 
 SCHEMA = None
 
 # Fields that appear only after a failure of a device, or by chance.
 NOT_MET = {'CameraStatus.problem', 'CheckedView.problem', 'Finding.moved_from', 'RecordedLevels.effective_frames',
-           'ReadinessValues.frames', 'ReadinessValues.repeated_frames', 'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
-
-
-class ReadPage(html.parser.HTMLParser):
-    """The text of a page, and what is wrong with it: elements that are not closed, scripts, what is loaded from elsewhere."""
-
-    def __init__(self, page):
-        super().__init__()
-        self.faults, self.open, self.words = [], [], []
-        self.feed(page)
-        self.close()
-        self.faults += self.open
-        self.text = ' '.join(' '.join(self.words).split())
-
-    def handle_starttag(self, tag, attributes):
-        if tag not in ('meta', 'img'):
-            self.open.append(tag)
-        self.faults += [f'{tag} {name}' for name, value in attributes
-                        if name.startswith('on') or name == 'href' or (name == 'src' and not value.startswith('data:'))]
-        if tag in ('script', 'link', 'iframe'):
-            self.faults.append(tag)
-
-    def handle_endtag(self, tag):
-        if not self.open or self.open.pop() != tag:
-            self.faults.append(f'/{tag}')
-
-    def handle_data(self, data):
-        self.words.append(data)
+           'LampStatus.celsius', 'ReadinessValues.frames', 'ReadinessValues.repeated_frames', 'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
 
 
 def without_time(text):
@@ -130,6 +103,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.point()
         self.keep_a_snapshot()
         self.expose()
+        self.light()
         self.take('initial', then='check')
         self.get('inspections/1/baseline-check', 'BaselineCheck')
         left_out = [[-0.5, -0.5], [40.0, -0.5], [40.0, 40.0]]
@@ -187,6 +161,13 @@ class ApiSchemaTest(program.ProgramTest):
             self.ask('PUT', 'camera/exposure', 'ExposureRequest', {'automatic': fixed is None, **(fixed or {})}, 'Empty', 200)
             self.console.wait_for(lambda status: status['camera']['exposure']['automatic'] == (fixed is None))
         self.refuse('PUT', 'camera/exposure', {'automatic': False, 'time_us': 5000, 'gain': -1}, 409)
+
+    def light(self):
+        for percent in (40, 0):
+            self.ask('PUT', 'robot/lamp', 'LampRequest', {'percent': percent}, 'Empty', 200)
+            self.console.wait_for(lambda status: status['robot']['lamp']['percent'] == percent)
+        for percent in (101, -1, 0.5):
+            self.refuse('PUT', 'robot/lamp', {'percent': percent}, 400)
 
     def keep_a_snapshot(self):
         frozen = self.post('freeze', 'FreezeRequest', {'stream': 'color'}, 'FrozenPicture', 201)

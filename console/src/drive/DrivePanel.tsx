@@ -7,6 +7,7 @@ import type { RobotStatus } from '../types';
 import { words } from '../words/words';
 import { AngleGauge } from './AngleGauge';
 import { ControllerSettings } from './ControllerSettings';
+import { LampChoice } from './LampChoice';
 import { noticeOf } from './pad_words';
 import { StickPad } from './StickPad';
 import { sticks } from './sticks';
@@ -108,6 +109,7 @@ export function DrivePanel({ mayDrive, small }: { mayDrive: boolean; small: bool
               {words.drive.controller}
             </button>
           )}
+          {!small && robot.lamp && mayDrive && <LampChoice lamp={robot.lamp} fixed={robot.lent} />}
         </div>
         {!small && settingUp && <ControllerSettings onClose={() => setSettingUp(false)} />}
       </div>

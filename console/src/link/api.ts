@@ -13,6 +13,7 @@ import type {
   Inspection,
   InspectionList,
   Joints,
+  LampRequest,
   MapMeasureRequest,
   MarkRequest,
   Measurement,
@@ -105,6 +106,8 @@ export const api = {
   cancel: () => post<Empty>('/api/cancel'),
   /** Sets the exposure of the infrared imagers; refused during a capture. */
   setExposure: (request: ExposureRequest) => send<ExposureRequest, Empty>('PUT', '/api/camera/exposure', request),
+  /** Sets the brightness of the robot's lamp; refused during a capture. */
+  setLamp: (request: LampRequest) => send<LampRequest, Empty>('PUT', '/api/robot/lamp', request),
   measure: (request: MeasureRequest) => send<MeasureRequest, Measurement>('POST', '/api/measure', request),
   /** Keeps the live picture still, for measuring and for a snapshot. */
   freeze: (stream: Stream) => send<FreezeRequest, FrozenPicture>('POST', '/api/freeze', { stream }),
