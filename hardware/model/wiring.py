@@ -58,6 +58,17 @@ class Plan:
     def _terminal(node, side, name):
         return node['x'] + (NODE if side == '>' else 0), node['y'] + 34 + TERMINAL * node[side].index(name) + 8
 
+    def _ends(self, wire):
+        source, outlet, target, inlet, _ = wire
+        return self._terminal(self.nodes[source], '>', outlet), self._terminal(self.nodes[target], '<', inlet)
+
+    def _bent_wires(self, column):
+        """Those that leave a column and change their height; each has a lane of its own."""
+        def bends(wire):
+            (_, y0), (_, y1) = self._ends(wire)
+            return y0 != y1
+        return [wire for wire in self.wires if self.nodes[wire[0]]['column'] == column and bends(wire)]
+
     def svg(self):
         height = self._place()
         width = LEFT + COLUMN * (len(self.columns) - 1) + NODE + LEFT
@@ -73,14 +84,13 @@ class Plan:
             x = LEFT + COLUMN * index + NODE / 2
             text(x, 36, title, text_anchor='middle', font_weight='bold', font_size=15)
             text(x, 56, subtitle, text_anchor='middle', fill='#555')
-        lanes = [0] * len(self.columns)
-        for source, outlet, target, inlet, kind in self.wires:
-            x0, y0 = self._terminal(self.nodes[source], '>', outlet)
-            x1, y1 = self._terminal(self.nodes[target], '<', inlet)
-            lane = lanes[self.nodes[source]['column']]
-            lanes[self.nodes[source]['column']] += 1
-            middle = x0 + 14 + 14 * lane
-            out.append(f'<path d="M{x0} {y0}H{middle}V{y1}H{x1}" fill="none" stroke="{COLOURS[kind]}" stroke-width="2.2"/>')
+        lanes = [self._bent_wires(column) for column in range(len(self.columns))]
+        for wire in self.wires:
+            (x0, y0), (x1, y1) = self._ends(wire)
+            source, kind = wire[0], wire[4]
+            bent = lanes[self.nodes[source]['column']]
+            middle = x0 + (x1 - x0) * (bent.index(wire) + 1) / (len(bent) + 1) if wire in bent else x1
+            out.append(f'<path d="M{x0} {y0}H{middle:.1f}V{y1}H{x1}" fill="none" stroke="{COLOURS[kind]}" stroke-width="2.2"/>')
         for node in self.nodes.values():
             out.append(f'<rect x="{node["x"]}" y="{node["y"]}" width="{NODE}" height="{node["height"]}" rx="5" fill="#f4f6f8" stroke="#456"/>')
             text(node['x'] + NODE / 2, node['y'] + 18, node['title'], text_anchor='middle', font_weight='bold',
