@@ -11,7 +11,7 @@ import unittest
 ROOT = pathlib.Path(sys.argv[1])
 SECTION = '## Words that are not used\n'
 PAGES = ('README.md', 'CONTRIBUTING.md', 'CMakeLists.txt')
-FOLDERS = ('bench', 'console/schema', 'console/src', 'console/tests', 'data', 'docs', 'examples', 'firmware',
+FOLDERS = ('bench', 'console/schema', 'console/src', 'console/tests', 'data', 'debian', 'docs', 'examples', 'firmware',
            'hardware', 'script', 'src', 'tests')
 SUFFIXES = ('.cpp', '.css', '.dox', '.h', '.hpp', '.ino', '.json', '.md', '.mjs', '.py', '.scad', '.ts', '.tsx', '.txt',
             '.yaml', '')
