@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "herkulex.h"
 #include "text.h"
 
 namespace rva_robot {
@@ -91,13 +92,30 @@ Refusal parse_lamp(Words& words, Command& command) {
   return command.lamp_percent <= 100 ? Refusal::none : Refusal::limit;
 }
 
+bool parse_id(Words& words, uint8_t& id) {
+  const char* word = nullptr;
+  uint8_t length = 0;
+  words.next(word, length);
+  return parse_byte(word, length, id);
+}
+
+Refusal parse_name(Words& words, Command& command) {
+  if (!parse_id(words, command.servo_from) || !parse_id(words, command.servo_to) || !words.ended())
+    return Refusal::form;
+  const bool ids = command.servo_from <= herkulex::greatest_id && command.servo_to <= herkulex::greatest_id;
+  return ids ? Refusal::none : Refusal::limit;
+}
+
 Refusal parse_verb(Words& words, Command& command) {
   struct Name {
     const char* text;
     Verb verb;
   };
-  static const Name names[] = {
-      {"STOP", Verb::stop}, {"PING", Verb::ping}, {"CLEAR", Verb::clear}, {"INFO", Verb::info}};
+  static const Name names[] = {{"STOP", Verb::stop},
+                               {"PING", Verb::ping},
+                               {"CLEAR", Verb::clear},
+                               {"INFO", Verb::info},
+                               {"FIND", Verb::find}};
   const char* word = nullptr;
   uint8_t length = 0;
   words.next(word, length);
@@ -108,6 +126,10 @@ Refusal parse_verb(Words& words, Command& command) {
   if (is(word, length, "LAMP")) {
     command.verb = Verb::lamp;
     return parse_lamp(words, command);
+  }
+  if (is(word, length, "NAME")) {
+    command.verb = Verb::name;
+    return parse_name(words, command);
   }
   for (const Name& name : names) {
     if (!is(word, length, name.text)) continue;

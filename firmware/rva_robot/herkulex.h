@@ -8,8 +8,12 @@ namespace rva_robot {
 
 namespace herkulex {
 
-enum Request : uint8_t { ram_write = 3, ram_read = 4, i_jog = 5 };
+enum Request : uint8_t { eep_write = 1, ram_write = 3, ram_read = 4, i_jog = 5, stat = 7, reboot = 9 };
 constexpr uint8_t reply = 0x40;  ///< added to the request's code in a reply
+
+/// The register of the ID in the permanent memory (EEP); a change counts from the next start of the servo.
+constexpr uint8_t eep_id = 6;
+constexpr uint8_t greatest_id = 253;
 
 /// Registers in RAM.
 enum Register : uint8_t {

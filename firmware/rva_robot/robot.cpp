@@ -59,6 +59,14 @@ Refusal Robot::carry_out(const Command& command, uint32_t now_ms) {
       status_asked_ = axes;
       lamp_asked_ = true;
       break;
+    case Verb::find:
+      stop(now_ms);
+      bus_.find();
+      found_asked_ = true;
+      break;
+    case Verb::name:
+      stop(now_ms);
+      return bus_.name(command.servo_from, command.servo_to, now_ms) ? Refusal::none : Refusal::blind;
     case Verb::lamp:
       lamp_asked_ = true;
       return lamp_.set(command.lamp_percent) ? Refusal::none : Refusal::heat;

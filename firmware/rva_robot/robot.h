@@ -43,11 +43,13 @@ class Robot {
   State state(uint32_t now_ms) const;
 
   void report(uint32_t now_ms);
+  void report_parts(uint32_t now_ms);
   void say_ready(uint32_t now_ms);
   void say_positions(uint32_t now_ms);
   void say_bare_positions(uint32_t now_ms);
   bool say_status(uint8_t axis);
   void say_lamp(uint32_t now_ms);
+  bool say_found();
   bool say(const Line& line, uint8_t room_to_leave);
   bool say_frame(Line& line, uint8_t room_to_leave);
 
@@ -68,6 +70,7 @@ class Robot {
   uint8_t status_asked_ = 0;  // number of status lines that the host has requested
   uint32_t lamp_ms_ = 0;
   bool lamp_asked_ = false;
+  bool found_asked_ = false;
   uint32_t ready_ms_ = 0;
   bool ready_said_ = false;
 };

@@ -10,6 +10,7 @@ constexpr uint16_t status_every_ms = 250;  // alternating between the axes
 constexpr uint16_t lamp_every_ms = 500;
 constexpr uint16_t ready_every_ms = 1000;
 constexpr uint16_t millivolts_a_count = 74;
+constexpr uint8_t most_found = 8;    // servos that are reported
 constexpr uint8_t for_answers = 64;  // bytes of the outbox reserved for answers
 
 const char* const axis_names[axes] = {"PAN", "TILT"};
@@ -22,8 +23,13 @@ void Robot::report(uint32_t now_ms) {
     positions_ms_ = now_ms;
     input_.framed() ? say_positions(now_ms) : say_bare_positions(now_ms);
   }
-  if (input_.framed() && (lamp_asked_ || now_ms - lamp_ms_ >= lamp_every_ms)) say_lamp(now_ms);
-  if (!input_.framed() || (status_asked_ == 0 && now_ms - status_ms_ < status_every_ms)) return;
+  if (input_.framed()) report_parts(now_ms);
+}
+
+void Robot::report_parts(uint32_t now_ms) {
+  if (found_asked_ && !bus_.finding() && say_found()) found_asked_ = false;
+  if (lamp_asked_ || now_ms - lamp_ms_ >= lamp_every_ms) say_lamp(now_ms);
+  if (status_asked_ == 0 && now_ms - status_ms_ < status_every_ms) return;
   if (!say_status(status_axis_)) return;
   status_ms_ = now_ms;
   status_axis_ = static_cast<uint8_t>(1 - status_axis_);
@@ -109,6 +115,18 @@ void Robot::say_lamp(uint32_t now_ms) {
   if (!say_frame(line, for_answers)) return;
   lamp_asked_ = false;
   lamp_ms_ = now_ms;
+}
+
+bool Robot::say_found() {
+  Line line;
+  line.text("FOUND");
+  uint8_t listed = 0;
+  for (uint16_t id = 0; id <= herkulex::greatest_id && listed < most_found; ++id) {
+    if (!bus_.found(static_cast<uint8_t>(id))) continue;
+    line.character(' ').number(id);
+    ++listed;
+  }
+  return say_frame(line, for_answers);
 }
 
 // Lines for which there is no room are dropped: the next positions are newer, and hosts

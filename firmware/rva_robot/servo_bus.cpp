@@ -4,7 +4,8 @@ namespace rva_robot {
 namespace {
 
 constexpr uint8_t answer_within_ms = 6;
-constexpr uint8_t ask_every_ms = 6;  // which yields the position of each servo every 12 ms
+constexpr uint8_t ask_every_ms = 6;        // which yields the position of each servo every 12 ms
+constexpr uint8_t restart_after_ms = 100;  // writing the permanent memory takes a few milliseconds
 constexpr uint16_t ask_supply_every_ms = 500;
 constexpr uint16_t position_bits = 0x3FF;  // the higher bits are undocumented and not always 0
 
@@ -40,6 +41,12 @@ void Servo::take_status(uint8_t new_error, uint8_t new_detail) {
 void ServoBus::take(uint8_t byte, uint32_t now_ms) {
   Packet packet;
   if (!reader_.take(byte, packet) || !waiting_) return;
+  if (finding_) {
+    if (packet.command != herkulex::stat + herkulex::reply) return;
+    found_[packet.id / 8] = static_cast<uint8_t>(found_[packet.id / 8] | (1U << (packet.id % 8)));
+    waiting_ = false;
+    return;
+  }
   // An answer contains the register, the number of values, the values, and both bytes of status.
   if (packet.command != herkulex::ram_read + herkulex::reply || packet.id != servo_id[asked_axis_]) return;
   if (packet.length != 6 || packet.data[0] != asked_register_ || packet.data[1] != 2) return;
@@ -59,7 +66,46 @@ void ServoBus::take(uint8_t byte, uint32_t now_ms) {
 void ServoBus::tick(uint32_t now_ms) {
   const uint32_t since_ms = now_ms - asked_ms_;
   if (waiting_ && since_ms < answer_within_ms) return;
-  if (since_ms >= ask_every_ms) ask(now_ms);
+  if (naming_ && now_ms - named_ms_ >= restart_after_ms) {
+    if (send_bare(named_, herkulex::reboot)) naming_ = false;
+  } else if (finding_) {
+    ask_next_id(now_ms);
+  } else if (since_ms >= ask_every_ms) {
+    ask(now_ms);
+  }
+}
+
+void ServoBus::find() {
+  finding_ = true;
+  waiting_ = false;
+  next_id_ = 0;
+  for (uint8_t& eight : found_) eight = 0;
+}
+
+void ServoBus::ask_next_id(uint32_t now_ms) {
+  if (next_id_ > herkulex::greatest_id) {
+    finding_ = false;
+    waiting_ = false;
+    return;
+  }
+  if (!send_bare(next_id_, herkulex::stat)) return;
+  ++next_id_;
+  asked_ms_ = now_ms;
+  waiting_ = true;
+}
+
+bool ServoBus::name(uint8_t from, uint8_t to, uint32_t now_ms) {
+  Packet packet;
+  packet.id = from;
+  packet.command = herkulex::eep_write;
+  packet.add(herkulex::eep_id);
+  packet.add(1);
+  packet.add(to);
+  if (!send(packet)) return false;
+  naming_ = true;
+  named_ = from;
+  named_ms_ = now_ms;
+  return true;
 }
 
 bool ServoBus::write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count) {
@@ -90,6 +136,13 @@ bool ServoBus::jog(uint8_t axis, uint16_t count, uint8_t set, uint8_t play) {
   packet.add(set);
   packet.add(servo_id[axis]);
   packet.add(play);
+  return send(packet);
+}
+
+bool ServoBus::send_bare(uint8_t id, uint8_t command) {
+  Packet packet;
+  packet.id = id;
+  packet.command = command;
   return send(packet);
 }
 

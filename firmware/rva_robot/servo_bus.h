@@ -52,6 +52,16 @@ class ServoBus {
 
   const Servo& servo(uint8_t axis) const { return servos_[axis]; }
 
+  /// Asks every ID in turn for its status, which takes two seconds at most. Positions are not asked
+  /// meanwhile.
+  void find();
+  bool finding() const { return finding_; }
+  bool found(uint8_t id) const { return (found_[id / 8] & (1U << (id % 8))) != 0; }
+
+  /// Gives a servo another ID for good, and starts it anew a moment later, so that the ID counts.
+  /// @return false if the port had no room for it
+  bool name(uint8_t from, uint8_t to, uint32_t now_ms);
+
   /// Send a command; servos do not answer commands.
   /// @return false if the port had no room for it
   bool write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count);
@@ -61,7 +71,9 @@ class ServoBus {
  private:
   bool send(const Packet& packet);
   bool jog(uint8_t axis, uint16_t count, uint8_t set, uint8_t play);
+  bool send_bare(uint8_t id, uint8_t command);
   void ask(uint32_t now_ms);
+  void ask_next_id(uint32_t now_ms);
 
   Port& port_;
   PacketReader reader_;
@@ -71,6 +83,12 @@ class ServoBus {
   bool waiting_ = false;
   uint32_t asked_ms_ = 0;
   uint32_t supply_asked_ms_[axes] = {0, 0};
+  bool finding_ = false;
+  uint8_t next_id_ = 0;
+  uint8_t found_[32] = {};
+  bool naming_ = false;
+  uint8_t named_ = 0;  // the ID until the servo starts anew
+  uint32_t named_ms_ = 0;
 };
 
 }  // namespace rva_robot

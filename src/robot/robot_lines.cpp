@@ -141,6 +141,19 @@ std::optional<RobotLine> parse_lamp(const Words& words) {
   return LampLine{lamp};
 }
 
+std::optional<RobotLine> parse_found(const Words& words) {
+  constexpr std::size_t most_found = 8;
+  FoundLine found;
+  if (words.size() > 1 + most_found) return std::nullopt;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    int id = 0;
+    if (!parse_count(words[i], id, greatest_servo_id) || (!found.ids.empty() && id <= found.ids.back()))
+      return std::nullopt;
+    found.ids.push_back(id);
+  }
+  return found;
+}
+
 bool is_printable(std::string_view text) {
   return std::ranges::all_of(text, [](char character) { return character >= ' ' && character <= '~'; });
 }
@@ -157,6 +170,7 @@ std::optional<RobotLine> parse_frame(std::string_view frame) {
   if (words[0] == "READY") return parse_ready(words);
   if (words[0] == "ACK" || words[0] == "NAK") return parse_answer(words);
   if (words[0] == "POS") return parse_positions(words);
+  if (words[0] == "FOUND") return parse_found(words);
   if (words[0] == "LAMP") return parse_lamp(words);
   if (words[0] == "STAT") return parse_status(text, words);
   return std::nullopt;
@@ -190,6 +204,8 @@ std::string move_body(const PanTilt& target) {
 }
 
 std::string lamp_body(int percent) { return fmt::format("LAMP {}", percent); }
+
+std::string name_body(int from, int to) { return fmt::format("NAME {} {}", from, to); }
 
 std::optional<RobotLine> parse_robot_line(std::string_view line) {
   if (line.empty()) return std::nullopt;

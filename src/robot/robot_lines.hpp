@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "geometry/pan_tilt.hpp"
 #include "robot/lamp.hpp"
@@ -23,6 +24,11 @@ namespace rva {
 
 /// The body of LAMP. @param percent 0 to 100
 [[nodiscard]] std::string lamp_body(int percent);
+
+/// The body of NAME. @param from, to 0 to greatest_servo_id
+[[nodiscard]] std::string name_body(int from, int to);
+
+inline constexpr int greatest_servo_id = 253;
 
 /// The line with which the robot states its protocol and limits.
 struct ReadyLine {
@@ -61,13 +67,19 @@ struct LampLine {
   std::optional<LampState> lamp;  ///< empty if there is no thermistor, so that the lamp cannot be used
 };
 
+/// The servos that answered.
+struct FoundLine {
+  std::vector<int> ids;  ///< rising, 0 to 253, eight at most
+};
+
 /// Positions of a robot with the thesis' firmware, which sends bare angles.
 struct BarePositionsLine {
   PanTilt joints;  ///< as the robot sends them
 };
 
 /// A line from the robot that was understood.
-using RobotLine = std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, LampLine, BarePositionsLine>;
+using RobotLine =
+    std::variant<ReadyLine, AnswerLine, PositionsLine, StatusLine, LampLine, FoundLine, BarePositionsLine>;
 
 /// Parses a line, strictly as docs/protocol.md defines it. Lines are rejected if they state limits beyond
 /// those of RobotLimits, angles that are not numbers or exceed 180 degrees, or ages of more than 250 ms.

@@ -26,6 +26,7 @@ constexpr milliseconds answer_within{100};
 constexpr int tries = 5;
 constexpr milliseconds position_counts{250};
 constexpr milliseconds lamp_counts{2000};  // the robot reports its lamp twice a second
+constexpr milliseconds found_within{4000};
 constexpr milliseconds known_within{5000};
 constexpr milliseconds ready_within{1000};
 // RVA's firmware sends READY every second until it is commanded, so that after this time a robot is a
@@ -106,6 +107,28 @@ class SerialRobot::Conversation {
     ask(lamp_body(percent));
   }
 
+  [[nodiscard]] std::vector<int> find_servos() {
+    require_framed();
+    {
+      const std::scoped_lock lock(mutex_);
+      found_.reset();
+    }
+    ask("FIND");
+    wait_for(found_within, [this] { return found_.has_value(); });
+    const std::scoped_lock lock(mutex_);
+    if (!found_) throw Error(device_, "the robot does not report its servos", "try again");
+    return *found_;
+  }
+
+  void name_servo(int from, int to) {
+    for (const int id : {from, to}) {
+      if (id < 0 || id > greatest_servo_id)
+        throw UsageError("servo", fmt::format("{} is not an ID", id), "give 0 to 253");
+    }
+    require_framed();
+    ask(name_body(from, to));
+  }
+
   [[nodiscard]] PanTilt joints() const {
     const std::scoped_lock lock(mutex_);
     if (kind_ == RobotKind::unknown) throw away();
@@ -170,6 +193,12 @@ class SerialRobot::Conversation {
     return kind;
   }
 
+  void require_framed() const {
+    if (kind_or_throw() != RobotKind::framed)
+      throw Error(device_, "the robot has the thesis' firmware, which cannot do this",
+                  "load the firmware of this version of rva (firmware/README.md)");
+  }
+
   // These are called on the link's thread.
   void begin() {
     const std::scoped_lock lock(mutex_);
@@ -214,6 +243,7 @@ class SerialRobot::Conversation {
     state_since_command_ = positions.state;
   }
   void take(const StatusLine& /*status*/) {}
+  void take(const FoundLine& line) { found_ = line.ids; }
   void take(const LampLine& line) {
     lamp_ = line.lamp;
     lamp_at_ = now();
@@ -300,6 +330,7 @@ class SerialRobot::Conversation {
   std::optional<Measured> tilt_;
   std::optional<std::string> state_since_command_;
   Time bare_moved_at_{};
+  std::optional<std::vector<int>> found_;
   std::optional<LampState> lamp_;
   Time lamp_at_{};
   std::map<int, AnswerLine> answers_;
@@ -323,6 +354,8 @@ void SerialRobot::move_to(const PanTilt& target) { conversation_->move_to(target
 PanTilt SerialRobot::joints() { return conversation_->joints(); }
 bool SerialRobot::moving() { return conversation_->moving(); }
 void SerialRobot::stop() { conversation_->stop(); }
+std::vector<int> SerialRobot::find_servos() { return conversation_->find_servos(); }
+void SerialRobot::name_servo(int from, int to) { conversation_->name_servo(from, to); }
 std::optional<LampState> SerialRobot::lamp() { return conversation_->lamp(); }
 void SerialRobot::set_lamp(int percent) { conversation_->set_lamp(percent); }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/robot.hpp"
 
@@ -47,6 +48,15 @@ class SerialRobot : public Robot {
 
   /// Takes precedence over other commands. A bare robot is sent to its present angles.
   void stop() override;
+
+  /// Stops, and asks every ID for a servo, for up to three seconds. Moves are refused meanwhile.
+  /// @return the IDs that answered, rising, eight at most
+  /// @throws Error when the robot does not answer, or has firmware that cannot do this
+  [[nodiscard]] std::vector<int> find_servos();
+  /// Gives a servo another ID for good. The servo starts anew, without torque.
+  /// @param from, to 0 to 253
+  /// @throws UsageError when an ID is out of range; Error as find_servos()
+  void name_servo(int from, int to);
 
   /// Firmware before 1.1 reports no lamp, and neither does a bare robot.
   [[nodiscard]] std::optional<LampState> lamp() override;

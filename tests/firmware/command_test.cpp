@@ -52,7 +52,7 @@ Command only_command_of(const std::string& bytes) {
 
 TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
   const std::vector<std::string> lines = golden_lines("host");
-  ASSERT_EQ(lines.size(), 7U);
+  ASSERT_EQ(lines.size(), 9U);
   std::vector<Verb> verbs;
   for (const std::string& line : lines) {
     const Command command = only_command_of(line + "\n");
@@ -61,8 +61,10 @@ TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
     verbs.push_back(command.verb);
   }
   EXPECT_EQ(verbs, (std::vector{Verb::ping, Verb::move, Verb::move, Verb::stop, Verb::clear, Verb::info,
-                                Verb::lamp}));
+                                Verb::lamp, Verb::find, Verb::name}));
   EXPECT_EQ(only_command_of(lines[6] + "\n").lamp_percent, 40);
+  EXPECT_EQ(only_command_of(lines[8] + "\n").servo_from, 253);
+  EXPECT_EQ(only_command_of(lines[8] + "\n").servo_to, 1);
   const Command slow = only_command_of(lines[2] + "\r\n");
   EXPECT_EQ(slow.number, 2);
   EXPECT_EQ(slow.target_cdeg[0], -9000);
@@ -72,7 +74,7 @@ TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
 
 TEST(Frames, GoldenLinesOfTheRobotHaveItsChecksums) {
   const std::vector<std::string> lines = golden_lines("robot");
-  ASSERT_EQ(lines.size(), 12U);
+  ASSERT_EQ(lines.size(), 14U);
   for (const std::string& line : lines) {
     Line built;
     built.text(line.substr(1, line.size() - 6).c_str()).close_frame();
@@ -100,6 +102,11 @@ TEST(Frames, WhatIsNoCommandIsRefusedWithItsReason) {
                                              {"1 LAMP 256", Refusal::form},
                                              {"1 LAMP -1", Refusal::form},
                                              {"1 LAMP 4.5", Refusal::form},
+                                             {"1 NAME 253 254", Refusal::limit},
+                                             {"1 NAME 254 1", Refusal::limit},
+                                             {"1 NAME 1", Refusal::form},
+                                             {"1 NAME 1 2 3", Refusal::form},
+                                             {"1 FIND 1", Refusal::form},
                                              {"1 LAMP", Refusal::form},
                                              {"1 LAMP 4 4", Refusal::form},
                                              {"1 MOVE 0", Refusal::form},

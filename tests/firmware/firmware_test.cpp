@@ -494,6 +494,51 @@ TEST_P(FirmwareTest, ALampWhoseTemperatureIsNotKnownStaysOff) {
   }
 }
 
+// IDs as the robot reports them after FIND: "1 2".
+std::string found_servos(Board& board) {
+  board.send_frame("FIND");
+  board.take_lines();
+  std::string found = "no report";
+  for (int i = 0; i < 30 && found == "no report"; ++i) {
+    board.send_frame("PING");
+    board.run_ms(100);
+    for (const std::string& line : board.take_lines())
+      if (line.starts_with("$FOUND")) found = line.substr(6, line.find('*') - 6);
+  }
+  return found;
+}
+
+TEST_P(FirmwareTest, FindsAndNamesServos) {
+  Board robot = board();
+  robot.pan().set_id(253);
+  robot.tilt().faults.packet_lost = 1.0;
+  robot.run_ms(500);
+  EXPECT_EQ(found_servos(robot), " 253");
+  EXPECT_THAT(robot.answer(robot.send_frame("NAME 253 1")), StartsWith("ACK"));
+  run_in_sight_ms(robot, 300);
+  EXPECT_EQ(robot.pan().id(), 1);
+  EXPECT_EQ(found_servos(robot), " 1");
+  robot.tilt().faults.packet_lost = 0.0;
+  EXPECT_EQ(found_servos(robot), " 1 2");
+  run_in_sight_ms(robot, 500);
+  EXPECT_TRUE(robot.pan().torque()) << "both are held again";
+  EXPECT_THAT(robot.answer(robot.send_frame("MOVE 10 -10")), StartsWith("ACK"));
+  run_in_sight_ms(robot, 1000);
+  EXPECT_NEAR(robot.pan().angle_deg(), 10.0, 0.4);
+}
+
+TEST_P(FirmwareTest, FindsNothingWhereNothingIsConnectedAndStopsAMove) {
+  Board robot = board({-80.0, -10.0, true});
+  ASSERT_TRUE(robot.run_until_ready());
+  robot.send_frame("MOVE 80 -10 20");
+  run_in_sight_ms(robot, 500);
+  EXPECT_EQ(found_servos(robot), " 1 2");
+  EXPECT_FALSE(robot.pan().moving());
+  EXPECT_LT(robot.pan().angle_deg(), -60.0);
+  for (SimulatedServo* servo : {&robot.pan(), &robot.tilt()}) servo->faults.packet_lost = 1.0;
+  EXPECT_EQ(found_servos(robot), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Logic, FirmwareTest, testing::Values(Kind::native));
 INSTANTIATE_TEST_SUITE_P(Board, FirmwareTest, testing::Values(Kind::board));
 

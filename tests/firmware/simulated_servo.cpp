@@ -29,7 +29,7 @@ std::vector<std::uint8_t> reply_of(std::uint8_t id, std::uint8_t command,
   std::vector<std::uint8_t> reply{
       0xFF, 0xFF, static_cast<std::uint8_t>(7 + data.size()), id, static_cast<std::uint8_t>(command + 0x40),
       0,    0};
-  reply.insert(reply.end(), data.begin(), data.end());
+  for (const std::uint8_t byte : data) reply.push_back(byte);
   const std::uint8_t check = check_of(reply);
   reply[5] = check & 0xFE;
   reply[6] = ~check & 0xFE;
@@ -39,11 +39,18 @@ std::vector<std::uint8_t> reply_of(std::uint8_t id, std::uint8_t command,
 }  // namespace
 
 SimulatedServo::SimulatedServo(std::uint8_t id, double angle_deg, bool torque)
-    : id_(id), angle_deg_(angle_deg), hold_deg_(angle_deg) {
+    : id_(id), eep_id_(id), angle_deg_(angle_deg), hold_deg_(angle_deg) {
+  start();
+  ram_[52] = torque ? 0x60 : 0;
+}
+
+void SimulatedServo::start() {
+  id_ = eep_id_;
+  move_.reset();
+  ram_.fill(0);
   ram_[1] = 1;
   ram_[8] = 25;
   ram_[9] = 45;
-  ram_[52] = torque ? 0x60 : 0;
   ram_[54] = 162;  // 12 V
   ram_[55] = 140;
 }
@@ -53,18 +60,28 @@ std::optional<std::vector<std::uint8_t>> SimulatedServo::take(const std::vector<
   const std::uint8_t command = packet[4];
   const std::uint8_t* const data = packet.data() + 7;
   const std::size_t length = packet.size() - 7;
-  if (command == 3 && length >= 2 && length == 2U + data[1]) {
-    for (std::uint8_t i = 0; i < data[1]; ++i) write(static_cast<std::uint8_t>(data[0] + i), data[2 + i]);
-  } else if (command == 4 && length == 2) {
+  if (command == 7 && length == 0) return reply_of(id_, command, {status_error(), status_detail()});
+  if (command == 4 && length == 2) {
     std::vector<std::uint8_t> answer{data[0], data[1]};
     for (std::uint8_t i = 0; i < data[1]; ++i) answer.push_back(read(static_cast<std::uint8_t>(data[0] + i)));
     answer.push_back(status_error());
     answer.push_back(status_detail());
     return reply_of(id_, command, answer);
+  }
+  obey(command, data, length);
+  return std::nullopt;
+}
+
+void SimulatedServo::obey(std::uint8_t command, const std::uint8_t* data, std::size_t length) {
+  if (command == 1 && length == 3 && data[0] == 6 && data[1] == 1) {
+    eep_id_ = data[2];
+  } else if (command == 9 && length == 0) {
+    start();
+  } else if (command == 3 && length >= 2 && length == 2U + data[1]) {
+    for (std::uint8_t i = 0; i < data[1]; ++i) write(static_cast<std::uint8_t>(data[0] + i), data[2 + i]);
   } else if (command == 5 && length == 5 && data[3] == id_) {
     jog(data);
   }
-  return std::nullopt;
 }
 
 void SimulatedServo::advance(double seconds) {

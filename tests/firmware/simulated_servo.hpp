@@ -33,6 +33,10 @@ class SimulatedServo {
   [[nodiscard]] bool torque() const { return ram_[52] == 0x60; }
   [[nodiscard]] bool moving() const { return move_.has_value(); }
 
+  [[nodiscard]] std::uint8_t id() const { return id_; }
+  /// As delivered by the factory, or named by somebody else.
+  void set_id(std::uint8_t id) { id_ = eep_id_ = id; }
+
   /// Pushes it by hand.
   void push_to(double angle_deg) { angle_deg_ = angle_deg; }
 
@@ -53,7 +57,11 @@ class SimulatedServo {
   [[nodiscard]] std::uint8_t read(std::uint8_t address) const;
   void jog(const std::uint8_t* data);
 
+  void start();
+  void obey(std::uint8_t command, const std::uint8_t* data, std::size_t length);
+
   std::uint8_t id_;
+  std::uint8_t eep_id_;  // in its permanent memory, from the next start on
   double angle_deg_;
   double speed_deg_s_ = 0.0;
   double hold_deg_;

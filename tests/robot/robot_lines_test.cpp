@@ -23,17 +23,19 @@ Said said(const std::string& line) {
 
 TEST(RobotLines, FramesToTheRobotAreTheGoldenOnes) {
   const std::vector<std::string> golden = golden_lines("host");
-  ASSERT_EQ(golden.size(), 7U);
+  ASSERT_EQ(golden.size(), 9U);
   EXPECT_EQ(robot_frame(0, "PING"), golden[0] + "\n");
   EXPECT_EQ(robot_frame(1, move_body({45.0, -10.5})), golden[1] + "\n");
   EXPECT_EQ(robot_frame(3, "STOP"), golden[3] + "\n");
   EXPECT_EQ(robot_frame(255, "INFO"), golden[5] + "\n");
   EXPECT_EQ(robot_frame(6, lamp_body(40)), golden[6] + "\n");
+  EXPECT_EQ(robot_frame(7, "FIND"), golden[7] + "\n");
+  EXPECT_EQ(robot_frame(8, name_body(253, 1)), golden[8] + "\n");
 }
 
 TEST(RobotLines, GoldenLinesFromTheRobotAreUnderstood) {
   const std::vector<std::string> golden = golden_lines("robot");
-  ASSERT_EQ(golden.size(), 12U);
+  ASSERT_EQ(golden.size(), 14U);
   const auto ready = said<ReadyLine>(golden[0]);
   EXPECT_EQ(ready.protocol, 1);
   EXPECT_EQ(ready.firmware, "1.1.0");
@@ -54,6 +56,8 @@ TEST(RobotLines, GoldenLinesFromTheRobotAreUnderstood) {
   EXPECT_EQ(said<LampLine>(golden[9]).lamp, (LampState{.percent = 40, .celsius = 31.4, .too_hot = false}));
   EXPECT_EQ(said<LampLine>(golden[10]).lamp, (LampState{.percent = 0, .celsius = 62.5, .too_hot = true}));
   EXPECT_FALSE(said<LampLine>(golden[11]).lamp.has_value());
+  EXPECT_EQ(said<FoundLine>(golden[12]).ids, (std::vector{1, 253}));
+  EXPECT_TRUE(said<FoundLine>(golden[13]).ids.empty());
 }
 
 TEST(RobotLines, DamagedFramesSayNothing) {
@@ -96,6 +100,12 @@ TEST(RobotLines, WhatTheProtocolDoesNotAllowSaysNothingWhateverItsChecksum) {
                                  "POS x 1.00 3 0.00 3 HOLD",
                                  "POS 5 1.00 3 0.00 3 DANCE",
                                  "READY 1 1.0.0 -1000000 1000000 -90 9 90",
+                                 "FOUND 254",
+                                 "FOUND 2 1",
+                                 "FOUND 1 1",
+                                 "FOUND -1",
+                                 "FOUND 1 2 3 4 5 6 7 8 9",
+                                 "FOUND x",
                                  "LAMP 101 25.0 COOL",
                                  "LAMP -1 25.0 COOL",
                                  "LAMP 40 25.0 WARM",
