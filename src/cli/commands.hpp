@@ -17,7 +17,7 @@ inline constexpr int status_failed = 1;
 /// Exit status after wrong usage (UsageError).
 inline constexpr int status_usage = 2;
 
-/// Exit status of `rva detect` when it found a change.
+/// Exit status of `rva detect` when it found a change, and of checks of a device that is not fit.
 inline constexpr int status_detected = 3;
 
 /// `rva account`: adds, removes and lists the accounts of the console.
@@ -51,6 +51,9 @@ void add_noise_command(CLI::App& program, Outcome& outcome);
 void add_options_command(CLI::App& program);
 /// `rva record`: records a capture, or dithered captures, from a camera.
 void add_record_command(CLI::App& program);
+/// `rva robot`: what a robot is checked with before it is used.
+/// @param outcome its status becomes status_detected if the robot is not fit; must outlive `program`
+void add_robot_command(CLI::App& program, Outcome& outcome);
 /// `rva serve`: the console, in a browser.
 void add_serve_command(CLI::App& program);
 /// `rva simulate`: a capture of a scene, with its truth.
@@ -66,5 +69,8 @@ void add_rerun_command(CLI::App& inspection);
 void add_trends_command(CLI::App& inspection);
 /// Adds `list` to the command `inspection`.
 void add_inspection_list_command(CLI::App& inspection);
+/// Adds `repeatability` to the command `robot`.
+/// @param outcome its status becomes status_detected if the robot is not fit; must outlive `robot`
+void add_repeatability_command(CLI::App& robot, Outcome& outcome);
 
 }  // namespace rva::cli

@@ -51,8 +51,8 @@ LiveRig open_live_rig(const std::string& camera, const std::string& robot, std::
     return rig;
   }
   const SimulatedView view = parse_simulated_view(camera);
-  Scene before = load_scene(view.scene, {.no_debris = true});
-  Scene after = load_scene(view.scene);
+  Scene before = load_scene(scene_file(view.scene), {.no_debris = true});
+  Scene after = load_scene(scene_file(view.scene));
   const bool work = has_changes(after);
   OpenRobot opened = open_robot(robot, steady_clock(), seed);
   if (robot == "sim") opened.robot->move_to({after.stand.pan_deg, after.stand.tilt_deg});

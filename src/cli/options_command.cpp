@@ -12,6 +12,8 @@
 #include "map/calibration.hpp"
 #include "map/map_cloud.hpp"
 #include "map/pose_refinement.hpp"
+#include "map/repeatability.hpp"
+#include "map/repeatability_summary.hpp"
 #include "measure/measure_options.hpp"
 #include "plan/plan_match.hpp"
 #include "robot/drive.hpp"
@@ -46,6 +48,7 @@ void print_options() {
   print_table<MapCloudOptions, RefinementOptions, RealSenseOptions>("rva map");
   print_table<CalibrationOptions>("rva calibrate");
   print_table<RealSenseOptions>("rva record");
+  print_table<RepeatabilityOptions, RepeatabilityLimits, RealSenseOptions>("rva robot repeatability");
   print_table<ServerOptions, InspectorOptions, DriveOptions, RealSenseOptions, MeasureOptions>("rva serve");
 }
 

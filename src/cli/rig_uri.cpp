@@ -30,7 +30,7 @@ OpenRig open_rig(const std::string& camera, const std::string& robot, std::uint6
     return rig;
   }
   const SimulatedView view = parse_simulated_view(camera);
-  Scene scene = load_scene(view.scene);
+  Scene scene = load_scene(scene_file(view.scene));
   require_robot(robot);
   OpenRobot opened = open_robot(robot, rig.clock, seed);
   rig.robot = std::move(opened.robot);

@@ -1,8 +1,10 @@
 #include "cli/simulated_view.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -25,6 +27,18 @@ PanTilt read_joints(const std::string& path) {
 }
 
 }  // namespace
+
+std::filesystem::path scene_file(const std::string& scene) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  if (scene.find_first_of("/.") != scene.npos || fs::exists(scene, failure)) return scene;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path shipped = fs::path("data/scenes") / (scene + ".yaml");
+  for (const fs::path& file : {shipped, program.parent_path().parent_path() / shipped}) {
+    if (fs::is_regular_file(file, failure)) return file;
+  }
+  return scene;
+}
 
 SimulatedView parse_simulated_view(const std::string& camera) {
   if (!camera.starts_with(simulated) || camera.size() == simulated.size())

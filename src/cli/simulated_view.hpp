@@ -1,6 +1,7 @@
 // Parses sim:SCENE and sim:SCENE,joints=FILE, the URIs of a simulated camera on a robot.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -8,9 +9,13 @@
 
 namespace rva::cli {
 
+/// The file of the scene of a camera's URI: `three-tools` is `data/scenes/three-tools.yaml` in the current
+/// folder or beside the program's folder, unless a file has this name.
+[[nodiscard]] std::filesystem::path scene_file(const std::string& scene);
+
 /// The scene and the pan and tilt of a simulated camera.
 struct SimulatedView {
-  std::string scene;   ///< path of the scene file
+  std::string scene;   ///< for scene_file()
   std::string joints;  ///< file with the angles; empty if there is none
 };
 
