@@ -61,6 +61,7 @@ OrderedJson json_of(const PoseReturns& pose) {
 OrderedJson json_of(const Criterion& criterion) {
   return {{"joint", criterion.joint},
           {"name", criterion.name},
+          {"deg", json_of(criterion.value)},
           {"limit_deg", criterion.limit_deg},
           {"fitness", name_of(criterion.fitness)}};
 }
@@ -94,16 +95,11 @@ std::string_view sentence_of(Fitness fitness) {
 }  // namespace
 
 nlohmann::ordered_json json_of(const Repeatability& measured, const RepeatabilitySummary& summary) {
-  OrderedJson json = {{"format", "rva-repeatability"},
-                      {"version", 1},
-                      {"verdict", name_of(summary.verdict)},
-                      {"pictures", measured.pictures},
-                      {"returns", summary.returns},
-                      {"pan", json_of(summary.pan)},
-                      {"tilt", json_of(summary.tilt)},
-                      {"most_rest_deg", summary.most_rest_deg},
-                      {"criteria", OrderedJson::array()},
-                      {"poses", OrderedJson::array()}};
+  OrderedJson json = {{"format", "rva-repeatability"},       {"version", 1},
+                      {"verdict", name_of(summary.verdict)}, {"pictures", measured.pictures},
+                      {"returns", summary.returns},          {"pan", json_of(summary.pan)},
+                      {"tilt", json_of(summary.tilt)},       {"most_rest_deg", summary.most_rest_deg},
+                      {"criteria", OrderedJson::array()},    {"poses", OrderedJson::array()}};
   for (const Criterion& criterion : summary.criteria) json["criteria"].push_back(json_of(criterion));
   for (const PoseReturns& pose : measured.poses) json["poses"].push_back(json_of(pose));
   return json;

@@ -53,7 +53,8 @@ class Series {
 
   /// Turns a little away from the pose, and compares what the camera sees with what the servos report.
   void check_turn() {
-    const PanTilt target = away_from(result_.pose, {1.0, 1.0}, known_turn_deg);
+    constexpr Direction unlike{1.0, -1.0};  // so that exchanged joints are noticed
+    const PanTilt target = away_from(result_.pose, unlike, known_turn_deg);
     const PanTilt there = approach(rig_.robot, target, rig_.clock);
     pictures_.settle();
     result_.known = {there.pan_deg - result_.reported.pan_deg, there.tilt_deg - result_.reported.tilt_deg};

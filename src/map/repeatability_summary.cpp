@@ -54,18 +54,25 @@ Fitness fitness_of(const Estimated& value, double limit_deg) {
   return value.low > limit_deg ? Fitness::unfit : Fitness::undecided;
 }
 
+// The part of a deviation that the noise of the pictures does not explain, as far as is certain.
+Estimated without_noise(const Estimated& deviation, const Estimated& noise) {
+  const double low_squared = deviation.low * deviation.low - noise.high * noise.high;
+  return {deviation.value, std::sqrt(std::max(0.0, low_squared)), deviation.high};
+}
+
+// A return is the difference of two pictures, each with noise.
+Estimated within_noise(double off_deg, const Estimated& noise) {
+  constexpr double deviations = 3.0;
+  return {off_deg, std::max(0.0, off_deg - deviations * noise.value), off_deg + deviations * noise.value};
+}
+
 void judge(const Joint& joint, const JointReturns& returns, const RepeatabilityLimits& limits,
            std::vector<Criterion>& criteria) {
-  // Noise of a third of a limit adds a twentieth to a deviation of that size.
-  constexpr double least_times_noise = 3.0;
   const auto add = [&](const char* name, const Estimated& value, double limit_deg) {
-    const bool is_measurable = limit_deg >= least_times_noise * returns.noise.value;
-    criteria.push_back({joint.name, name, value, limit_deg,
-                        is_measurable ? fitness_of(value, limit_deg) : Fitness::undecided});
+    criteria.push_back({joint.name, name, value, limit_deg, fitness_of(value, limit_deg)});
   };
-  const double off_deg = returns.most_off_deg;
-  add("deviation", returns.deviation, limits.deviation_deg);
-  add("most_off", {off_deg, off_deg, off_deg}, limits.off_deg);
+  add("deviation", without_noise(returns.deviation, returns.noise), limits.deviation_deg);
+  add("most_off", within_noise(returns.most_off_deg, returns.noise), limits.off_deg);
   add("play", size_of(returns.play), limits.play_deg);
   criteria.push_back({joint.name, "noise", returns.noise, limits.noise_deg,
                       returns.noise.value <= limits.noise_deg ? Fitness::fit : Fitness::undecided});

@@ -45,7 +45,7 @@ struct JointReturns {
 enum class Fitness {
   fit,
   unfit,
-  undecided,  ///< the limit is within the interval, or too small for the noise of the measurement
+  undecided,  ///< the limit is within the interval, or the measurement is too noisy
 };
 /// The names in JSON.
 template <>
@@ -59,7 +59,7 @@ inline constexpr auto enum_names<Fitness> = std::to_array<EnumName<Fitness>>({
 struct Criterion {
   std::string joint;                     ///< "pan", "tilt"
   std::string name;                      ///< as in JSON: "deviation", "most_off", "play", "noise"
-  Estimated value;                       ///< deg; without an interval, all three are equal
+  Estimated value;                       ///< deg; the interval allows for the noise of the pictures
   double limit_deg = 0.0;                ///< the most that is fit
   Fitness fitness = Fitness::undecided;  ///< of this value
 };
