@@ -35,7 +35,7 @@ OrderedJson json_of(const JointTurn& turn) {
   return {{"pan_deg", turn.pan_deg},
           {"tilt_deg", turn.tilt_deg},
           {"rest_deg", turn.rest_deg},
-          {"agreement", turn.agreement}};
+          {"correlation", turn.correlation}};
 }
 
 OrderedJson json_of(const MeasuredReturn& back) {

@@ -75,7 +75,7 @@ double tukey(float residual, float limit) {
   return share < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
 }
 
-double correlation(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+double correlation_of(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   const auto sizes = static_cast<double>(a.norm() * b.norm());
   return sizes > 0.0 ? static_cast<double>(a.dot(b)) / sizes : 0.0;
 }
@@ -89,7 +89,7 @@ Eigen::VectorXf as_vector(const std::vector<float>& values) {
 struct JointTurnGauge::Estimate {
   Eigen::Vector3d turn_deg = Eigen::Vector3d::Zero();
   double gain = 1.0;  // of the later picture's brightness
-  double agreement = 0.0;
+  double correlation = 0.0;
 };
 
 JointTurnGauge::JointTurnGauge(const PanTiltChain& chain, const PanTilt& joints, const PictureImager& imager,
@@ -169,6 +169,7 @@ struct JointTurnGauge::Comparison {
   }
 
   /// By how much the three angles (degrees) and the gain are too large.
+  // Equation 87 of docs/math.md.
   [[nodiscard]] Eigen::Vector4d excess(double gain) const {
     const float tukey_limit = limit(gain);
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -195,7 +196,7 @@ void JointTurnGauge::improve(const Level& level, const Image<float>& picture, Es
   const Band band(picture, level.smoothing_px, imager_.camera);
   for (int round = 0; round < most_rounds; ++round) {
     const Comparison comparison(level, band, imager_from_first(estimate.turn_deg));
-    estimate.agreement = correlation(as_vector(comparison.first), as_vector(comparison.later));
+    estimate.correlation = correlation_of(as_vector(comparison.first), as_vector(comparison.later));
     if (comparison.samples.empty()) return;
     const Eigen::Vector4d excess = comparison.excess(estimate.gain);
     if (!excess.allFinite()) return;  // nothing in the pictures shows a turn
@@ -208,7 +209,7 @@ void JointTurnGauge::improve(const Level& level, const Image<float>& picture, Es
 JointTurn JointTurnGauge::turn_to(const Image<float>& picture) const {
   Estimate estimate;
   for (const Level& level : levels_) improve(level, picture, estimate);
-  return {estimate.turn_deg.x(), estimate.turn_deg.y(), estimate.turn_deg.z(), estimate.agreement};
+  return {estimate.turn_deg.x(), estimate.turn_deg.y(), estimate.turn_deg.z(), estimate.correlation};
 }
 
 }  // namespace rva

@@ -12,14 +12,14 @@ namespace rva {
 
 /// A turn of the camera: by the robot's joints, and what of it the joints cannot cause.
 struct JointTurn {
-  double pan_deg = 0.0;    ///< of the first joint, positive to the left
-  double tilt_deg = 0.0;   ///< of the second joint, positive up
-  double rest_deg = 0.0;   ///< about the axis square to both joints: a camera or foot that is loose
-  double agreement = 0.0;  ///< correlation of both pictures after the turn is undone, -1 to 1
+  double pan_deg = 0.0;      ///< of the first joint, positive to the left
+  double tilt_deg = 0.0;     ///< of the second joint, positive up
+  double rest_deg = 0.0;     ///< about the axis square to both joints: a camera or foot that is loose
+  double correlation = 0.0;  ///< of both pictures after the turn is undone, -1 to 1
 };
 
 /// Pictures that agree less show different views, or nothing but noise.
-inline constexpr double least_agreement = 0.3;
+inline constexpr double least_correlation = 0.3;
 
 /// The imager that takes the pictures.
 struct PictureImager {
@@ -44,7 +44,7 @@ class JointTurnGauge {
                  const ReferenceSurface& surface, const Image<float>& first);
 
   /// @param picture of the same imager and unit, within about three degrees of the first
-  /// @return a turn that is meaningless where its agreement is less than least_agreement
+  /// @return a turn that is meaningless where its correlation is less than least_correlation
   [[nodiscard]] JointTurn turn_to(const Image<float>& picture) const;
 
  private:

@@ -63,7 +63,7 @@ class Series {
       return std::abs(seen_deg - known_deg) <= known_tolerance_deg;
     };
     const JointTurn& seen = result_.seen;
-    if (seen.agreement >= least_agreement && agree(seen.pan_deg, result_.known.pan_deg) &&
+    if (seen.correlation >= least_correlation && agree(seen.pan_deg, result_.known.pan_deg) &&
         agree(seen.tilt_deg, result_.known.tilt_deg))
       return;
     throw Error(
@@ -79,7 +79,7 @@ class Series {
     back.reported = move_and_wait(rig_.robot, result_.pose, rig_.clock);
     pictures_.settle();
     back.turn = gauge_.turn_to(pictures_.take(options_.frames));
-    if (back.turn.agreement < least_agreement)
+    if (back.turn.correlation < least_correlation)
       throw Error(text_of(result_.pose.pan_deg, result_.pose.tilt_deg),
                   fmt::format("the camera sees another view after return {}", result_.returns.size() + 1),
                   "let nothing move in view, keep the light steady, and check the robot for loose parts");
@@ -104,7 +104,7 @@ class Series {
     constexpr int pictures = 6;
     for (int i = 0; i < pictures; ++i) {
       const JointTurn turn = gauge_.turn_to(pictures_.take(options_.frames));
-      if (turn.agreement < least_agreement)
+      if (turn.correlation < least_correlation)
         throw Error(text_of(result_.pose.pan_deg, result_.pose.tilt_deg),
                     fmt::format("the camera sees too little to measure a turn (its {} pictures hardly agree)",
                                 pictures_.name()),

@@ -33,7 +33,7 @@ struct Scatter {
 
 }  // namespace
 
-// Equation 87 of docs/math.md.
+// Equation 88 of docs/math.md.
 Estimated pooled_deviation(const Groups& groups) {
   Scatter scatter;
   scatter.add(groups);
@@ -44,7 +44,7 @@ Estimated pooled_deviation(const Groups& groups) {
           deviation(quantile(distribution, tail))};
 }
 
-// Equation 88 of docs/math.md.
+// Equation 89 of docs/math.md.
 Estimated mean_difference(const Groups& smaller, const Groups& larger) {
   assert(smaller.size() == larger.size() && !smaller.empty());
   Scatter scatter;

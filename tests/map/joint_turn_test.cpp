@@ -41,7 +41,7 @@ TEST_P(JointTurnTest, IsThatOfTheRobotAtAnyPose) {
       EXPECT_NEAR(seen.pan_deg, turn.pan_deg, exact_deg);
       EXPECT_NEAR(seen.tilt_deg, turn.tilt_deg, exact_deg);
       EXPECT_NEAR(seen.rest_deg, 0.0, exact_deg);
-      EXPECT_GT(seen.agreement, 0.99);
+      EXPECT_GT(seen.correlation, 0.99);
     }
   }
 }
@@ -65,7 +65,7 @@ TEST_P(JointTurnTest, DoesNotAgreeWhereNothingIsSeen) {
   test::PaintedWallOptions options = wall();
   options.contrast = 0.0;
   options.noise = 3.0;
-  EXPECT_LT(turn_by(0.0, 0.0, {}, options).agreement, least_agreement);
+  EXPECT_LT(turn_by(0.0, 0.0, {}, options).correlation, least_correlation);
 }
 
 INSTANTIATE_TEST_SUITE_P(ByImager, JointTurnTest, testing::Values(false, true),
