@@ -106,6 +106,11 @@ Refusal parse_name(Words& words, Command& command) {
   return ids ? Refusal::none : Refusal::limit;
 }
 
+Refusal parse_middle(Words& words, Command& command) {
+  if (!parse_id(words, command.servo_from) || !words.ended()) return Refusal::form;
+  return command.servo_from <= herkulex::greatest_id ? Refusal::none : Refusal::limit;
+}
+
 Refusal parse_verb(Words& words, Command& command) {
   struct Name {
     const char* text;
@@ -126,6 +131,10 @@ Refusal parse_verb(Words& words, Command& command) {
   if (is(word, length, "LAMP")) {
     command.verb = Verb::lamp;
     return parse_lamp(words, command);
+  }
+  if (is(word, length, "MIDDLE")) {
+    command.verb = Verb::middle;
+    return parse_middle(words, command);
   }
   if (is(word, length, "NAME")) {
     command.verb = Verb::name;

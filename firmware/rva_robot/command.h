@@ -8,7 +8,7 @@
 
 namespace rva_robot {
 
-enum class Verb : uint8_t { move, stop, ping, clear, info, lamp, find, name };
+enum class Verb : uint8_t { move, stop, ping, clear, info, lamp, find, name, middle };
 
 /// Why a command is refused.
 enum class Refusal : uint8_t { none, crc, form, limit, blind, fault, heat };
@@ -22,7 +22,7 @@ struct Command {
   int16_t target_cdeg[axes] = {0, 0};
   int16_t speed_cdeg_s = fastest_cdeg_s;
   uint8_t lamp_percent = 0;
-  uint8_t servo_from = 0;  ///< ID of the servo to be named
+  uint8_t servo_from = 0;  ///< ID of the servo to be named or turned
   uint8_t servo_to = 0;    ///< its new ID
 };
 

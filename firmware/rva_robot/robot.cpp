@@ -64,6 +64,11 @@ Refusal Robot::carry_out(const Command& command, uint32_t now_ms) {
       bus_.find();
       found_asked_ = true;
       break;
+    case Verb::middle:
+      // A stop is repeated until the servo rests, so the servo that is to turn gets none.
+      for (uint8_t axis = 0; axis < axes; ++axis)
+        servo_id[axis] == command.servo_from ? motions_[axis].forget() : motions_[axis].stop(now_ms);
+      return bus_.turn_to_middle(command.servo_from) ? Refusal::none : Refusal::blind;
     case Verb::name:
       stop(now_ms);
       return bus_.name(command.servo_from, command.servo_to, now_ms) ? Refusal::none : Refusal::blind;

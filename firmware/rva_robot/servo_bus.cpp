@@ -109,8 +109,18 @@ bool ServoBus::name(uint8_t from, uint8_t to, uint32_t now_ms) {
 }
 
 bool ServoBus::write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count) {
+  return write_to(servo_id[axis], from_register, values, count);
+}
+
+bool ServoBus::turn_to_middle(uint8_t id) {
+  const uint8_t on = herkulex::torque_on;
+  return write_to(id, herkulex::torque, &on, 1) &&
+         jog(id, count_of_cdeg(0), herkulex::set_green, herkulex::longest_play);
+}
+
+bool ServoBus::write_to(uint8_t id, uint8_t from_register, const uint8_t* values, uint8_t count) {
   Packet packet;
-  packet.id = servo_id[axis];
+  packet.id = id;
   packet.command = herkulex::ram_write;
   packet.add(from_register);
   packet.add(count);
@@ -119,22 +129,22 @@ bool ServoBus::write(uint8_t axis, uint8_t from_register, const uint8_t* values,
 }
 
 bool ServoBus::move(uint8_t axis, int16_t to_cdeg, uint8_t play) {
-  return jog(axis, count_of_cdeg(to_cdeg), herkulex::set_green, play);
+  return jog(servo_id[axis], count_of_cdeg(to_cdeg), herkulex::set_green, play);
 }
 
 bool ServoBus::stop(uint8_t axis) {
   const uint16_t here = count_of_cdeg(servos_[axis].cdeg);
-  return jog(axis, here, herkulex::set_stop | herkulex::set_blue, 0);
+  return jog(servo_id[axis], here, herkulex::set_stop | herkulex::set_blue, 0);
 }
 
-bool ServoBus::jog(uint8_t axis, uint16_t count, uint8_t set, uint8_t play) {
+bool ServoBus::jog(uint8_t id, uint16_t count, uint8_t set, uint8_t play) {
   Packet packet;
-  packet.id = servo_id[axis];
+  packet.id = id;
   packet.command = herkulex::i_jog;
   packet.add(static_cast<uint8_t>(count & 0xFF));
   packet.add(static_cast<uint8_t>(count >> 8));
   packet.add(set);
-  packet.add(servo_id[axis]);
+  packet.add(id);
   packet.add(play);
   return send(packet);
 }

@@ -62,6 +62,10 @@ class ServoBus {
   /// @return false if the port had no room for it
   bool name(uint8_t from, uint8_t to, uint32_t now_ms);
 
+  /// Holds a servo and turns it to its middle, in three seconds, whatever carries it.
+  /// @return false if the port had no room for it
+  bool turn_to_middle(uint8_t id);
+
   /// Send a command; servos do not answer commands.
   /// @return false if the port had no room for it
   bool write(uint8_t axis, uint8_t from_register, const uint8_t* values, uint8_t count);
@@ -70,7 +74,8 @@ class ServoBus {
 
  private:
   bool send(const Packet& packet);
-  bool jog(uint8_t axis, uint16_t count, uint8_t set, uint8_t play);
+  bool write_to(uint8_t id, uint8_t from_register, const uint8_t* values, uint8_t count);
+  bool jog(uint8_t id, uint16_t count, uint8_t set, uint8_t play);
   bool send_bare(uint8_t id, uint8_t command);
   void ask(uint32_t now_ms);
   void ask_next_id(uint32_t now_ms);

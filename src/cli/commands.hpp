@@ -72,5 +72,8 @@ void add_inspection_list_command(CLI::App& inspection);
 /// Adds `repeatability` to the command `robot`.
 /// @param outcome its status becomes status_detected if the robot is not fit; must outlive `robot`
 void add_repeatability_command(CLI::App& robot, Outcome& outcome);
+/// Adds `setup` to the command `robot`.
+/// @param outcome its status becomes status_detected if a servo is missing; must outlive `robot`
+void add_robot_setup_command(CLI::App& robot, Outcome& outcome);
 
 }  // namespace rva::cli

@@ -11,6 +11,12 @@
 namespace rva::cli {
 namespace {
 
+constexpr std::string_view serial_scheme = "serial:";
+
+bool names_port(const std::string& uri) {
+  return uri.starts_with(serial_scheme) && uri.size() > serial_scheme.size();
+}
+
 std::function<double()> lamp_of(Robot& robot) {
   return [&robot] { return robot.lamp().value_or(LampState{}).percent / 100.0; };
 }
@@ -24,21 +30,22 @@ OpenRobot open_simulated_robot(const Clock& clock, std::uint64_t seed) {
   return {std::move(robot), std::move(joints), std::move(lamp)};
 }
 
-OpenRobot open_serial_robot(const std::string& uri) {
-  constexpr std::string_view serial = "serial:";
-  if (!uri.starts_with(serial) || uri.size() == serial.size())
-    throw UsageError(printable(uri), "is not a robot", "give sim or serial:DEVICE");
-  auto robot = std::make_unique<SerialRobot>(uri.substr(serial.size()));
-  std::function<PanTilt()> joints = [&real = *robot] { return real.joints(); };
-  std::function<double()> lamp = lamp_of(*robot);
-  return {std::move(robot), std::move(joints), std::move(lamp)};
-}
-
 }  // namespace
+
+std::unique_ptr<SerialRobot> open_serial_robot(const std::string& uri) {
+  if (!names_port(uri))
+    throw UsageError(printable(uri), "is not a robot on a serial line", "give serial:DEVICE");
+  return std::make_unique<SerialRobot>(uri.substr(serial_scheme.size()));
+}
 
 OpenRobot open_robot(const std::string& uri, const Clock& clock, std::uint64_t seed) {
   if (uri == "none") return {};
-  return uri == "sim" ? open_simulated_robot(clock, seed) : open_serial_robot(uri);
+  if (uri == "sim") return open_simulated_robot(clock, seed);
+  if (!names_port(uri)) throw UsageError(printable(uri), "is not a robot", "give sim or serial:DEVICE");
+  std::unique_ptr<SerialRobot> robot = open_serial_robot(uri);
+  std::function<PanTilt()> joints = [&real = *robot] { return real.joints(); };
+  std::function<double()> lamp = lamp_of(*robot);
+  return {std::move(robot), std::move(joints), std::move(lamp)};
 }
 
 void require_real_robot(const std::string& uri) {

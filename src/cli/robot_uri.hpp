@@ -9,6 +9,7 @@
 #include "core/clock.hpp"
 #include "geometry/pan_tilt.hpp"
 #include "robot/robot.hpp"
+#include "robot/serial_robot.hpp"
 
 namespace rva::cli {
 
@@ -27,6 +28,10 @@ struct OpenRobot {
 /// @param seed  of a simulated robot's errors
 /// @throws UsageError for a URI of another form; Error when the device cannot be opened or is not a robot
 [[nodiscard]] OpenRobot open_robot(const std::string& uri, const Clock& clock, std::uint64_t seed);
+
+/// @param uri serial:DEVICE
+/// @throws as open_robot()
+[[nodiscard]] std::unique_ptr<SerialRobot> open_serial_robot(const std::string& uri);
 
 /// Checks that a URI names a robot that can carry a real camera.
 /// @throws UsageError for a simulated robot: it cannot turn a real camera

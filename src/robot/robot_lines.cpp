@@ -207,6 +207,8 @@ std::string lamp_body(int percent) { return fmt::format("LAMP {}", percent); }
 
 std::string name_body(int from, int to) { return fmt::format("NAME {} {}", from, to); }
 
+std::string middle_body(int id) { return fmt::format("MIDDLE {}", id); }
+
 std::optional<RobotLine> parse_robot_line(std::string_view line) {
   if (line.empty()) return std::nullopt;
   return line[0] == '$' ? parse_frame(line.substr(1)) : parse_bare(line);

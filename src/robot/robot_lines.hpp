@@ -28,6 +28,10 @@ namespace rva {
 /// The body of NAME. @param from, to 0 to greatest_servo_id
 [[nodiscard]] std::string name_body(int from, int to);
 
+/// The body of MIDDLE. @param id 0 to greatest_servo_id
+[[nodiscard]] std::string middle_body(int id);
+
+/// IDs of servos are 0 to this one.
 inline constexpr int greatest_servo_id = 253;
 
 /// The line with which the robot states its protocol and limits.

@@ -121,12 +121,15 @@ class SerialRobot::Conversation {
   }
 
   void name_servo(int from, int to) {
-    for (const int id : {from, to}) {
-      if (id < 0 || id > greatest_servo_id)
-        throw UsageError("servo", fmt::format("{} is not an ID", id), "give 0 to 253");
-    }
+    for (const int id : {from, to}) check_id(id);
     require_framed();
     ask(name_body(from, to));
+  }
+
+  void turn_to_middle(int id) {
+    check_id(id);
+    require_framed();
+    ask(middle_body(id));
   }
 
   [[nodiscard]] PanTilt joints() const {
@@ -191,6 +194,11 @@ class SerialRobot::Conversation {
     const RobotKind kind = this->kind();
     if (kind == RobotKind::unknown) throw away();
     return kind;
+  }
+
+  static void check_id(int id) {
+    if (id < 0 || id > greatest_servo_id)
+      throw UsageError("servo", fmt::format("{} is not an ID", id), "give 0 to 253");
   }
 
   void require_framed() const {
@@ -356,6 +364,7 @@ bool SerialRobot::moving() { return conversation_->moving(); }
 void SerialRobot::stop() { conversation_->stop(); }
 std::vector<int> SerialRobot::find_servos() { return conversation_->find_servos(); }
 void SerialRobot::name_servo(int from, int to) { conversation_->name_servo(from, to); }
+void SerialRobot::turn_to_middle(int id) { conversation_->turn_to_middle(id); }
 std::optional<LampState> SerialRobot::lamp() { return conversation_->lamp(); }
 void SerialRobot::set_lamp(int percent) { conversation_->set_lamp(percent); }
 

@@ -57,6 +57,11 @@ class SerialRobot : public Robot {
   /// @param from, to 0 to 253
   /// @throws UsageError when an ID is out of range; Error as find_servos()
   void name_servo(int from, int to);
+  /// Holds a servo and turns it to its middle within three seconds, without waiting for it. The other one
+  /// need not be there, and limits are not checked: for servos that are not mounted yet.
+  /// @param id 0 to 253
+  /// @throws as name_servo()
+  void turn_to_middle(int id);
 
   /// Firmware before 1.1 reports no lamp, and neither does a bare robot.
   [[nodiscard]] std::optional<LampState> lamp() override;

@@ -52,7 +52,7 @@ Command only_command_of(const std::string& bytes) {
 
 TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
   const std::vector<std::string> lines = golden_lines("host");
-  ASSERT_EQ(lines.size(), 9U);
+  ASSERT_EQ(lines.size(), 10U);
   std::vector<Verb> verbs;
   for (const std::string& line : lines) {
     const Command command = only_command_of(line + "\n");
@@ -61,7 +61,7 @@ TEST(Frames, GoldenLinesOfTheHostAreUnderstood) {
     verbs.push_back(command.verb);
   }
   EXPECT_EQ(verbs, (std::vector{Verb::ping, Verb::move, Verb::move, Verb::stop, Verb::clear, Verb::info,
-                                Verb::lamp, Verb::find, Verb::name}));
+                                Verb::lamp, Verb::find, Verb::name, Verb::middle}));
   EXPECT_EQ(only_command_of(lines[6] + "\n").lamp_percent, 40);
   EXPECT_EQ(only_command_of(lines[8] + "\n").servo_from, 253);
   EXPECT_EQ(only_command_of(lines[8] + "\n").servo_to, 1);
@@ -104,6 +104,8 @@ TEST(Frames, WhatIsNoCommandIsRefusedWithItsReason) {
                                              {"1 LAMP 4.5", Refusal::form},
                                              {"1 NAME 253 254", Refusal::limit},
                                              {"1 NAME 254 1", Refusal::limit},
+                                             {"1 MIDDLE 254", Refusal::limit},
+                                             {"1 MIDDLE", Refusal::form},
                                              {"1 NAME 1", Refusal::form},
                                              {"1 NAME 1 2 3", Refusal::form},
                                              {"1 FIND 1", Refusal::form},

@@ -527,6 +527,19 @@ TEST_P(FirmwareTest, FindsAndNamesServos) {
   EXPECT_NEAR(robot.pan().angle_deg(), 10.0, 0.4);
 }
 
+TEST_P(FirmwareTest, TurnsASingleServoToItsMiddleSlowly) {
+  Board robot = board({-70.0, -30.0, false});
+  robot.tilt().faults.packet_lost = 1.0;
+  robot.run_ms(500);
+  robot.forget_extremes();
+  EXPECT_THAT(robot.answer(robot.send_frame("MOVE 0 0")), HasSubstr("BLIND")) << "one servo is no robot";
+  EXPECT_THAT(robot.answer(robot.send_frame("MIDDLE 1")), StartsWith("ACK"));
+  run_in_sight_ms(robot, 3200);
+  EXPECT_NEAR(robot.pan().angle_deg(), 0.0, 0.2);
+  EXPECT_TRUE(robot.pan().torque());
+  EXPECT_LT(robot.extremes().fastest_deg_s, 45.0);
+}
+
 TEST_P(FirmwareTest, FindsNothingWhereNothingIsConnectedAndStopsAMove) {
   Board robot = board({-80.0, -10.0, true});
   ASSERT_TRUE(robot.run_until_ready());

@@ -23,7 +23,7 @@ Said said(const std::string& line) {
 
 TEST(RobotLines, FramesToTheRobotAreTheGoldenOnes) {
   const std::vector<std::string> golden = golden_lines("host");
-  ASSERT_EQ(golden.size(), 9U);
+  ASSERT_EQ(golden.size(), 10U);
   EXPECT_EQ(robot_frame(0, "PING"), golden[0] + "\n");
   EXPECT_EQ(robot_frame(1, move_body({45.0, -10.5})), golden[1] + "\n");
   EXPECT_EQ(robot_frame(3, "STOP"), golden[3] + "\n");
@@ -31,6 +31,7 @@ TEST(RobotLines, FramesToTheRobotAreTheGoldenOnes) {
   EXPECT_EQ(robot_frame(6, lamp_body(40)), golden[6] + "\n");
   EXPECT_EQ(robot_frame(7, "FIND"), golden[7] + "\n");
   EXPECT_EQ(robot_frame(8, name_body(253, 1)), golden[8] + "\n");
+  EXPECT_EQ(robot_frame(9, middle_body(1)), golden[9] + "\n");
 }
 
 TEST(RobotLines, GoldenLinesFromTheRobotAreUnderstood) {
