@@ -224,6 +224,14 @@ module camera_bracket() {
   }
   module slots(hole) for (x = [-cam[6] / 2, cam[6] / 2]) translate([x, imager_z]) hull()
     for (d = [-1, 1]) translate([d, 0]) circle(d = hole, $fn = 24);
+  // The driver of the horn's upper screws passes below the stand beside the servo. Where that stand is too thick, it
+  // is open below from there to the camera.
+  stand_height = stand.y + camera_hole;
+  driver_at = servo_horn_screws / 2 * sin(45);
+  driver_room = driver_m2[0] / 2;
+  module driver_passage() if (imager_z - stand_height / 2 < driver_at + driver_room)
+    along_y(-driver_at - driver_room - 0.2, camera_back_y + driver_at + driver_room + 1.2)
+      translate([-cam[6] / 2, imager_z - stand_height / 4 - 0.5]) square([stand.x + 1, stand_height / 2 + 1], center = true);
   on_tilt_axis() difference() {
     union() {
       along_y(bracket_back, bracket_thickness) difference() {
@@ -237,6 +245,7 @@ module camera_bracket() {
       ear(pivot_ear_x, pivot_ear);
       for (p = led_posts) along_y(plate_y - 0.01, frame_y - plate_y + 0.01) translate(p) circle(d = post_diameter + 0.1);
     }
+    driver_passage();
     along_y(bracket_back - 1, 100) slots(camera_hole);
     if (sunk > 0) along_y(bracket_back - 1, sunk + 1) slots(2 * camera_hole + 0.5);
     for (p = led_posts) along_y(frame_y - m3_insert.y - 3, 20) translate(p) circle(d = m3_insert.x, $fn = 24);
@@ -245,6 +254,8 @@ module camera_bracket() {
       at(horn_screws) circle(d = m2_hole, $fn = 16);
     }
     along_x(pivot_ear_x + pivot_ear - m5_insert.y, 20) circle(d = m5_insert.x);
+    // A narrow camera's ears are closer than a driver is long: it passes the ear of the pivot.
+    along_x(pivot_ear_x - 1, pivot_ear + 2) at(horn_screws) circle(d = driver_m2[0] + 0.7, $fn = 16);
   }
 }
 
