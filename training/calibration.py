@@ -9,12 +9,25 @@ def probabilities(outputs, temperature):
     return shares / shares.sum(axis=1, keepdims=True)
 
 
-def fitted_temperature(outputs, labels):
-    """The temperature with the greatest likelihood (Guo et al., ICML 2017)."""
+def fitted_calibration(outputs, labels, others):
+    """The temperature (Guo et al., ICML 2017) and the addition to the last output with the greatest likelihood.
+
+    The last label is that of all other objects. Their share in training and validation is not that of findings, so
+    that they count as if they were the share `others`.
+    """
     rows = np.arange(len(labels))
-    candidates = np.geomspace(0.2, 10.0, 400)
-    loss = [-np.log(np.maximum(probabilities(outputs, t)[rows, labels], 1e-12)).mean() for t in candidates]
-    return float(candidates[int(np.argmin(loss))])
+    other = labels == outputs.shape[1] - 1
+    weights = np.where(other, others / max(other.sum(), 1), (1 - others) / max((~other).sum(), 1))
+
+    def loss(temperature, addition):
+        shifted = outputs.astype(float)
+        shifted[:, -1] += addition
+        return -(weights * np.log(np.maximum(probabilities(shifted, temperature)[rows, labels], 1e-12))).sum()
+
+    additions = np.linspace(-6, 6, 61) if other.any() else [0.0]
+    candidates = [(t, b) for t in np.geomspace(0.3, 5.0, 60) for b in additions]
+    temperature, addition = min(candidates, key=lambda candidate: loss(*candidate))
+    return float(temperature), float(addition)
 
 
 def threshold_that_keeps(best, share):

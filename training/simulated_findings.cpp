@@ -9,8 +9,8 @@
 //
 // WAY:
 //   whole          five frames a side, compared as `rva detect` does, infrared images included: to judge by
-//   quick          two frames a side, compared by depth alone, and each bay littered three times: three times
-//                  as many findings in the same time, to train with
+//   quick          one frame a side, compared by depth alone, and each bay littered eight times with up to 60
+//                  objects: many times as many findings in the same time, to train with
 //
 // Each inspection is of another bay in another light, with up to 36 objects. Every finding that was added is
 // written twice: with the colour image, as in a lit bay, and with the infrared image alone, as in darkness.
@@ -50,19 +50,18 @@ using namespace rva;
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int objects = 36;
-
 /// How inspections are simulated.
 struct Way {
   std::string name;
   std::size_t frames = 0;  ///< of each side
+  int objects = 0;         ///< the greatest number of a litter
   int litters = 0;         ///< for each bay
   bool infrared = false;   ///< whether infrared images are compared
 };
 
 Way way_named(const std::string& name) {
-  if (name == "whole") return {name, 5, 1, true};
-  if (name == "quick") return {name, 2, 3, false};
+  if (name == "whole") return {name, 5, 36, 1, true};
+  if (name == "quick") return {name, 1, 60, 8, false};
   throw std::invalid_argument("WAY is neither whole nor quick: " + name);
 }
 
@@ -93,7 +92,7 @@ Scene empty_bay(std::uint64_t seed) {
   return bay;
 }
 
-Scene littered(Scene bay, std::uint64_t seed, const std::vector<std::string>& kinds) {
+Scene littered(Scene bay, std::uint64_t seed, const std::vector<std::string>& kinds, int objects) {
   RandomDebris debris;
   debris.count = objects;
   debris.kinds = kinds;
@@ -187,7 +186,7 @@ Collected inspect(std::uint64_t seed, const StereoSensorOptions& sensor,
   Collected collected;
   for (int litter = 0; litter < way.litters; ++litter) {
     const std::uint64_t own = litter == 0 ? seed : mix(seed, litter);
-    SimulatedCamera after(littered(bay, own, kinds), sensor, mix(own, 2), ColorFrames::first);
+    SimulatedCamera after(littered(bay, own, kinds, way.objects), sensor, mix(own, 2), ColorFrames::first);
     Captures final;
     final.push_back(captured(after, way.frames, room.path() / fmt::format("after-{}", litter)));
     collect(compare(initial, final, way), *final.front(), visible_targets(after), seed, collected);

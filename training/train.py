@@ -15,16 +15,26 @@ import numpy as np
 import torch
 from torch import nn
 
-from calibration import fitted_temperature
+from calibration import fitted_calibration
 from findings import BLUE, INFRARED, LABELS, PLANES, PLANE_PX, RED, Findings
 from network import Network, export
 
 BATCH = 64
+OTHERS = 0.1  # assumed share of objects of no class, and of false findings, among those that people find
 LEAST_PROBABILITY = 0.5  # a class is stated if it is more probable than not
 
 
+def turned(planes, generator):
+    """Each finding turned by an angle of its own; at the corners, what lies within is mirrored."""
+    angles = 2 * math.pi * torch.rand(len(planes), generator=generator)
+    cosines, sines, zeros = angles.cos(), angles.sin(), torch.zeros(len(planes))
+    ways = torch.stack([torch.stack([cosines, -sines, zeros], 1), torch.stack([sines, cosines, zeros], 1)], 1)
+    grid = nn.functional.affine_grid(ways, planes.shape, align_corners=False)
+    return nn.functional.grid_sample(planes, grid, mode='bilinear', padding_mode='reflection', align_corners=False)
+
+
 def varied(planes, generator):
-    """Mirrored, shifted, brighter or darker, and sometimes without a picture."""
+    """Mirrored, turned, shifted, brighter or darker, and sometimes without a picture."""
     count = len(planes)
     chance = lambda *shape: torch.rand(*shape, generator=generator)
     mirror = chance(count) < 0.5
@@ -32,7 +42,7 @@ def varied(planes, generator):
     mirror = chance(count) < 0.5
     planes[mirror] = planes[mirror].flip(2)
     turn = chance(count) < 0.5
-    planes[turn] = planes[turn].transpose(2, 3)
+    planes[turn] = turned(planes[turn], generator)
     across, down = (int(torch.randint(-3, 4, (1,), generator=generator)) for _ in range(2))
     planes = planes.roll((down, across), dims=(2, 3))
     gain = (0.7 + 0.6 * chance(count, 1, 1, 1)) * (0.9 + 0.2 * chance(count, 3, 1, 1))
@@ -105,13 +115,15 @@ def train(network, findings, validation, options):
 
 
 def write_card(network, validation, out):
-    export(network, out / 'findings.onnx')
     outputs = outputs_of(network, validation)
-    temperature = fitted_temperature(outputs, validation.labels)
+    temperature, of_others = fitted_calibration(outputs, validation.labels, OTHERS)
+    with torch.no_grad():
+        network.outputs.bias[-1] += of_others
+    export(network, out / 'findings.onnx')
     card = {'format': 'rva-finding-model', 'version': 1, 'model': 'findings.onnx',
             'sha256': hashlib.sha256((out / 'findings.onnx').read_bytes()).hexdigest(),
             'planes': PLANES, 'plane_px': PLANE_PX, 'labels': LABELS, 'temperature': round(temperature, 4),
-            'least_probability': LEAST_PROBABILITY}
+            'others': OTHERS, 'least_probability': LEAST_PROBABILITY}
     (out / 'findings.json').write_text(json.dumps(card, indent=1) + '\n')
 
 

@@ -35,12 +35,27 @@ def write_findings(folder, kinds, seed):
 
 
 class Calibration(unittest.TestCase):
-    def test_temperature_is_recovered(self):
+    def setUp(self):
         random = np.random.default_rng(1)
-        outputs = random.normal(0, 2, (20000, 4))
-        shares = calibration.probabilities(outputs, 1.0)
-        labels = np.array([random.choice(4, p=share) for share in shares])
-        self.assertAlmostEqual(calibration.fitted_temperature(3.0 * outputs, labels), 3.0, delta=0.1)
+        self.outputs = random.normal(0, 2, (4000, 4))
+        shares = calibration.probabilities(self.outputs, 1.0)
+        self.labels = np.array([random.choice(4, p=share) for share in shares])
+
+    def test_temperature_and_addition_are_recovered(self):
+        wrong = 3.0 * self.outputs
+        wrong[:, -1] -= 1.4
+        temperature, addition = calibration.fitted_calibration(wrong, self.labels, (self.labels == 3).mean())
+        self.assertAlmostEqual(temperature, 3.0, delta=0.2)
+        self.assertAlmostEqual(addition, 1.4, delta=0.3)
+
+    def test_rarer_others_get_less(self):
+        additions = [calibration.fitted_calibration(self.outputs, self.labels, others)[1] for others in (0.05, 0.2, 0.5)]
+        self.assertEqual(additions, sorted(additions))
+        self.assertLess(additions[0] + 1, additions[2])
+
+    def test_without_others_nothing_is_added(self):
+        known = self.labels < 3
+        self.assertEqual(calibration.fitted_calibration(self.outputs[known], self.labels[known], 0.1)[1], 0.0)
 
     def test_probabilities_sum_to_one_and_cool_down(self):
         outputs = np.array([[1000.0, 0.0, -1000.0], [1.0, 2.0, 3.0]])
