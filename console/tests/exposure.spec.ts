@@ -1,6 +1,6 @@
 // The exposure of the infrared imagers, set in the live picture.
 import { expectAccessible, expectTouchable } from './accessibility';
-import { begin, expect, test } from './served';
+import { begin, expect, openAsViewer, test } from './served';
 
 test('a person fixes the exposure and hands it back to the camera', async ({ console: page }) => {
   await begin(page);
@@ -33,12 +33,7 @@ test('a person fixes the exposure and hands it back to the camera', async ({ con
 });
 
 test('a viewer sees no control of the exposure', async ({ browser, served }) => {
-  served.account('add', 'expert', ['--role', 'viewer'], 'battery staple');
-  const page = await (await browser.newContext()).newPage();
-  await page.goto(served.address);
-  await page.getByLabel('Name').fill('expert');
-  await page.getByLabel('Password').fill('battery staple');
-  await page.keyboard.press('Enter');
+  const page = await openAsViewer(browser, served);
   await page.getByTestId('stream-infrared').click();
   await expect(page.getByTestId('freeze')).toBeVisible();
   await expect(page.getByTestId('exposure')).toHaveCount(0);

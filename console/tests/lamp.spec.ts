@@ -1,6 +1,6 @@
 // The lamp around the camera, switched beside the stick.
 import { expectAccessible, expectTouchable } from './accessibility';
-import { begin, expect, test } from './served';
+import { begin, expect, openAsViewer, test } from './served';
 
 test('a person lights the bay, and sees it brighter', async ({ console: page }) => {
   await begin(page);
@@ -28,12 +28,7 @@ test('a person lights the bay, and sees it brighter', async ({ console: page }) 
 });
 
 test('a viewer sees no switch of the lamp', async ({ browser, served }) => {
-  served.account('add', 'expert', ['--role', 'viewer'], 'battery staple');
-  const page = await (await browser.newContext()).newPage();
-  await page.goto(served.address);
-  await page.getByLabel('Name').fill('expert');
-  await page.getByLabel('Password').fill('battery staple');
-  await page.keyboard.press('Enter');
+  const page = await openAsViewer(browser, served);
   await expect(page.getByTestId('freeze')).toBeVisible();
   await expect(page.getByTestId('lamp')).toHaveCount(0);
 });

@@ -1,5 +1,5 @@
 // A server of one test's own, with a simulated bay and robot.
-import { test as base, expect, type Page } from '@playwright/test';
+import { test as base, expect, type Browser, type Page } from '@playwright/test';
 import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -85,6 +85,17 @@ export async function begin(page: Page, name = 'Ann'): Promise<void> {
   if (name) await page.getByLabel('Your name').fill(name);
   await page.getByTestId('begin').click();
   await expect(page.getByTestId('capture-initial')).toBeVisible();
+}
+
+/** A page on which a viewer is signed in. */
+export async function openAsViewer(browser: Browser, served: Served): Promise<Page> {
+  served.account('add', 'expert', ['--role', 'viewer'], 'battery staple');
+  const page = await (await browser.newContext()).newPage();
+  await page.goto(served.address);
+  await page.getByLabel('Name').fill('expert');
+  await page.getByLabel('Password').fill('battery staple');
+  await page.keyboard.press('Enter');
+  return page;
 }
 
 export async function angle(page: Page, joint: 'pan' | 'tilt'): Promise<number> {

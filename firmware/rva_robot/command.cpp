@@ -84,30 +84,27 @@ Refusal parse_move(Words& words, Command& command) {
   return speed ? Refusal::none : Refusal::limit;
 }
 
-Refusal parse_lamp(Words& words, Command& command) {
+bool parse_count(Words& words, uint8_t& count) {
   const char* word = nullptr;
   uint8_t length = 0;
   words.next(word, length);
-  if (!parse_byte(word, length, command.lamp_percent) || !words.ended()) return Refusal::form;
+  return parse_byte(word, length, count);
+}
+
+Refusal parse_lamp(Words& words, Command& command) {
+  if (!parse_count(words, command.lamp_percent) || !words.ended()) return Refusal::form;
   return command.lamp_percent <= 100 ? Refusal::none : Refusal::limit;
 }
 
-bool parse_id(Words& words, uint8_t& id) {
-  const char* word = nullptr;
-  uint8_t length = 0;
-  words.next(word, length);
-  return parse_byte(word, length, id);
-}
-
 Refusal parse_name(Words& words, Command& command) {
-  if (!parse_id(words, command.servo_from) || !parse_id(words, command.servo_to) || !words.ended())
+  if (!parse_count(words, command.servo_from) || !parse_count(words, command.servo_to) || !words.ended())
     return Refusal::form;
   const bool ids = command.servo_from <= herkulex::greatest_id && command.servo_to <= herkulex::greatest_id;
   return ids ? Refusal::none : Refusal::limit;
 }
 
 Refusal parse_middle(Words& words, Command& command) {
-  if (!parse_id(words, command.servo_from) || !words.ended()) return Refusal::form;
+  if (!parse_count(words, command.servo_from) || !words.ended()) return Refusal::form;
   return command.servo_from <= herkulex::greatest_id ? Refusal::none : Refusal::limit;
 }
 

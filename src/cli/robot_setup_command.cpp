@@ -15,7 +15,7 @@ namespace {
 
 struct RobotSetupArguments {
   std::string robot;
-  std::optional<ServoJoint> joint;
+  std::optional<std::string> joint;
   bool middle = false;
 };
 
@@ -58,7 +58,7 @@ void list_parts(SerialRobot& robot, Outcome& outcome) {
 void set_up_robot(const RobotSetupArguments& arguments, Outcome& outcome) {
   const std::unique_ptr<SerialRobot> robot = open_serial_robot(arguments.robot);
   if (arguments.joint)
-    name_servo(*robot, *arguments.joint, arguments.middle);
+    name_servo(*robot, *arguments.joint == "pan" ? ServoJoint::pan : ServoJoint::tilt, arguments.middle);
   else
     list_parts(*robot, outcome);
 }
@@ -73,8 +73,7 @@ void add_robot_setup_command(CLI::App& robot, Outcome& outcome) {
   command
       .add_option("--joint", arguments->joint,
                   "pan or tilt: gives the only servo that is connected the ID of this joint, for good")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, ServoJoint>>{
-          {"pan", ServoJoint::pan}, {"tilt", ServoJoint::tilt}}));
+      ->check(CLI::IsMember({"pan", "tilt"}));
   command
       .add_flag("--middle", arguments->middle,
                 "then turns this servo to its middle, before its horn is screwed to a part")

@@ -34,7 +34,7 @@ class SimulatedServo {
   [[nodiscard]] bool moving() const { return move_.has_value(); }
 
   [[nodiscard]] std::uint8_t id() const { return id_; }
-  /// As delivered by the factory, or named by somebody else.
+  /// Sets the ID as if the factory or another tool had set it.
   void set_id(std::uint8_t id) { id_ = eep_id_ = id; }
 
   /// Pushes it by hand.
