@@ -31,7 +31,7 @@ export type FindingKind = 'added' | 'removed' | 'appearance';
 
 export type Evidence = 'depth' | 'appearance';
 
-export type TaskKind = 'readiness' | 'capture' | 'check' | 'comparison';
+export type TaskKind = 'readiness' | 'capture' | 'check' | 'comparison' | 'signing';
 
 export type TaskEnd = 'running' | 'done' | 'cancelled' | 'failed';
 
@@ -348,8 +348,25 @@ export interface Inspection extends InspectionSummary {
   closing_needs_note: boolean;
   /** Why a note is needed to close it. */
   closing_note_for: ClosingReason[];
+  /** Its signed packages, in their order. Missing where there are none, and in exported records. */
+  signed?: SignedPackage[];
   /** A round of the final side that is not complete. */
   final_begun?: BegunFinal;
+}
+
+/** A signed package as its statement describes it; not verified. */
+export interface SignedPackage {
+  /** Relative to the data folder. */
+  folder: string;
+  /** Empty if the package cannot be read. */
+  signed_at: string;
+  /** Public keys (NAME+ID+BASE64), in the order of the signatures; none if the package cannot be read. */
+  signers: string[];
+}
+
+export interface KeyList {
+  /** Public keys (NAME+ID+BASE64) of the site: that of its log first, then those of people, earlier ones included. */
+  keys: string[];
 }
 
 export interface LevelsAtDistance {
@@ -566,6 +583,19 @@ export interface CloseRequest {
   comparison: number;
   note: string;
   person: string;
+}
+
+export interface Signer {
+  /** Of an account. */
+  name: string;
+  password: string;
+}
+
+export interface SignRequest {
+  /** Of the account that sends the request. */
+  password: string;
+  /** Further people at this console, all of whom sign the same package. */
+  others?: Signer[];
 }
 
 /** In pixels of the live picture; the centre of the first pixel is (0, 0). */

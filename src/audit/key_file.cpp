@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "audit/digest.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
@@ -203,8 +202,8 @@ SigningKey read_signing_key(const fs::path& file, const AsksPassword& ask) {
   const std::optional<std::string> secret =
       content.encrypted ? decrypted(content, ask(content.public_key, file)) : content.secret;
   if (!secret)
-    throw Error(printable(file), "is not opened by this password",
-                "enter the password of " + content.public_key.name + " again");
+    throw WrongKeyPassword(printable(file), "is not opened by this password",
+                           "enter the password of " + content.public_key.name + " again");
   SigningKey::Seed seed{};
   std::copy(secret->begin(), secret->end(), seed.begin());
   SigningKey key(content.public_key.name, seed);

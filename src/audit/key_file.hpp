@@ -10,6 +10,7 @@
 #include <string>
 
 #include "audit/signing_key.hpp"
+#include "core/error.hpp"
 
 namespace rva {
 
@@ -33,11 +34,17 @@ struct PasswordCost {
 void write_key_files(const std::filesystem::path& file, const SigningKey& key,
                      const std::optional<std::string>& password, const PasswordCost& cost = {});
 
+/// The password does not open the file.
+class WrongKeyPassword : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Asks for the password of a key, whose verifier name and file a message may state.
 using AsksPassword = std::function<std::string(const PublicKey& key, const std::filesystem::path& file)>;
 
 /// Reads a private key, and asks for the password only if the file is encrypted and whole.
-/// @throws Error when the file is missing, damaged or a public key, or the password is wrong
+/// @throws Error when the file is missing, damaged or a public key; WrongKeyPassword
 [[nodiscard]] SigningKey read_signing_key(const std::filesystem::path& file, const AsksPassword& ask);
 
 /// Reads the public key of either half's file; that of a private key needs no password.

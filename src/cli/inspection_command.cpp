@@ -7,19 +7,16 @@
 #include <vector>
 
 #include "audit/key_file.hpp"
-#include "audit/package_files.hpp"
 #include "audit/package_writer.hpp"
-#include "audit/site_log.hpp"
+#include "audit/site_keys.hpp"
 #include "cli/commands.hpp"
 #include "cli/hidden_input.hpp"
 #include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
 #include "cli/terminal_progress.hpp"
 #include "core/error.hpp"
-#include "core/file_origin.hpp"
-#include "core/output_folder.hpp"
 #include "core/path_text.hpp"
-#include "server/inspection_export.hpp"
+#include "server/signed_package.hpp"
 
 namespace fs = std::filesystem;
 
@@ -41,51 +38,27 @@ SigningKey signing_key(const std::string& file) {
   });
 }
 
+// That of the server's log, where the server has one.
+SigningKey log_key(const PackageArguments& arguments, const std::vector<SigningKey>& signers) {
+  if (!arguments.log_key.empty()) return signing_key(arguments.log_key);
+  const fs::path of_server = SiteKeys::log_key_file(fs::path(arguments.data) / site_keys_name);
+  std::error_code ignored;
+  return arguments.log.empty() && fs::exists(of_server, ignored) ? signing_key(of_server) : signers.front();
+}
+
 PackageSigning signing_from(const PackageArguments& arguments) {
   std::vector<SigningKey> signers;
   for (const std::string& file : arguments.keys) signers.push_back(signing_key(file));
-  const SigningKey log_key = arguments.log_key.empty() ? signers.front() : signing_key(arguments.log_key);
   const fs::path log = arguments.log.empty() ? fs::path(arguments.data) / "log" : fs::path(arguments.log);
-  return {signers, log_key, log};
-}
-
-// A log of another key is refused before a large inspection is copied.
-void require_usable_log(const PackageSigning& signing) {
-  if (is_log(signing.log)) static_cast<void>(read_log(signing.log, signing.log_key.public_key()));
-}
-
-std::vector<std::string> files_of_package() {
-  std::vector<std::string> files = package_files();
-  for (const std::string& file : exported_files()) files.push_back(package_file::payload + file);
-  return files;
-}
-
-// What was signed is never replaced.
-OutputFolder new_package(const std::string& out) {
-  try {
-    return {out, files_of_package(), Existing::refuse};
-  } catch (const ExistsError& error) {
-    throw Error(error.source(), "already exists, and signed packages are never replaced",
-                "choose another folder");
-  }
+  return {signers, log_key(arguments, signers), log};
 }
 
 void export_package(const PackageArguments& arguments) {
   const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
-  const Inspection& inspection = history.inspection;
-  const PackageSigning signing = signing_from(arguments);
-  require_usable_log(signing);
-  OutputFolder package = new_package(arguments.out);
-  fs::create_directory(package.path(package_file::payload));
-  write_exported_inspection(history, arguments.data, package.path(package_file::payload),
-                            terminal_progress());
-  seal_package(package.path(""),
-               {inspection.id, inspection.order.aircraft, inspection.order.zone, inspection.order.work_order},
-               time_of_making(), signing);
-  package.commit();
-  if (!inspection.closing)
+  write_signed_package(history, arguments.data, arguments.out, signing_from(arguments), terminal_progress());
+  if (!history.inspection.closing)
     fmt::print(stderr, "rva: warning: inspection {} is not closed; it was signed as it is now\n",
-               inspection.id);
+               arguments.inspection);
   print("{}\n", arguments.out);
 }
 
@@ -102,7 +75,9 @@ void add_package_export(CLI::App& command) {
       ->type_name("FILE");
   exporting
       .add_option("--log-key", arguments->log_key,
-                  "private key of the site's log; by default the first --key")
+                  "private key of the site's log; by default that of the server (DIR/keys/log.key) or, where "
+                  "there is "
+                  "none or --log is given, the first --key")
       ->type_name("FILE");
   exporting.add_option("--log", arguments->log, "folder of the site's log; by default DIR/log")
       ->type_name("DIR");

@@ -7,11 +7,15 @@
 #include <string>
 
 #include "audit/key_file.hpp"
+#include "audit/site_keys.hpp"
 #include "cli/commands.hpp"
 #include "cli/hidden_input.hpp"
 #include "cli/printing.hpp"
+#include "cli/recorded_inspection.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
+
+namespace fs = std::filesystem;
 
 namespace rva::cli {
 namespace {
@@ -19,6 +23,7 @@ namespace {
 struct KeyArguments {
   std::string name;
   std::string file;
+  std::string data;
   bool no_password = false;
 };
 
@@ -48,6 +53,13 @@ void create_key(const KeyArguments& arguments) {
   print("{}\n{}\n", arguments.file, public_file_of(arguments.file).native());
 }
 
+void list_keys(const KeyArguments& arguments) {
+  if (!fs::is_directory(arguments.data))
+    throw Error(printable(arguments.data), "is not a folder", "give the data folder of rva serve");
+  for (const PublicKey& key : SiteKeys(fs::path(arguments.data) / site_keys_name).public_keys())
+    print("{}\n", verifier_key(key));
+}
+
 }  // namespace
 
 void add_key_command(CLI::App& program) {
@@ -63,6 +75,11 @@ void add_key_command(CLI::App& program) {
   create.add_flag("--no-password", arguments->no_password,
                   "do not encrypt the private key, for programs that sign without a person");
   create.callback([arguments] { create_key(*arguments); });
+
+  CLI::App& list = *command.add_subcommand(
+      "list", "prints the public keys of a site: that of its log first, then those of people");
+  add_data_folder(list, arguments->data);
+  list.callback([arguments] { list_keys(*arguments); });
 
   CLI::App& show = *command.add_subcommand("public", "prints the public key of a key's file");
   show.add_option("FILE", arguments->file, "file of a private or public key")->required();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "audit/site_keys.hpp"
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/console_folder.hpp"
@@ -17,11 +18,15 @@
 #include "geometry/robot_geometry_file.hpp"
 #include "inspect/inspector.hpp"
 #include "inspect/recovery.hpp"
+#include "server/signed_package.hpp"
 #include "server/web_server.hpp"
 #include "store/sqlite_records.hpp"
 
 namespace rva::cli {
 namespace {
+
+// That of the account's password (hash_password()): a costlier key would protect nothing more.
+constexpr PasswordCost key_cost{2, std::size_t{64} << 20U};
 
 struct ServeArguments {
   std::string camera;
@@ -66,15 +71,17 @@ void serve(ServeArguments arguments) {
   SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
   const auto log = [](const std::string& line) { fmt::print(stderr, "rva: {}\n", printable(line)); };
   for (const std::string& line : recover_data(arguments.data, records)) log(line);
+  for (const std::string& line : remove_incomplete_packages(arguments.data)) log(line);
   LiveCamera camera(std::move(rig.camera));
   const std::unique_ptr<Drive> drive =
       rig.robot ? std::make_unique<Drive>(*rig.robot, arguments.drive) : nullptr;
   Inspector inspector({camera, drive.get(), chain}, records, arguments.data, arguments.inspector);
   Sessions sessions(records);
   Lease lease;
+  SiteKeys keys(std::filesystem::path(arguments.data) / site_keys_name, key_cost);
   const std::unique_ptr<WebServer> server = open_server(
       arguments.server,
-      {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure}, log);
+      {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure, &keys}, log);
   print("{}\n", server->address());
   static_cast<void>(std::fflush(stdout));
   server->run();

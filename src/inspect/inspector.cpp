@@ -390,6 +390,14 @@ void Inspector::close(std::int64_t id, int comparison, const Remark& remark) {
   });
 }
 
+void Inspector::sign(std::int64_t id, WritesPackage write) {
+  tasks_.start(
+      {.kind = TaskKind::signing, .inspection = id}, tasks_.ends_asked_for(), [&]() -> TaskRunner::Work {
+        if (!inspection(id).closing) throw Error(title(id), "is not closed", "close it, then sign it");
+        return [this, id, write = std::move(write)] { write(history(id), tasks_.counted_progress()); };
+      });
+}
+
 void Inspector::remove(std::int64_t id) {
   tasks_.between_starts([&] {
     require_unchanging(id, "wait until that has finished");

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "core/options.hpp"
+#include "core/progress.hpp"
 #include "inspect/inspection_folder.hpp"
 #include "inspect/readiness.hpp"
 #include "inspect/records.hpp"
@@ -77,6 +79,8 @@ class Inspector {
   /// All that the records contain of an inspection. @throws Error when there is none of this id
   [[nodiscard]] InspectionHistory history(std::int64_t id) const;
   [[nodiscard]] InspectionFolder folder(std::int64_t id) const { return {data_, id}; }
+  /// The folder of all inspections.
+  [[nodiscard]] const std::filesystem::path& data() const { return data_; }
   /// The robot's geometry.
   [[nodiscard]] const PanTiltChain& chain() const { return rig_.chain; }
 
@@ -149,6 +153,11 @@ class Inspector {
   /// @param comparison number of the one that the person reviewed
   /// @throws Error as require_closable(), or when a capture or comparison is under way
   void close(std::int64_t id, int comparison, const Remark& remark);
+  /// Writes the signed package of a closed inspection.
+  using WritesPackage = std::function<void(const InspectionHistory& history, const Progress& progress)>;
+  /// Starts a task that calls `write`.
+  /// @throws Error when the inspection is not closed, or another task is under way that is no check
+  void sign(std::int64_t id, WritesPackage write);
   /// Removes an inspection of which nothing has been captured or marked. @throws Error when something has
   void remove(std::int64_t id);
 

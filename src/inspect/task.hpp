@@ -19,6 +19,7 @@ enum class TaskKind {
   capture,
   check,  ///< comparison of a complete baseline with itself (check_baseline())
   comparison,
+  signing,  ///< of a closed inspection
 };
 template <>
 inline constexpr auto enum_names<TaskKind> = std::to_array<EnumName<TaskKind>>({
@@ -26,6 +27,7 @@ inline constexpr auto enum_names<TaskKind> = std::to_array<EnumName<TaskKind>>({
     {TaskKind::capture, "capture"},
     {TaskKind::check, "check"},
     {TaskKind::comparison, "comparison"},
+    {TaskKind::signing, "signing"},
 });
 
 /// Whether a task is running, or how it ended.

@@ -113,6 +113,11 @@ class Api {
   ApiResponse decide_mark(const Call& call) const;
   ApiResponse keep_snapshot(const Call& call) const;
   ApiResponse close(const Call& call) const;
+  // server/signing_routes.cpp
+  [[nodiscard]] PersonRole confirmed_role(const std::string& name, const std::string& password,
+                                          const std::string& from) const;
+  ApiResponse sign(const Call& call) const;
+  ApiResponse get_keys(const Call& call) const;
   // server/picture_routes.cpp
   ApiResponse get_picture(const Call& call) const;
   ApiResponse get_round_picture(const Call& call) const;

@@ -9,6 +9,7 @@
 #include "server/api.hpp"
 #include "server/query.hpp"
 #include "server/request_body.hpp"
+#include "server/signed_package.hpp"
 
 namespace rva {
 namespace {
@@ -88,6 +89,9 @@ ApiResponse Api::whole_inspection(std::int64_t id, int status) const {
   Json json = json_of(inspection);
   if (const auto replaced = parts_.inspector.replaced_before_final(inspection))
     json["final_begun"] = {{"replaced", *replaced}};
+  for (const SignedPackage& package : signed_packages(parts_.inspector.data(), id))
+    json["signed"].push_back(
+        {{"folder", package.folder}, {"signed_at", package.signed_at}, {"signers", package.signers}});
   return json_answer(json, status);
 }
 

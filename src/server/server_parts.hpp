@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "audit/site_keys.hpp"
 #include "camera/live_camera.hpp"
 #include "inspect/inspector.hpp"
 #include "measure/measure_options.hpp"
@@ -27,6 +28,7 @@ struct ServerParts {
   Lease& lease;
   SimulatedWork simulated_work;  ///< empty if the bay is not simulated
   MeasureOptions measure{};      ///< of what people measure
+  SiteKeys* keys = nullptr;      ///< of those who sign inspections; null: nobody can
   /// What people froze.
   std::shared_ptr<FrozenPictures> frozen = std::make_shared<FrozenPictures>();
 };

@@ -24,8 +24,9 @@ bool Sessions::too_many(const std::string& name, const std::string& from, double
          reached(name, "", most_failures_of_name_from_all);
 }
 
-Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& password,
-                                   const std::string& from, double now_s) {
+// The account is empty unless the answer is signed_in.
+std::pair<Sessions::Answer, Account> Sessions::verified(const std::string& name, const std::string& password,
+                                                        const std::string& from, double now_s) {
   if (too_many(name, from, now_s)) return {Answer::too_many, {}};
   // The hash of a password that nobody has, so that the time of the check does not reveal whether the name
   // exists.
@@ -41,9 +42,23 @@ Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& p
     return {Answer::wrong, {}};
   }
   failures_.erase({name, from});
+  return {Answer::signed_in, *known};
+}
+
+Sessions::Confirmation Sessions::confirm(const std::string& name, const std::string& password,
+                                         const std::string& from, double now_s) {
+  const auto [answer, account] = verified(name, password, from, now_s);
+  return {answer, account.role};
+}
+
+Sessions::SignIn Sessions::sign_in(const std::string& name, const std::string& password,
+                                   const std::string& from, double now_s) {
+  const auto [answer, account] = verified(name, password, from, now_s);
+  if (answer != Answer::signed_in) return {answer, {}};
+  const std::lock_guard lock(mutex_);
   std::erase_if(sessions_, [&](const auto& entry) { return now_s - entry.second.since_s >= lifetime_s; });
   std::string token = random_token();
-  sessions_[token] = {name, known->generation, now_s};
+  sessions_[token] = {name, account.generation, now_s};
   return {Answer::signed_in, std::move(token)};
 }
 

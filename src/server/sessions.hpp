@@ -46,6 +46,15 @@ class Sessions {
                                double now_s);
   void sign_out(const std::string& token);
 
+  /// The result of confirm().
+  struct Confirmation {
+    Answer answer = Answer::wrong;
+    PersonRole role = PersonRole::viewer;  ///< of the account, if the answer is signed_in
+  };
+  /// Verifies name and password, as sign_in() does and with the same limits, without a sign-in.
+  [[nodiscard]] Confirmation confirm(const std::string& name, const std::string& password,
+                                     const std::string& from, double now_s);
+
   /// The person who signed in with a token; empty if the token is unknown or has expired, or if the account
   /// was removed or changed since the sign-in.
   [[nodiscard]] std::optional<Person> person(const std::string& token, double now_s) const;
@@ -70,6 +79,8 @@ class Sessions {
     double since_s = 0.0;
   };
 
+  [[nodiscard]] std::pair<Answer, Account> verified(const std::string& name, const std::string& password,
+                                                    const std::string& from, double now_s);
   [[nodiscard]] bool too_many(const std::string& name, const std::string& from, double now_s);
   [[nodiscard]] std::optional<Account> account(const std::string& name) const;
 

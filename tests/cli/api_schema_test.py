@@ -121,6 +121,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.rerun()
         self.export_crops()
         self.sign_in()
+        self.sign()
         self.assertLessEqual(SCHEMA.not_met(), NOT_MET, 'fields that were in no request, answer or message: remove them '
                              'from the schema, or list them here')
 
@@ -361,16 +362,37 @@ class ApiSchemaTest(program.ProgramTest):
         self.post('cancel', None, {}, status=202)
         self.console.wait_for(lambda status: (status['task']['kind'], status['task']['end']) == (kind, 'cancelled'))
 
-    def sign_in(self):
-        subprocess.run(self.command('account', 'add', 'ann', '--role', 'viewer', '--data', self.folder / 'data'),
+    def add_account(self, name, role):
+        subprocess.run(self.command('account', 'add', name, '--role', role, '--data', self.folder / 'data'),
                        input='correct horse\n', check=True, capture_output=True, encoding='utf-8')
+
+    def cookie_of(self, name):
+        body, headers = {'name': name, 'password': 'correct horse'}, {}
+        SCHEMA.check('SignInRequest', body)
+        SCHEMA.check('Empty', ask(self.address, 'POST', '/api/sign-in', body, headers=headers)[1])
+        return headers['Set-Cookie'].split(';')[0]
+
+    def sign(self):
+        self.add_account('ida', 'inspector')
+        self.cookie = self.cookie_of('ida')
+        before = self.console.status['task']['number']
+        other = {'name': 'ann', 'password': 'correct horse'}
+        self.refuse('POST', 'inspections/1/sign', {'password': 'correct horse', 'others': [other]}, 403)
+        self.add_account('max', 'operator')
+        self.post('inspections/1/sign', 'SignRequest', {'password': 'correct horse', 'others': [{**other, 'name': 'max'}]}, status=202)
+        self.console = self.open_console()
+        self.wait_for_task('signing', before)
+        package, = self.get('inspections/1', 'Inspection')['signed']
+        self.assertEqual([key.split('+')[0] for key in package['signers']], ['ida', 'max'])
+        self.assertEqual(len(self.get('keys', 'KeyList')['keys']), 3)
+        self.succeed('inspection', 'verify', self.folder / 'data' / package['folder'], '--log', self.folder / 'data/log')
+
+    def sign_in(self):
+        self.add_account('ann', 'viewer')
         self.get('session', 'Session')
         self.refuse('GET', 'inspections', None, 401)
         self.refuse('POST', 'sign-in', {'name': 'ann', 'password': 'wrong horse'}, 401)
-        body, headers = {'name': 'ann', 'password': 'correct horse'}, {}
-        SCHEMA.check('SignInRequest', body)
-        SCHEMA.check('Empty', ask(self.address, 'POST', '/api/sign-in', body, headers=headers)[1])
-        self.cookie = headers['Set-Cookie'].split(';')[0]
+        self.cookie = self.cookie_of('ann')
         self.get('session', 'Session')
         self.refuse('POST', 'cancel', {}, 403)
         self.post('sign-out', None, {})

@@ -20,6 +20,7 @@ function description(task: TaskStatus): string {
   const { capture, comparingNow, frames, turning, turningCloser, viewOf, waiting } = words.inspection;
   if (task.waiting) return waiting(task.waiting);
   if (task.kind === 'comparison') return comparingNow;
+  if (task.kind === 'signing') return words.inspection.copyingFiles;
   const view = task.views > 1 ? `${viewOf(task.view + 1, task.views)}, ` : '';
   const number = task.captures > 1 ? `${capture(task.capture + 1, task.captures)}: ` : '';
   const turn = task.approach === 0 ? turning : turningCloser(task.approach + 1, task.approaches);
@@ -99,18 +100,24 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
   );
 }
 
+function title(task: TaskStatus): string {
+  if (task.kind === 'comparison') return words.inspection.comparing;
+  if (task.kind === 'signing') return words.inspection.signing;
+  return words.inspection.capturing[task.side === 'initial' ? 'initial' : 'final'];
+}
+
 export function CaptureProgress({ task, mayCancel }: { task: TaskStatus; mayCancel: boolean }) {
   const share = doneShare(task);
   return (
     <div class="card" data-testid="progress">
-      <h2>{task.kind === 'comparison' ? words.inspection.comparing : words.inspection.capturing[task.side === 'initial' ? 'initial' : 'final']}</h2>
+      <h2>{title(task)}</h2>
       <div class="progress" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * share)} aria-label={words.inspection.progress}>
         <span style={{ width: `${100 * share}%` }} />
       </div>
       <p role="status" class={task.waiting ? 'bad' : ''}>
         {description(task)}
       </p>
-      <p class="hint">{words.inspection.keepStill}</p>
+      {task.kind !== 'signing' && <p class="hint">{words.inspection.keepStill}</p>}
       <button type="button" data-testid="cancel" disabled={!mayCancel} onClick={() => void attempt(() => api.cancel())}>
         {words.page.cancel}
       </button>

@@ -27,6 +27,7 @@ import type {
   Session,
   SideName,
   SignInRequest,
+  SignRequest,
   SimulationRequest,
   SnapshotRequest,
   Stream,
@@ -102,6 +103,8 @@ export const api = {
   /** Refused if the inspection has been compared again since; it does not change afterwards. */
   close: ({ id, comparison = 0 }: Inspection, note: string, person: string) =>
     send<CloseRequest, Inspection>('POST', `/api/inspections/${id}/close`, { comparison, note, person }),
+  /** Starts the task that writes the signed package of a closed inspection. */
+  sign: ({ id }: Inspection, request: SignRequest) => send<SignRequest, Empty>('POST', `/api/inspections/${id}/sign`, request),
   checkReadiness: () => post<Empty>('/api/readiness'),
   cancel: () => post<Empty>('/api/cancel'),
   /** Sets the exposure of the infrared imagers; refused during a capture. */

@@ -1,4 +1,4 @@
-// What comes after the decisions: capturing again, or closing the inspection by name.
+// What comes after the decisions: capturing again, or closing the inspection by name and signing it.
 import { useState } from 'preact/hooks';
 import { attempt, update } from '../inspection/inspections';
 import { timeOf } from '../inspection/words';
@@ -8,6 +8,8 @@ import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session } from '../types';
 import { groupsOf, isSettled } from './groups';
+import { isComplete, nobody, SignerFields } from './SignerFields';
+import { maySign, Signing } from './Signing';
 import { words } from '../words/words';
 
 function CaptureAgain({ inspection, session, first }: { inspection: Inspection; session: Session; first: boolean }) {
@@ -29,10 +31,16 @@ function CloseForm({ inspection, session, onLeave }: { inspection: Inspection; s
   const needsNote = inspection.closing_needs_note;
   const [note, setNote] = useState('');
   const [name, setName] = useState(session.name || person.name || inspection.person);
+  const [request, setRequest] = useState(nobody);
+  const signs = maySign(session);
+  const isFilledIn = name.trim() !== '' && !(needsNote && note.trim() === '') && (!signs || isComplete(request));
+  // Where a password is wrong, the inspection is closed, and can still be signed.
   const close = (event: Event) => {
     event.preventDefault();
     void attempt(async () => {
-      update(await api.close(inspection, note.trim(), name.trim()));
+      const closed = await api.close(inspection, note.trim(), name.trim());
+      update(closed);
+      if (signs) await api.sign(closed, request);
     });
   };
   return (
@@ -50,9 +58,10 @@ function CloseForm({ inspection, session, onLeave }: { inspection: Inspection; s
         </span>
         <textarea rows={2} maxLength={1000} value={note} required={needsNote} onInput={(event) => setNote(event.currentTarget.value)} />
       </label>
+      {signs && <SignerFields session={session} request={request} onChange={setRequest} />}
       <div class="panel-pair">
-        <button type="submit" class="primary" data-testid="close-confirm" disabled={name.trim() === '' || (needsNote && note.trim() === '')}>
-          {words.review.closeByName}
+        <button type="submit" class="primary" data-testid="close-confirm" disabled={!isFilledIn}>
+          {signs ? words.review.closeAndSign : words.review.closeByName}
         </button>
         <button type="button" onClick={onLeave}>
           {words.review.notYet}
@@ -62,13 +71,14 @@ function CloseForm({ inspection, session, onLeave }: { inspection: Inspection; s
   );
 }
 
-function Closed({ inspection }: { inspection: Inspection }) {
+function Closed({ inspection, session }: { inspection: Inspection; session: Session }) {
   const { closing } = inspection;
   if (!closing) return null;
   return (
     <div class="panel-action" data-testid="closed" role="status">
       <p class="good">{words.review.closed(closing.person, timeOf(closing.closed_at))}</p>
       {closing.note && <q>{closing.note}</q>}
+      <Signing inspection={inspection} session={session} />
       <a class="button" href={reportAddress(inspection)} target="_blank" rel="noreferrer" data-testid="report">
         {words.review.report}
       </a>
@@ -92,7 +102,7 @@ function remainder(inspection: Inspection): string {
 
 export function ClosingCard({ inspection, session }: { inspection: Inspection; session: Session }) {
   const [closing, setClosing] = useState(false);
-  if (inspection.closing) return <Closed inspection={inspection} />;
+  if (inspection.closing) return <Closed inspection={inspection} session={session} />;
   const left = remainder(inspection);
   const needsNote = inspection.closing_needs_note;
   if (closing && left === '') {
@@ -110,7 +120,7 @@ export function ClosingCard({ inspection, session }: { inspection: Inspection; s
       <div class="panel-pair narrow">
         <CaptureAgain inspection={inspection} session={session} first={left === '' && needsNote} />
         <button type="button" class={left === '' && !needsNote ? 'primary' : ''} data-testid="close" disabled={left !== '' || session.role !== 'inspector'} onClick={() => setClosing(true)}>
-          {words.review.close}
+          {maySign(session) ? words.review.closeAndSign : words.review.close}
         </button>
       </div>
     </div>
