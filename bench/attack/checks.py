@@ -2,7 +2,7 @@
 from contents import check_ply, check_png, contents, few
 from killing import run
 from ledger import MORE_PICTURES, PICTURES, digest, is_remains, optional_picture
-from record_checks import check_closing, check_listed, check_marks, check_rounds
+from record_checks import check_closing, check_listed, check_marks, check_packages, check_rounds
 from server import Refused
 from setting import LOST, STUCK, UNEXPLAINED, Problem
 from stored import integrity, notes_of_decisions
@@ -28,7 +28,7 @@ def check_restarted(setting, server, ledger, data):
     for number in listed - set(ledger.inspections):
         if not server.ask('GET', f'inspections/{number}')['views']:
             problems.append(Problem(UNEXPLAINED, f'inspection {number} was created incompletely: it has no view'))
-    return problems + check_accounts(setting, ledger, data)
+    return problems + check_packages(setting, ledger, data) + check_accounts(setting, ledger, data)
 
 
 def check_inspection(ledger, known, now):

@@ -30,7 +30,7 @@ STORY = (Step('begin', 'begin', 1, 2), Step('views', 'views', 1, 0), Step('initi
          Step('decide', 'decide', 1, 3), Step('retake', 'final', 3, 4), Step('decide-again', 'decide', 0, 1),
          Step('retake-again', 'final', 2, 3), Step('mark', 'mark', 2, 3), Step('decide-last', 'decide', 0, 0),
          Step('decide-marks', 'decide_marks', 1, 2), Step('close', 'close', 1, 3), Step('delete', 'delete', 1, 2),
-         Step('accounts', 'accounts', 0, 2))
+         Step('accounts', 'accounts', 0, 2), Step('sign', 'sign', 0, 3))
 WORK_BEGINS = 'final'  # from this step on, the bay is in its state after the work
 
 

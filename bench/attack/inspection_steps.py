@@ -100,6 +100,12 @@ class Steps:
         self._account('remove', 'bob')
         del self.ledger.accounts['bob']
 
+    def sign(self):
+        """Signs the closed inspection, with the password of an account."""
+        with self.ledger.asking('sign'):
+            self.server.do(self._path('sign'), {'password': PASSWORD})
+            self.ledger.packages += 1
+
     def look(self):
         self.ledger.look(self.server, self.data)
 
@@ -118,6 +124,8 @@ class Steps:
         self._ask_again()
         if 'closing' in self.ledger.known():
             self._expect_refusal()
+            if 'ann' in self.ledger.accounts:
+                self.sign()
             return
         if 'final' not in self.ledger.known():
             self.final()

@@ -37,6 +37,7 @@ class Ledger:
     accounts:    roles by name
     marks:       digests of the pictures in which findings of the current inspection were marked, by number
     rounds:      the comparisons of the current inspection when they were last read
+    packages:    how many signed packages of the current inspection were acknowledged
     deleted:     numbers of inspections that were deleted; greatest: the highest number that was ever given
     """
 
@@ -44,7 +45,7 @@ class Ledger:
         self.inspections, self.owed, self.notes = {}, set(), []
         self.captures, self.pictures, self.accounts = {}, {}, {}
         self.marks, self.rounds, self.deleted, self.greatest = {}, [], set(), 0
-        self.unfinished = set()
+        self.unfinished, self.packages = set(), 0
         self.pending, self.wanted_views = None, None
         self.current = None  # number of the current inspection
 

@@ -1,5 +1,6 @@
 """Checks of marked findings, of earlier rounds, and of closed and deleted inspections after a kill."""
 from contents import check_png
+from killing import run
 from ledger import digest, optional_picture
 from server import Refused
 from setting import LOST, UNEXPLAINED, Problem
@@ -24,6 +25,20 @@ def check_closing(ledger, known, now):
     if was == is_now or (was is None and ledger.pending == 'close'):
         return []
     return [Problem(LOST, f'inspection {known["id"]}: its closing was {was}, now is {is_now}')]
+
+
+def check_packages(setting, ledger, data):
+    """Problems with signed packages: those that were acknowledged are there, and each is whole and in the site's log."""
+    packages = sorted((data / 'signed').glob('*-[0-9]')) if (data / 'signed').exists() else []
+    problems = []
+    if not ledger.packages <= len(packages) <= ledger.packages + (ledger.pending == 'sign'):
+        problems.append(Problem(LOST, f'{len(packages)} packages are there, {ledger.packages} were acknowledged'))
+    for package in packages:
+        ended = run([setting.rva, 'inspection', 'verify', package, '--log', data / 'log'], data)
+        if ended.status != 0:
+            problems.append(Problem(LOST, f'{package.name} does not verify: {ended.last_line()}'))
+    ledger.packages = len(packages)
+    return problems
 
 
 def check_marks(server, ledger, known, now):

@@ -327,8 +327,8 @@ export interface InspectionList {
   inspections: InspectionSummary[];
 }
 
-/** `debris` was removed after the last captures, or cannot be reached; `coverage`: less than half of a view was inspected. */
-export type ClosingReason = 'debris' | 'coverage';
+/** `debris` was removed after the last captures, or cannot be reached; `coverage`: less than half of a view was inspected; `lost-item`: an item of the check-out list is lost and was released. */
+export type ClosingReason = 'debris' | 'coverage' | 'lost-item';
 
 export interface BegunFinal {
   /** Whether the robot was put back since the baseline. */
@@ -344,6 +344,8 @@ export interface Inspection extends InspectionSummary {
   marked: MarkedFinding[];
   /** Pictures that people kept. */
   snapshots: Snapshot[];
+  /** The check-out list: what was taken into the bay. */
+  items: Item[];
   /** Whether a note is needed to close it: `closing_note_for` is not empty. */
   closing_needs_note: boolean;
   /** Why a note is needed to close it. */
@@ -362,6 +364,36 @@ export interface SignedPackage {
   signed_at: string;
   /** Public keys (NAME+ID+BASE64), in the order of the signatures; none if the package cannot be read. */
   signers: string[];
+}
+
+export type ItemState = 'out' | 'lost' | 'released' | 'back';
+
+/** What a person states of an item. Earlier statements are kept. */
+export interface ItemStatement {
+  /** How many came out. */
+  returned: number;
+  /** How many stay in, as installed work, or were consumed. */
+  used: number;
+  /** How many cannot be found. */
+  lost: number;
+  /** Whether the person takes the responsibility for those that are lost. */
+  released: boolean;
+  note: string;
+  person: string;
+  stated_at: Moment;
+}
+
+export interface Item {
+  number: number;
+  name: string;
+  /** Number of a tool; may be empty. */
+  identity: string;
+  quantity: number;
+  person: string;
+  taken_at: Moment;
+  state: ItemState;
+  /** In their order; the last one applies. */
+  statements: ItemStatement[];
 }
 
 export interface KeyList {
@@ -581,6 +613,22 @@ export interface MarkDecisionRequest {
 export interface CloseRequest {
   /** The comparison that was reviewed; refused if another one is valid by now. */
   comparison: number;
+  note: string;
+  person: string;
+}
+
+export interface CheckOutRequest {
+  /** Items to add: CSV whose first line names the columns item, number and quantity; number and quantity may be left out. */
+  csv: string;
+  person: string;
+}
+
+export interface ItemRequest {
+  returned: number;
+  used: number;
+  lost: number;
+  /** By inspectors only, with a note. */
+  released: boolean;
   note: string;
   person: string;
 }

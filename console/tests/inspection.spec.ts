@@ -1,5 +1,6 @@
 // A whole inspection, as a person does it who has never seen the console.
 import type { Page } from '@playwright/test';
+import { expectAccessible, expectTouchable } from './accessibility';
 import { angle, begin, expect, expectAtRest, Served, test } from './served';
 
 /** Nothing is wider than the page. */
@@ -133,6 +134,30 @@ test('from the empty list to the last decision, with a reload and a power cut be
   // A closed inspection is not looked at for the first time.
   await page.reload();
   await expect(page.getByTestId('report')).toBeVisible();
+
+  // With accounts, it is signed, with the passwords of both; a wrong one signs nothing.
+  await expect(page.getByTestId('closed')).toContainText('Signing needs an account');
+  served.account('add', 'ida', ['--role', 'inspector'], 'correct horse');
+  served.account('add', 'max', ['--role', 'operator'], 'battery staple');
+  await page.reload();
+  await page.getByLabel('Name').fill('ida');
+  await page.getByLabel('Password').fill('correct horse');
+  await page.getByTestId('sign-in').click();
+  await page.getByTestId('sign').click();
+  const form = page.getByTestId('sign-form');
+  await form.getByLabel('Password of ida').fill('wrong horse');
+  await page.getByTestId('sign-confirm').click();
+  await expect(page.getByRole('alert')).toContainText('name or password is wrong');
+  await form.getByLabel('Password of ida').fill('correct horse');
+  await page.getByTestId('add-signer').click();
+  await expect(page.getByTestId('sign-confirm')).toBeDisabled();
+  await form.getByLabel('Name').fill('max');
+  await form.getByLabel('Password', { exact: true }).fill('battery staple');
+  await expectAccessible(page);
+  await expectTouchable(page);
+  await page.getByTestId('sign-confirm').click();
+  await expect(page.getByTestId('signed')).toContainText('Signed by ida, max');
+  await expect(page.getByTestId('signed')).toContainText('signed/000001-1');
 
   await page.getByTestId('home').click();
   await expect(page.getByTestId('open-1')).toContainText('Closed');

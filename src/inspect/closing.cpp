@@ -28,11 +28,23 @@ Error missing_note(const Inspection& inspection, ClosingReason reason) {
     case ClosingReason::debris:
       return {title(inspection), "debris was removed after the last captures, or cannot be reached",
               "capture again, or state in a note why the inspection may be closed"};
+    case ClosingReason::lost_item:
+      return {title(inspection), "an item of the check-out list is lost",
+              "find it, or state in a note why the inspection may be closed without it"};
     case ClosingReason::coverage:
       break;
   }
   return {title(inspection), "less than half of a view was inspected",
           "capture again, or state in a note why that suffices"};
+}
+
+void require_items_accounted_for(const Inspection& inspection) {
+  if (const std::size_t out = count_in(inspection.items, ItemState::out); out > 0)
+    throw Error(title(inspection), fmt::format("{} item(s) of the check-out list are not accounted for", out),
+                "state for each item how many were returned, used or lost");
+  if (const std::size_t lost = count_in(inspection.items, ItemState::lost); lost > 0)
+    throw Error(title(inspection), fmt::format("{} item(s) of the check-out list are lost", lost),
+                "find them, or have an inspector release them");
 }
 
 }  // namespace
@@ -41,6 +53,7 @@ std::vector<ClosingReason> reasons_for_note(const Inspection& inspection) {
   std::vector<ClosingReason> reasons;
   if (is_debris_unseen(inspection)) reasons.push_back(ClosingReason::debris);
   if (least_judged(inspection).value_or(1.0) < least_inspected) reasons.push_back(ClosingReason::coverage);
+  if (count_in(inspection.items, ItemState::released) > 0) reasons.push_back(ClosingReason::lost_item);
   return reasons;
 }
 
@@ -64,6 +77,7 @@ void require_closable(const Inspection& inspection, const Closing& closing) {
     throw Error(title(inspection),
                 fmt::format("{} finding(s) are undecided, or debris that is still there", open),
                 "decide on every finding");
+  require_items_accounted_for(inspection);
   const std::vector<ClosingReason> reasons = reasons_for_note(inspection);
   if (closing.note.empty() && !reasons.empty()) throw missing_note(inspection, reasons.front());
 }

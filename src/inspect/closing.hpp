@@ -17,11 +17,13 @@ enum class ClosingReason {
   debris,    ///< it was removed after the last captures, or cannot be reached: they do not show a bay free of
              ///< it
   coverage,  ///< less than least_inspected of a view was inspected
+  lost_item,  ///< an item of the check-out list is lost, and a person has released it
 };
 template <>
 inline constexpr auto enum_names<ClosingReason> = std::to_array<EnumName<ClosingReason>>({
     {ClosingReason::debris, "debris"},
     {ClosingReason::coverage, "coverage"},
+    {ClosingReason::lost_item, "lost-item"},
 });
 
 /// With a smaller share of a view inspected (ComparedView::judged), that nothing was found there means
@@ -33,7 +35,8 @@ inline constexpr double least_inspected = 0.5;
 
 /// @throws Error when a person may not close the inspection by this statement: it is closed already; its
 ///         latest captures are not complete, or not compared; the person reviewed another comparison;
-///         something is undecided; a note is needed and empty
+///         something is undecided; an item of the check-out list is not accounted for, or lost and not
+///         released; a note is needed and empty
 void require_closable(const Inspection& inspection, const Closing& closing);
 
 /// @throws Error when the inspection has been closed

@@ -12,6 +12,7 @@
 #include "detect/regions/comparison.hpp"
 #include "detect/regions/ignored_regions.hpp"
 #include "geometry/pan_tilt.hpp"
+#include "inspect/checkout.hpp"
 #include "inspect/reviewed_finding.hpp"
 
 namespace rva {
@@ -130,6 +131,7 @@ struct Inspection {
   std::vector<ReviewedFinding> findings;  ///< of the current comparison
   std::vector<MarkedFinding> marked;      ///< by a person, in any round
   std::vector<Snapshot> snapshots{};      ///< in the order in which they were kept
+  std::vector<CheckedOutItem> items{};    ///< the check-out list
   std::optional<Closing> closing;         ///< nothing can be changed afterwards
 };
 

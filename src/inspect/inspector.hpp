@@ -149,6 +149,14 @@ class Inspector {
   /// @throws Error as decide(), or when there are no decisions
   void decide_all(std::int64_t id, int comparison, std::vector<FindingDecision> decisions);
 
+  /// Appends items to the check-out list, all or none.
+  /// @throws Error when nobody's name is given, a line is not within the limits, or the list would be too
+  /// long
+  void check_out(std::int64_t id, const std::vector<ListedItem>& items, const std::string& person);
+  /// States what became of an item. @param statement `stated_at` has no effect
+  /// @throws Error when nobody's name is given, there is no such item, or it may not be stated so
+  void state_item(std::int64_t id, int item, ItemStatement statement);
+
   /// Closes an inspection; nothing can be changed afterwards.
   /// @param comparison number of the one that the person reviewed
   /// @throws Error as require_closable(), or when a capture or comparison is under way

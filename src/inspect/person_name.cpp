@@ -95,6 +95,10 @@ bool is_legible_name(const std::string& name) {
   return legible;
 }
 
+void require_person(const std::string& name) {
+  if (!is_legible_name(name)) throw Error("person", "no name was given", "enter your name");
+}
+
 bool is_name_of_one_script(const std::string& name) {
   if (!is_legible_name(name)) return false;
   const icu::UnicodeString text = as_written(name);

@@ -10,6 +10,9 @@ namespace rva {
 /// repeated spaces.
 [[nodiscard]] bool is_legible_name(const std::string& name);
 
+/// @throws Error when a name is not legible
+void require_person(const std::string& name);
+
 /// Whether a legible name also consists only of letters, accents, digits, spaces and . ' ’ - and does not mix
 /// scripts with similar letters, such as Latin and Cyrillic (Unicode Technical Standard 39, "highly
 /// restrictive"). The name of an account must satisfy this.

@@ -66,6 +66,12 @@ class Records {
   [[nodiscard]] virtual int add_mark(std::int64_t id, const MarkedFinding& marked) = 0;
   /// Records a picture that was kept. @return its number; `snapshot.number` has no effect
   [[nodiscard]] virtual int add_snapshot(std::int64_t id, const Snapshot& snapshot) = 0;
+  /// Appends items to the check-out list, all or none. @throws Error when the list would be too long
+  virtual void add_items(std::int64_t id, const std::vector<ListedItem>& items, const std::string& person,
+                         const std::string& taken_at) = 0;
+  /// Records what became of an item; earlier statements are kept. @throws Error when there is no such item,
+  /// or as require_valid()
+  virtual void state_item(std::int64_t id, int item, const ItemStatement& statement) = 0;
   /// Records a decision on a marked finding; as decide(). @throws Error when there is no such mark
   virtual void decide_mark(std::int64_t id, int mark, const Decision& decision) = 0;
   /// Records all of these decisions, in their order, or none. @throws Error as decide() and decide_mark()

@@ -66,6 +66,8 @@ const std::vector<Api::Route>& Api::routes() {
       {"POST", "/api/inspections/{}/marked", PersonRole::operator_, &Api::mark},
       {"POST", "/api/inspections/{}/marked/{}/decision", PersonRole::inspector, &Api::decide_mark},
       {"POST", "/api/inspections/{}/close", PersonRole::inspector, &Api::close},
+      {"POST", "/api/inspections/{}/items", PersonRole::operator_, &Api::check_out},
+      {"POST", "/api/inspections/{}/items/{}", PersonRole::operator_, &Api::state_item},
       {"POST", "/api/inspections/{}/sign", PersonRole::operator_, &Api::sign},
       {"GET", "/api/keys", PersonRole::viewer, &Api::get_keys},
       {"GET", "/api/inspections/{}/views/{}/{}", PersonRole::viewer, &Api::get_picture},

@@ -113,6 +113,9 @@ class Api {
   ApiResponse decide_mark(const Call& call) const;
   ApiResponse keep_snapshot(const Call& call) const;
   ApiResponse close(const Call& call) const;
+  // server/checkout_routes.cpp
+  ApiResponse check_out(const Call& call) const;
+  ApiResponse state_item(const Call& call) const;
   // server/signing_routes.cpp
   [[nodiscard]] PersonRole confirmed_role(const std::string& name, const std::string& password,
                                           const std::string& from) const;

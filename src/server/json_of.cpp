@@ -57,6 +57,25 @@ Json json_of(const NoiseSoFar& noise) {
             {"findable", list_of(noise.findable.findable)}}}};
 }
 
+Json json_of(const ItemStatement& statement) {
+  return {{"returned", statement.returned},  {"used", statement.used}, {"lost", statement.lost},
+          {"released", statement.released},  {"note", statement.note}, {"person", statement.person},
+          {"stated_at", statement.stated_at}};
+}
+
+Json json_of(const CheckedOutItem& item) {
+  Json statements = Json::array();
+  for (const ItemStatement& statement : item.statements) statements.push_back(json_of(statement));
+  return {{"number", item.number},
+          {"name", item.item.name},
+          {"identity", item.item.identity},
+          {"quantity", item.item.quantity},
+          {"person", item.person},
+          {"taken_at", item.taken_at},
+          {"state", name_of(state_of(item))},
+          {"statements", std::move(statements)}};
+}
+
 Json json_of(const Closing& closing) {
   return {{"comparison", closing.comparison},
           {"person", closing.person},
@@ -202,6 +221,7 @@ Json json_of(const Inspection& inspection) {
   json["findings"] = json_list(inspection.findings);
   json["marked"] = json_list(inspection.marked);
   json["snapshots"] = json_list(inspection.snapshots);
+  json["items"] = json_list(inspection.items);
   Json reasons = Json::array();
   for (const ClosingReason reason : reasons_for_note(inspection)) reasons.push_back(name_of(reason));
   json["closing_needs_note"] = !reasons.empty();

@@ -63,6 +63,13 @@ double number_field(const Json& body, const char* key) {
   return number;
 }
 
+int count_field(const Json& body, const char* key) {
+  constexpr double most_number = 1e9;
+  const double number = number_field(body, key);
+  return number >= 0.0 && number <= most_number && number == std::floor(number) ? static_cast<int>(number)
+                                                                                : -1;
+}
+
 Box box_field(const Json& body, const char* key) {
   constexpr double most_number = 1e9;
   const auto found = body.find(key);

@@ -12,6 +12,7 @@ namespace rva {
 inline constexpr std::size_t most_field_bytes = 200;
 inline constexpr std::size_t most_note_bytes = 4000;
 inline constexpr std::size_t most_plan_bytes = 60000;
+inline constexpr std::size_t most_list_bytes = 60000;
 
 /// @throws ApiError (400) when the text is not a JSON object, or nested more than a few levels
 [[nodiscard]] Json parse_body(const std::string& text);
@@ -26,6 +27,10 @@ inline constexpr std::size_t most_plan_bytes = 60000;
 [[nodiscard]] bool flag_field(const Json& body, const char* key);
 /// @throws ApiError (400) when the field is missing, not a number, or not finite
 [[nodiscard]] double number_field(const Json& body, const char* key);
+
+/// @return the value; -1 if it is not a whole number from 0 to 1e9
+/// @throws ApiError (400) as number_field()
+[[nodiscard]] int count_field(const Json& body, const char* key);
 
 /// @return the field's [x, y, width, height], fractions dropped
 /// @throws ApiError (400) when it is not a list of four numbers from 0

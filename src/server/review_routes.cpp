@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -18,21 +17,12 @@
 namespace rva {
 namespace {
 
-constexpr double most_number = 1e9;
-
 int finding_number(const std::string& text) {
   const std::optional<int> number = number_in_path(text);
   if (!number)
     throw ApiError(404, "not-found", "finding", printable(text) + " is not a number",
                    "see the list of findings");
   return *number;
-}
-
-// A whole number from 0; -1 if the field has another number.
-int count_field(const Json& body, const char* key) {
-  const double number = number_field(body, key);
-  return number >= 0.0 && number <= most_number && number == std::floor(number) ? static_cast<int>(number)
-                                                                                : -1;
 }
 
 // The number of the comparison that a request refers to, by its number or, from older consoles, by its time.

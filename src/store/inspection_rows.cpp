@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/json_object.hpp"
 #include "inspect/closing.hpp"
+#include "store/checkout_rows.hpp"
 #include "store/finding_rows.hpp"
 #include "store/mark_rows.hpp"
 #include "store/round_rows.hpp"
@@ -106,6 +107,7 @@ std::optional<Inspection> find_inspection(SQLite::Database& database, std::int64
   }
   inspection.marked = marked_findings_of(database, id);
   inspection.snapshots = snapshots_of(database, id);
+  inspection.items = items_of(database, id);
   inspection.closing = closing_of(database, id);
   return inspection;
 }
@@ -176,11 +178,12 @@ void insert_closing(SQLite::Database& database, std::int64_t id, const Closing& 
 }
 
 void remove_unused_inspection(SQLite::Database& database, std::int64_t id) {
-  for (const char* const table : {"side", "comparison", "mark", "snapshot"}) {
+  for (const char* const table : {"side", "comparison", "mark", "snapshot", "item"}) {
     SQLite::Statement query(database, fmt::format("select 1 from {} where inspection = ?", table));
     query.bind(1, id);
     if (query.executeStep())
-      throw Error(fmt::format("inspection {}", id), "has captures, marks or snapshots, which are kept",
+      throw Error(fmt::format("inspection {}", id),
+                  "has captures, marks, snapshots or a check-out list, which are kept",
                   "close it instead of deleting it");
   }
   for (const char* const remove :

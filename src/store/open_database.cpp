@@ -26,7 +26,8 @@ void bring_up_to_date(SQLite::Database& database, int version) {
   if (version < 5) database.exec(schema_5_from_4);
   if (version < 6) database.exec(schema_6_from_5);
   if (version < 7) database.exec(schema_7_from_6);
-  database.exec(schema_8_from_7);
+  if (version < 8) database.exec(schema_8_from_7);
+  database.exec(schema_9_from_8);
   database.exec(fmt::format("pragma application_id = {}", our_application));
   database.exec(fmt::format("pragma user_version = {}", schema_version));
   transaction.commit();

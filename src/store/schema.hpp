@@ -4,7 +4,7 @@
 namespace rva {
 
 /// `pragma user_version` of a file with these tables.
-inline constexpr int schema_version = 8;
+inline constexpr int schema_version = 9;
 
 /// The tables of version 1. Lists within a row are JSON. Rows of `decision` are only added: the latest one of
 /// a finding applies.
@@ -242,6 +242,24 @@ alter table finding add column likely_class text not null default '';
 alter table finding add column class_probability real;
 alter table decision add column object text not null default '';
 alter table mark_decision add column object text not null default '';
+)sql";
+
+/// Changes from version 8 to 9: check-out lists.
+inline constexpr const char* schema_9_from_8 = R"sql(
+create table item (
+  inspection integer not null references inspection, number integer not null,
+  name text not null, identity text not null, quantity integer not null,
+  person text not null, taken_at text not null,
+  primary key (inspection, number)
+) strict, without rowid;
+create table item_statement (
+  id integer primary key,
+  inspection integer not null, item integer not null,
+  returned integer not null, used integer not null, lost integer not null, released integer not null,
+  note text not null, person text not null, stated_at text not null,
+  foreign key (inspection, item) references item
+) strict;
+create index statement_on_item on item_statement (inspection, item);
 )sql";
 
 }  // namespace rva

@@ -13,6 +13,7 @@
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
 #include "inspect/closing.hpp"
+#include "store/checkout_rows.hpp"
 #include "store/finding_rows.hpp"
 #include "store/history_rows.hpp"
 #include "store/inspection_rows.hpp"
@@ -209,6 +210,23 @@ int SqliteRecords::add_mark(std::int64_t id, const MarkedFinding& marked) {
   return change([&](SQLite::Database& database) {
     require_open_inspection(database, id);
     return insert_mark(database, id, marked);
+  });
+}
+
+void SqliteRecords::add_items(std::int64_t id, const std::vector<ListedItem>& items,
+                              const std::string& person, const std::string& taken_at) {
+  change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    insert_items(database, id, items, person, taken_at);
+    return true;
+  });
+}
+
+void SqliteRecords::state_item(std::int64_t id, int item, const ItemStatement& statement) {
+  change([&](SQLite::Database& database) {
+    require_open_inspection(database, id);
+    insert_item_statement(database, id, item, statement);
+    return true;
   });
 }
 

@@ -40,6 +40,9 @@ class SqliteRecords : public Records, public Accounts {
                       const std::vector<ReviewedFinding>& findings) override;
   void decide(std::int64_t id, int comparison, int finding, const Decision& decision) override;
   [[nodiscard]] int add_mark(std::int64_t id, const MarkedFinding& marked) override;
+  void add_items(std::int64_t id, const std::vector<ListedItem>& items, const std::string& person,
+                 const std::string& taken_at) override;
+  void state_item(std::int64_t id, int item, const ItemStatement& statement) override;
   [[nodiscard]] int add_snapshot(std::int64_t id, const Snapshot& snapshot) override;
   void decide_mark(std::int64_t id, int mark, const Decision& decision) override;
   void decide_all(std::int64_t id, int comparison, const std::vector<FindingDecision>& decisions) override;

@@ -4,28 +4,21 @@ usage: api_schema_test.py RVA REPOSITORY
 """
 import json
 import os
-import re
 import struct
 import subprocess
 import sys
-import urllib.request
 
 import program
 from api_schema import ApiSchema
-from captures import read_image
 from console_client import Console, ask
-from read_page import ReadPage
-from simulations import TOOLS, contents
+from read_elsewhere import ReadElsewhere
+from simulations import TOOLS
 
 SCHEMA = None
 
 # Fields that appear only after a failure of a device, or by chance.
 NOT_MET = {'CameraStatus.problem', 'CheckedView.problem', 'Finding.moved_from', 'RecordedLevels.effective_frames',
            'LampStatus.celsius', 'ReadinessValues.frames', 'ReadinessValues.repeated_frames', 'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
-
-
-def without_time(text):
-    return re.sub(r'Made by rva [^,]+, [0-9: -]+ UTC', '', text)
 
 
 class CheckedConsole(Console):
@@ -45,7 +38,7 @@ class CheckedConsole(Console):
         super()._show(payload)
 
 
-class ApiSchemaTest(program.ProgramTest):
+class ApiSchemaTest(ReadElsewhere, program.ProgramTest):
     cookie = ''
 
     def setUp(self):
@@ -113,6 +106,7 @@ class ApiSchemaTest(program.ProgramTest):
         self.take('final', then='comparison')
         self.review()
         self.mark()
+        self.check_out()
         self.begin_another_round()
         self.take('final', then='comparison')
         self.close()
@@ -240,6 +234,25 @@ class ApiSchemaTest(program.ProgramTest):
                   'Inspection')
         self.refuse('POST', 'inspections/1/marked', {**in_view, 'comparison': 99}, 409)
 
+    def check_out(self):
+        for csv in ('item,number,quantity\r\nwrench,T-12,1\r\n"collar, 7 mm",,24\r\n', 'item\nrag\n'):
+            self.post('inspections/1/items', 'CheckOutRequest', {'csv': csv, 'person': 'Ann'}, 'Inspection', 201)
+        self.refuse('POST', 'inspections/1/items', {'csv': 'price\n7\n', 'person': 'Ann'}, 409)
+        self.refuse('POST', 'inspections/1/items', {'csv': 7, 'person': 'Ann'}, 400)
+        nothing = {'returned': 0, 'used': 0, 'lost': 0, 'released': False, 'note': '', 'person': 'Ann'}
+        for item, change, status in ((4, {}, 409), (2, {'returned': 25}, 409), (2, {'returned': -1}, 409), (2, {'released': True}, 409),
+                                     (2, {'lost': 'one'}, 400)):
+            self.refuse('POST', f'inspections/1/items/{item}', {**nothing, **change}, status)
+
+    def account_for_items(self, closing):
+        nothing = {'returned': 0, 'used': 0, 'lost': 0, 'released': False, 'note': '', 'person': 'Ann'}
+        for item, change in ((1, {'returned': 1}), (2, {'used': 23, 'lost': 1}), (3, {'returned': 1}),
+                             (2, {'used': 23, 'lost': 1, 'released': True, 'note': 'seen to fall outside'})):
+            self.refuse('POST', 'inspections/1/close', closing, 409)
+            after = self.post(f'inspections/1/items/{item}', 'ItemRequest', {**nothing, **change}, 'Inspection')
+        self.assertEqual([item['state'] for item in after['items']], ['back', 'released', 'back'])
+        self.assertIn('lost-item', after['closing_note_for'])
+
     def close(self):
         self.get('inspections/1/rounds', 'RoundList')
         found = self.get('inspections/1', 'Inspection')
@@ -248,109 +261,13 @@ class ApiSchemaTest(program.ProgramTest):
             self.refuse('POST', 'inspections/1/close', closing, 409)
             self.post(f'inspections/1/findings/{finding["number"]}/decision', 'DecisionRequest',
                       {'comparison': found['comparison'], 'verdict': 'installed-work', 'note': '', 'person': 'Ann'}, 'Inspection')
+        self.account_for_items(closing)
+        self.refuse('POST', 'inspections/1/close', closing, 409)
+        closing['note'] = 'one collar fell outside'
         closed = self.post('inspections/1/close', 'CloseRequest', closing, 'Inspection')
         self.assertEqual(closed['stage'], 'done')
         self.refuse('POST', 'inspections/1/close', closing, 409)
         self.get('inspections?text=n1+bay&stage=done&most=5', 'InspectionList')
-
-    def export(self):
-        """A closed inspection as a folder: what the server sends, and the files that it names."""
-        out = self.folder / 'exported'
-        self.succeed('export', '--data', self.folder / 'data', '--inspection', 1, '--out', out)
-        record = json.loads((out / 'inspection.json').read_text())
-        inspection = record['inspection']
-        self.read_picture(out, inspection['marked'][1].pop('picture'))
-        self.read_picture(out, inspection['marked'][0].pop('picture'))
-        regions = json.loads((out / inspection['views'][0].pop('regions')).read_text())
-        self.assertEqual(regions['ignore'], inspection['views'][0]['ignore'])
-        self.assertEqual(inspection, self.get('inspections/1', 'Inspection'))
-        for round in record['rounds']:
-            for folder in round.pop('results'):
-                json.loads((out / folder / 'detections.json').read_text())
-                self.read_picture(out, f'{folder}/final_color.png')
-        self.assertEqual(record['rounds'], self.get('inspections/1/rounds', 'RoundList')['rounds'])
-        self.assertEqual([(round['side'], round['round']) for round in record['captured']],
-                         [('initial', 1), ('final', 1), ('final', 3)], 'the second was cancelled')
-        for round in record['captured']:
-            for capture in round['captures'][0]:
-                self.succeed('info', out / capture)
-        verdicts = [entry['verdict'] for entry in record['decisions'] if 'marked' in entry]
-        self.assertEqual(verdicts, ['debris-removed', 'debris-removed', 'false-alarm'])
-        self.assertIn(('debris-removed', 1), [(entry['verdict'], entry.get('comparison')) for entry in record['decisions']],
-                      'of the first comparison')
-
-    def report(self):
-        """The same page from the server, the command and the export; its checksums are what a shell computes."""
-        with urllib.request.urlopen(f'{self.address}/api/inspections/1/report', timeout=60) as answer:
-            self.assertEqual(answer.headers['Content-Type'], 'text/html; charset=utf-8')
-            self.assertIn("default-src 'none'", answer.headers['Content-Security-Policy'])
-            page = answer.read().decode()
-        self.refuse('GET', 'inspections/7/report', None, 404)
-        read = ReadPage(page)
-        self.assertEqual(read.faults, [])
-        self.assertIn('Closed by Ann', read.text)
-        self.assertIn('Findings of round 2 (the last)', read.text)
-        out = self.folder / 'report.html'
-        path = ['inspection', 'report', '--data', self.folder / 'data', '--inspection', 1, '--out', out]
-        self.succeed(*path)
-        for other in (out, self.folder / 'exported' / 'report.html'):
-            self.assertEqual(without_time(ReadPage(other.read_text()).text), without_time(read.text))
-        self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced unasked')
-        self.succeed(*path, '--overwrite')
-        records = self.folder / 'data' / 'rva.db'
-        before = records.read_bytes()
-        self.assertEqual(self.rva(*path[:-1], records, '--overwrite').returncode, 1, 'of the records themselves')
-        self.assertEqual(records.read_bytes(), before)
-        inspection = self.folder / 'data/inspections/000001'
-        for folder in ('initial', 'final-3', 'comparison-1', 'marks', 'snapshots', 'baseline-check'):
-            printed = subprocess.run(f'find {folder} -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum', shell=True,
-                                     cwd=inspection, capture_output=True, encoding='utf-8', check=True).stdout
-            self.assertIn(f'{folder} {printed.split()[0]}', read.text)
-
-    def rerun(self):
-        """The recorded captures give the recorded results again."""
-        out = self.folder / 'again'
-        path = ['inspection', 'rerun', '--data', self.folder / 'data', '--inspection', 1, '--out', out]
-        self.assertIn('has no comparison 99', self.rva(*path, '--comparison', 99).stderr)
-        self.assertIn('gives the recorded results again', self.succeed(*path).stdout)
-        self.assertEqual(contents(out).keys(), contents(self.folder / 'data/inspections/000001/comparison-3').keys())
-        self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced')
-
-    def export_crops(self):
-        """What was decided on, as labelled pictures that are parts of those that were shown."""
-        out = self.folder / 'crops'
-        path = ['export-crops', '--data', self.folder / 'data', '--out', out]
-        self.assertIn('of 1 inspection(s)', self.succeed(*path).stdout)
-        crops = json.loads((out / 'crops.json').read_text())['crops']
-        found = self.get('inspections/1', 'Inspection')
-        latest = {crop['finding']: crop for crop in crops if crop.get('comparison') == found['comparison']}
-        detected = {finding['number']: finding for finding in found['findings'] if finding.get('planned') != 'missing'}
-        self.assertEqual(latest.keys(), detected.keys(), 'a missing part of the plan shows nothing')
-        self.assertEqual({crop['label'] for crop in latest.values()}, {'installed-work'})
-        self.assertEqual((out / 'planes.f16').stat().st_size, 14 * 48 * 48 * 2 * (out / 'findings.json').read_text().count('"kind"'))
-        marked = {crop['finding']: (crop['label'], crop.get('object')) for crop in crops if crop.get('marked')}
-        self.assertEqual(marked, {1: ('false-alarm', None), 2: ('debris', 'rag')})
-        pictures = self.folder / f'data/inspections/000001/comparison-{found["comparison"]}/results/000'
-        for number, crop in latest.items():
-            u, v, width, height = detected[number]['bbox']
-            self.assertEqual(set(crop['files']), {'initial_color', 'final_color', 'initial_depth', 'final_depth'})
-            for name, file in crop['files'].items():
-                self.assertTrue(file.startswith('installed-work/'), file)
-                x, y = crop['box_in_crop'][:2]
-                cut, whole = read_image(out / file), read_image(pictures / f'{name}.png')
-                self.assertTrue((cut[y:y + height, x:x + width] == whole[v:v + height, u:u + width]).all(), file)
-        before = contents(out)
-        self.assertEqual(self.rva(*path).returncode, 1, 'nothing is replaced unasked')
-        self.succeed(*path, '--overwrite', '--inspection', 1, '--inspection', 1)
-        again = contents(out)
-        self.assertEqual(before.keys(), again.keys())
-        for bad in (['--inspection', 7], ['--data', self.folder]):
-            done = self.rva(*path, '--overwrite', *bad)
-            self.assertEqual(done.returncode, 1 if bad[0] == '--inspection' else 2, done.stderr)
-        self.assertEqual(contents(out), again)
-
-    def read_picture(self, out, name):
-        self.assertEqual((out / name).read_bytes()[:4], b'\x89PNG', name)
 
     def begin_another_round(self):
         self.post('inspections/1/capture', 'CaptureRequest', {'side': 'final', 'person': 'Ann', 'replaced': True}, status=202)

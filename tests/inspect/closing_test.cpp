@@ -83,6 +83,28 @@ TEST(ClosingAnInspection, WithLessThanHalfOfAViewInspectedNeedsANote) {
   EXPECT_THAT(reasons_for_note(inspection), ElementsAre(ClosingReason::debris, ClosingReason::coverage));
 }
 
+TEST(ClosingAnInspection, NeedsEachItemOfTheCheckOutListAccountedFor) {
+  Inspection inspection = reviewed(Verdict::false_alarm);
+  CheckedOutItem wrench{
+      .number = 1, .item = {"wrench", "T-12", 1}, .person = "Ann", .taken_at = "t", .statements = {}};
+  inspection.items = {wrench};
+  EXPECT_THAT(refusal(inspection), HasSubstr("1 item(s) of the check-out list are not accounted for"));
+  ItemStatement statement{
+      .returned = 0, .used = 0, .lost = 1, .released = false, .note = {}, .person = "Ann", .stated_at = "t"};
+  inspection.items[0].statements = {statement};
+  EXPECT_THAT(refusal(inspection, {3, "Ann", "a note does not help", "t"}), HasSubstr("are lost"));
+  statement.released = true;
+  inspection.items[0].statements.push_back(statement);
+  EXPECT_THAT(reasons_for_note(inspection), ElementsAre(ClosingReason::lost_item));
+  EXPECT_THAT(refusal(inspection), HasSubstr("note"));
+  EXPECT_EQ(refusal(inspection, {3, "Ann", "searched by borescope", "t"}), "");
+  statement = {
+      .returned = 1, .used = 0, .lost = 0, .released = false, .note = {}, .person = "Ann", .stated_at = "t"};
+  inspection.items[0].statements.push_back(statement);
+  EXPECT_THAT(reasons_for_note(inspection), IsEmpty()) << "it was found";
+  EXPECT_EQ(refusal(inspection), "");
+}
+
 TEST(ClosingAnInspection, IsOfWhatThePersonReviewed) {
   EXPECT_THAT(refusal(reviewed(Verdict::false_alarm), {2, "Ann", "", "t"}), HasSubstr("compared again"));
   Inspection begun = reviewed(Verdict::false_alarm);

@@ -54,6 +54,56 @@ TEST_F(Kept, AnInspectionComesBackAsItWasAfterARestart) {
   EXPECT_EQ(back->findings[1].finding.kind, ChangeKind::removed);
 }
 
+TEST_F(Kept, ACheckOutListComesBackWithEveryStatement) {
+  const std::int64_t id = add();
+  records_->add_items(id, {{"wrench", "T-12", 1}, {"collar", "", 24}}, "Ann", "t1");
+  records_->add_items(id, {{"rag", "", 2}}, "Bob", "t2");
+  records_->state_item(id, 2,
+                       {.returned = 20,
+                        .used = 3,
+                        .lost = 1,
+                        .released = false,
+                        .note = "",
+                        .person = "Bob",
+                        .stated_at = "t3"});
+  records_->state_item(id, 2,
+                       {.returned = 20,
+                        .used = 3,
+                        .lost = 1,
+                        .released = true,
+                        .note = "why",
+                        .person = "Ida",
+                        .stated_at = "t4"});
+  open();
+  const std::vector<CheckedOutItem> items = records_->find(id)->items;
+  ASSERT_THAT(items, SizeIs(3));
+  EXPECT_EQ(items[0].item, (ListedItem{"wrench", "T-12", 1}));
+  EXPECT_EQ(items[2].number, 3);
+  EXPECT_EQ(items[2].person, "Bob");
+  ASSERT_THAT(items[1].statements, SizeIs(2));
+  EXPECT_EQ(items[1].statements[0].person, "Bob");
+  EXPECT_TRUE(items[1].statements[1].released);
+  EXPECT_EQ(items[1].statements[1].note, "why");
+  EXPECT_EQ(items[1].statements[1].stated_at, "t4");
+}
+
+TEST_F(Kept, AnItemThatMayNotBeStatedSoChangesNothing) {
+  const std::int64_t id = add();
+  records_->add_items(id, {{"wrench", "T-12", 1}}, "Ann", "t1");
+  const ItemStatement too_many{
+      .returned = 2, .used = 0, .lost = 0, .released = false, .note = "", .person = "Ann", .stated_at = "t"};
+  EXPECT_THROW(records_->state_item(id, 1, too_many), Error);
+  EXPECT_THROW(records_->state_item(id, 2, {}), Error);
+  EXPECT_THROW(records_->state_item(id + 1, 1, {}), Error);
+  EXPECT_THROW(
+      records_->add_items(id, std::vector<ListedItem>(most_listed_items, {"rivet", "", 1}), "Ann", "t"),
+      Error);
+  const std::vector<CheckedOutItem> items = records_->find(id)->items;
+  ASSERT_THAT(items, SizeIs(1));
+  EXPECT_THAT(items[0].statements, SizeIs(0));
+  EXPECT_THROW(records_->remove(id), Error) << "the list is kept";
+}
+
 TEST_F(Kept, WhatAMethodCouldNotGiveStaysEmpty) {
   const std::int64_t id = add();
   ReviewedFinding bare;

@@ -1,8 +1,9 @@
 // A capture or a comparison under way, and what it would find.
 import { useState } from 'preact/hooks';
 import { api } from '../link/api';
-import type { Levels, TaskStatus } from '../types';
-import { attempt } from './inspections';
+import { useStore } from '../store';
+import type { Inspection, Levels, TaskStatus } from '../types';
+import { attempt, lastFailure } from './inspections';
 import { findableText, millimetres, objectWidth_mm } from './words';
 import { Rich } from '../words/Rich';
 import { decimal, percentText, sentence, words } from '../words/words';
@@ -97,6 +98,17 @@ export function NoiseReport({ task }: { task: TaskStatus }) {
       </button>
       {shown && <img class="wide" src={`/api/findable.png?${task.number}-${task.view}-${task.capture}-${noise.frames}`} alt={words.inspection.findablePicture} />}
     </div>
+  );
+}
+
+/** Why the last task of an inspection failed or was cancelled. */
+export function Failure({ inspection }: { inspection: Inspection }) {
+  const failure = useStore(lastFailure);
+  if (failure?.inspection !== inspection.id) return null;
+  return (
+    <p class="bad" role="alert" data-testid="failure">
+      {failure.reason}
+    </p>
   );
 }
 

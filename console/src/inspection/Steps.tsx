@@ -6,9 +6,10 @@ import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
 import type { Inspection, Session, SideName, Stage, TaskStatus } from '../types';
-import { attempt, isBusy, lastFailure, openInspection } from './inspections';
+import { attempt, isBusy, openInspection } from './inspections';
+import { CheckoutCard } from '../checkout/CheckoutCard';
 import { BaselineCheckCard } from './BaselineCheckCard';
-import { CaptureProgress, NoiseReport } from './CaptureProgress';
+import { CaptureProgress, Failure, NoiseReport } from './CaptureProgress';
 import { RegionsCard } from '../regions/RegionsCard';
 import { ReadinessCard } from './ReadinessCard';
 import { ViewsCard } from './ViewsCard';
@@ -32,16 +33,6 @@ export function StepBar({ stage }: { stage: Stage }) {
         </li>
       ))}
     </ol>
-  );
-}
-
-function Failure({ inspection }: { inspection: Inspection }) {
-  const failure = useStore(lastFailure);
-  if (failure?.inspection !== inspection.id) return null;
-  return (
-    <p class="bad" role="alert" data-testid="failure">
-      {failure.reason}
-    </p>
   );
 }
 
@@ -76,6 +67,7 @@ function BaselineStep({ inspection, session }: Omit<StepProps, 'task'>) {
     <>
       <div class="panel-body">
         <ViewsCard inspection={inspection} enabled={mayCapture} />
+        <CheckoutCard inspection={inspection} session={session} />
         <ReadinessCard mayCapture={mayCapture} />
       </div>
       <div class="panel-action">
@@ -118,6 +110,7 @@ function WorkStep({ inspection, session, task }: StepProps) {
             </div>
           )}
         </div>
+        <CheckoutCard inspection={inspection} session={session} />
         <RegionsCard inspection={inspection} session={session} />
         <BaselineCheckCard inspection={inspection} task={task} />
         <ReadinessCard mayCapture={session.role !== 'viewer'} />

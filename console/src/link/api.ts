@@ -2,6 +2,7 @@
 import type {
   BaselineCheck,
   CaptureRequest,
+  CheckOutRequest,
   CloseRequest,
   DecisionsRequest,
   Empty,
@@ -12,6 +13,7 @@ import type {
   GivenDecision,
   Inspection,
   InspectionList,
+  ItemRequest,
   Joints,
   LampRequest,
   MapMeasureRequest,
@@ -103,6 +105,10 @@ export const api = {
   /** Refused if the inspection has been compared again since; it does not change afterwards. */
   close: ({ id, comparison = 0 }: Inspection, note: string, person: string) =>
     send<CloseRequest, Inspection>('POST', `/api/inspections/${id}/close`, { comparison, note, person }),
+  /** Adds the lines of a CSV text to the check-out list, all or none. */
+  checkOut: (id: number, csv: string, person: string) => send<CheckOutRequest, Inspection>('POST', `/api/inspections/${id}/items`, { csv, person }),
+  /** States what became of an item; earlier statements stay in the record. */
+  stateItem: (id: number, item: number, request: ItemRequest) => send<ItemRequest, Inspection>('POST', `/api/inspections/${id}/items/${item}`, request),
   /** Starts the task that writes the signed package of a closed inspection. */
   sign: ({ id }: Inspection, request: SignRequest) => send<SignRequest, Empty>('POST', `/api/inspections/${id}/sign`, request),
   checkReadiness: () => post<Empty>('/api/readiness'),

@@ -1,5 +1,6 @@
 // What comes after the decisions: capturing again, or closing the inspection by name and signing it.
 import { useState } from 'preact/hooks';
+import { unaccounted } from '../checkout/items';
 import { attempt, update } from '../inspection/inspections';
 import { timeOf } from '../inspection/words';
 import { api, reportAddress } from '../link/api';
@@ -92,10 +93,12 @@ function remainder(inspection: Inspection): string {
   const debris = open.filter((group) => group.lead.decision?.verdict === 'debris').length;
   const looks = open.filter((group) => group.lead.decision?.verdict === 'second-look').length;
   const undecided = open.length - debris - looks;
+  const items = unaccounted(inspection).length;
   const parts = [
     undecided > 0 ? words.review.toDecide(undecided) : '',
     debris > 0 ? words.review.toRemove(debris) : '',
     looks > 0 ? words.review.toLookAtAgain(looks) : '',
+    items > 0 ? words.review.toAccountFor(items) : '',
   ];
   return parts.filter((part) => part !== '').join(', ');
 }

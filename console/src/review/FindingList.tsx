@@ -8,6 +8,7 @@ import { openInspection } from '../inspection/inspections';
 import { findableText, leastFindable, signOf, suspicion, timeOf, whatChanged, whereAndHow } from '../inspection/words';
 import { useStore } from '../store';
 import type { Inspection, Session, Verdict } from '../types';
+import { CheckoutCard } from '../checkout/CheckoutCard';
 import { ClosingCard } from './ClosingCard';
 import { decide } from './decisions';
 import { DecisionForm } from './DecisionForm';
@@ -194,6 +195,7 @@ export function FindingList({ inspection, session, past }: { inspection: Inspect
         </div>
         <ul class="list">{groups.filter((group) => !isPlanned(group)).map(card)}</ul>
         <PlannedWork inspection={inspection} groups={groups} session={session} mayDecide={mayChoose} card={card} />
+        {!past && <CheckoutCard inspection={inspection} session={session} />}
         {now && <RoundsCard inspection={now} />}
       </div>
       {!past && <UndoBar inspection={inspection} session={session} />}

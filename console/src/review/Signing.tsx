@@ -1,8 +1,11 @@
 // The signatures of a closed inspection, and the form for signing it.
 import { useState } from 'preact/hooks';
-import { attempt } from '../inspection/inspections';
+import { CaptureProgress, Failure } from '../inspection/CaptureProgress';
+import { attempt, isBusy } from '../inspection/inspections';
 import { timeOf } from '../inspection/words';
 import { api } from '../link/api';
+import { link } from '../link/live_link';
+import { useStore } from '../store';
 import type { Inspection, Session, SignedPackage } from '../types';
 import { words } from '../words/words';
 import { isComplete, nobody, SignerFields } from './SignerFields';
@@ -41,8 +44,11 @@ export function maySign(session: Session): boolean {
 export function Signing({ inspection, session }: { inspection: Inspection; session: Session }) {
   const packages = inspection.signed ?? [];
   const [signing, setSigning] = useState(false);
+  const task = useStore(link.status)?.task;
+  if (task && isBusy(task) && task.inspection === inspection.id) return <CaptureProgress task={task} mayCancel={maySign(session)} />;
   return (
     <>
+      <Failure inspection={inspection} />
       {packages.map((signed) => (
         <p key={signed.folder} class={signed.signers.length > 0 ? 'good' : 'bad'} data-testid="signed">
           {signed.signers.length > 0

@@ -108,6 +108,32 @@ export const de: Words = {
     unknown: 'Das ist fehlgeschlagen.',
   },
 
+  checkout: {
+    accountedFor: (count, all) => `${count} von ${all} nachgewiesen`,
+    add: 'Hinzufügen',
+    back: 'Zurück',
+    counts: (returned, used, lost) => `${returned} zurück, ${used} verbraucht, ${lost} verloren`,
+    identity: 'Nummer',
+    item: 'Werkzeug oder Teil',
+    load: 'Aus einer CSV-Datei',
+    lost: 'Verloren',
+    none: 'Nichts eingetragen',
+    noteRequired: '(erforderlich)',
+    quantity: 'Anzahl',
+    release: 'Ich übernehme die Verantwortung für das, was verloren ist',
+    returned: 'Zurückgegeben',
+    state: 'Eintragen',
+    states: {
+      back: 'nachgewiesen',
+      lost: 'verloren',
+      out: 'in der Zelle',
+      released: 'verloren, freigegeben',
+    },
+    title: 'Ausgabeliste',
+    used: 'Verbraucht oder eingebaut',
+    whatBecameOf: (name) => `Was aus ${name} wurde`,
+  },
+
   signIn: {
     name: 'Name',
     password: 'Passwort',
@@ -380,6 +406,7 @@ export const de: Words = {
     captureFor: {
       coverage: 'Weniger als die Hälfte einer Ansicht wurde inspiziert: neu aufnehmen, oder in einer Notiz begründen, warum das genügt.',
       debris: 'Nach diesen Bildern wurde ein Fremdkörper entfernt, oder einer ist nicht erreichbar: neu aufnehmen, um zu sehen, dass er weg ist.',
+      'lost-item': 'Ein Stück der Ausgabeliste ist verloren: finden, oder in einer Notiz begründen, warum ohne es abgeschlossen werden darf.',
     },
     changed: 'Verändert',
     changedEnd: 'Verändert.',
@@ -394,6 +421,7 @@ export const de: Words = {
     closingReasons: {
       coverage: 'weniger als die Hälfte einer Ansicht wurde inspiziert',
       debris: 'nach diesen Bildern wurde ein Fremdkörper entfernt, oder einer ist nicht erreichbar',
+      'lost-item': 'ein Stück der Ausgabeliste ist verloren',
     },
     colorless: 'Grau in Farbbildern: außerhalb der Farbkamera.',
     decideOn: (count) => (count === 0 ? 'Entscheiden' : `Über ${count} entscheiden`),
@@ -466,6 +494,7 @@ export const de: Words = {
     signed: (names, time, folder) => `✓ Unterschrieben von ${names}, ${time} (${folder}).`,
     signWithAccount: 'Nicht unterschrieben. Zum Unterschreiben ist ein Konto mit Passwort nötig.',
     swipe: 'Oder die Karte wischen: nach rechts Fremdkörper, nach links Fehlalarm.',
+    toAccountFor: (count) => `${count} ${count === 1 ? 'Stück' : 'Stücke'} der Ausgabeliste nachzuweisen`,
     toBeDecided: 'Zu entscheiden',
     toDecide: (count) => `${count} zu entscheiden`,
     toLookAtAgain: (count) => `${count} erneut anzusehen`,

@@ -2,7 +2,7 @@
 // they are to be shown, counts as numbers.
 
 import type { RefusalCode } from '../link/refusal';
-import type { ReadinessValues } from '../types';
+import type { ItemState, ReadinessValues } from '../types';
 
 /** What the check before a capture measured, as it is to be shown. */
 export type Figures = Record<keyof ReadinessValues, string>;
@@ -113,6 +113,32 @@ export const en = {
     unavailable: 'The server cannot check your sign-in. Try again.',
     unknown: 'This has failed.',
   } satisfies Record<Exclude<RefusalCode, 'console'>, string>,
+
+  checkout: {
+    accountedFor: (count: number, all: number) => `${count} of ${all} accounted for`,
+    add: 'Add',
+    back: 'Returned',
+    counts: (returned: number, used: number, lost: number) => `${returned} returned, ${used} used, ${lost} lost`,
+    identity: 'Number',
+    item: 'Tool or part',
+    load: 'From a CSV file',
+    lost: 'Lost',
+    none: 'Nothing listed',
+    noteRequired: '(required)',
+    quantity: 'Quantity',
+    release: 'I take the responsibility for what is lost',
+    returned: 'Returned',
+    state: 'Record',
+    states: {
+      back: 'accounted for',
+      lost: 'lost',
+      out: 'in the bay',
+      released: 'lost, released',
+    } satisfies Record<ItemState, string>,
+    title: 'Check-out list',
+    used: 'Used or installed',
+    whatBecameOf: (name: string) => `What became of ${name}`,
+  },
 
   signIn: {
     name: 'Name',
@@ -387,6 +413,7 @@ export const en = {
     captureFor: {
       coverage: 'Less than half of a view was inspected: capture again, or state in a note why that suffices.',
       debris: 'Debris was removed after these pictures, or cannot be reached: capture again to see that it is gone.',
+      'lost-item': 'An item of the check-out list is lost: find it, or state in a note why the inspection may be closed without it.',
     },
     changed: 'Changed',
     changedEnd: 'Changed.',
@@ -401,6 +428,7 @@ export const en = {
     closingReasons: {
       coverage: 'less than half of a view was inspected',
       debris: 'debris was removed after these pictures, or cannot be reached',
+      'lost-item': 'an item of the check-out list is lost',
     },
     colorless: 'Grey in colour pictures: beyond the colour camera’s view.',
     decideOn: (count: number) => (count === 0 ? 'Decide' : `Decide on ${count}`),
@@ -473,6 +501,7 @@ export const en = {
     signed: (names: string, time: string, folder: string) => `✓ Signed by ${names}, ${time} (${folder}).`,
     signWithAccount: 'Not signed. Signing needs an account with a password.',
     swipe: 'Or swipe the card: right for debris, left for a false alarm.',
+    toAccountFor: (count: number) => `${count} ${count === 1 ? 'item' : 'items'} of the check-out list to account for`,
     toBeDecided: 'To be decided',
     toDecide: (count: number) => `${count} to be decided`,
     toLookAtAgain: (count: number) => `${count} to be looked at again`,
