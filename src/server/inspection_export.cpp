@@ -116,6 +116,14 @@ class Contents {
   std::set<fs::path> files_;
 };
 
+// The C++ library reports a full disk as an error of input and output.
+std::string reason_of(const std::error_code& failure, const fs::path& source, const fs::path& target) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(target.parent_path(), unknown);
+  const bool is_full = !unknown && space.available < fs::file_size(source, unknown) && !unknown;
+  return is_full ? std::make_error_code(std::errc::no_space_on_device).message() : failure.message();
+}
+
 void copy(const Contents& contents, const fs::path& out, const Progress& progress) {
   std::size_t done = 0;
   for (const fs::path& file : contents.files()) {
@@ -125,7 +133,8 @@ void copy(const Contents& contents, const fs::path& out, const Progress& progres
     fs::copy_file(contents.folder() / file, out / file, failure);
     if (failure)
       throw Error(printable(contents.folder() / file),
-                  "cannot be copied to " + printable(out / file) + ": " + failure.message(),
+                  "cannot be copied to " + printable(out / file) + ": " +
+                      reason_of(failure, contents.folder() / file, out / file),
                   "check the disk and the permissions of both folders");
     if (progress) progress("copying files", ++done, contents.files().size());
   }

@@ -126,7 +126,7 @@ export const de: Words = {
     states: {
       back: 'nachgewiesen',
       lost: 'verloren',
-      out: 'in der Zelle',
+      out: 'in der Bay',
       released: 'verloren, freigegeben',
     },
     title: 'Ausgabeliste',
