@@ -59,25 +59,25 @@ std::string checksum_of(const InspectionFolder& folder, const std::vector<std::s
 
 }  // namespace
 
-Html checksums_section(const InspectionHistory& history, const InspectionFolder& folder) {
-  HtmlTable table{
-      .head = {Html::text("Folder"), Html::text("SHA-256")}, .rows = {}, .class_name = "checksums"};
+Content checksums_section(const InspectionHistory& history, const InspectionFolder& folder) {
+  ReportTable table{.role = PartRole::checksum_table,
+                    .head = {Content::text("Folder"), Content::text("SHA-256")},
+                    .rows = {}};
   for (const std::string& part : folders_of(history, folder)) {
-    table.rows.push_back({Html::text(part), or_reason([&] {
+    table.rows.push_back({Content::text(part), or_reason([&] {
                             const std::vector<std::string> files = files_of(folder, part);
-                            return Html::element("code", Html::text(checksum_of(folder, files))) +
-                                   Html::text(" of " + counted(files.size(), "file", "files"));
+                            return Content::of(PartRole::code, Content::text(checksum_of(folder, files))) +
+                                   Content::text(" of " + counted(files.size(), "file", "files"));
                           })});
   }
   if (table.rows.empty()) return {};
-  return Html::element("h2", Html::text("Checksums")) + html_of(table) +
-         Html::element(
-             "p",
-             Html::text(
+  return Content::of(PartRole::heading, Content::text("Checksums")) + content_of(table) +
+         Content::of(
+             PartRole::legend,
+             Content::text(
                  "To compute one again, in the inspection's folder or in data/ of its signed package: ") +
-                 Html::element("code", Html::text("find FOLDER -type f -print0 | LC_ALL=C sort -z | "
-                                                  "xargs -0 sha256sum | sha256sum")),
-             "legend");
+                 Content::of(PartRole::code, Content::text("find FOLDER -type f -print0 | LC_ALL=C sort -z | "
+                                                           "xargs -0 sha256sum | sha256sum")));
 }
 
 }  // namespace rva

@@ -36,56 +36,60 @@ std::string share_of(const ComparedView& view, double size_mm) {
   return found == view.findable.end() ? "–" : percent_text(found->share);
 }
 
-HtmlTable table_of(const Inspection& inspection) {
-  HtmlTable table{
-      .head = {Html::text("View"), Html::text("Inspected")}, .rows = {}, .class_name = "coverage"};
+ReportTable table_of(const Inspection& inspection) {
+  ReportTable table{.role = PartRole::coverage_table,
+                    .head = {Content::text("View"), Content::text("Inspected")},
+                    .rows = {}};
   for (const double size_mm : findable_sizes_mm)
-    table.head.push_back(Html::text(fmt::format("{:g} mm found in", size_mm)));
-  table.head.push_back(Html::text("Not inspected"));
+    table.head.push_back(Content::text(fmt::format("{:g} mm found in", size_mm)));
+  table.head.push_back(Content::text("Not inspected"));
   for (const ComparedView& view : inspection.compared) {
-    std::vector<Html> row{Html::text(std::to_string(view.view + 1)), Html::text(percent_text(view.judged))};
-    for (const double size_mm : findable_sizes_mm) row.push_back(Html::text(share_of(view, size_mm)));
-    row.push_back(Html::text(why_not(view)));
+    std::vector<Content> row{Content::text(std::to_string(view.view + 1)),
+                             Content::text(percent_text(view.judged))};
+    for (const double size_mm : findable_sizes_mm) row.push_back(Content::text(share_of(view, size_mm)));
+    row.push_back(Content::text(why_not(view)));
     table.rows.push_back(row);
   }
   return table;
 }
 
-Html warnings_of(const Inspection& inspection) {
-  Html list;
+Content warnings_of(const Inspection& inspection) {
+  Content list;
   for (const ComparedView& view : inspection.compared)
     for (const std::string& warning : view.warnings)
-      list += Html::element("li", Html::text(fmt::format("View {}: {}", view.view + 1, warning)));
-  return list.empty() ? Html() : Html::element("ul", list, "warnings");
+      list +=
+          Content::of(PartRole::warning, Content::text(fmt::format("View {}: {}", view.view + 1, warning)));
+  return list.empty() ? Content() : Content::of(PartRole::warnings, list);
 }
 
-Html pictures_of(const InspectionHistory& history, const InspectionFolder& folder) {
+Content pictures_of(const InspectionHistory& history, const InspectionFolder& folder) {
   const Inspection& inspection = history.inspection;
   ComparisonPictures pictures(folder, *inspection.comparison);
   if (!pictures.exist()) return {};
   const std::vector<ObjectGroup> groups = object_groups(inspection.findings);
-  Html figures;
+  Content figures;
   for (const ComparedView& view : inspection.compared)
-    figures += Html::element(
-        "figure",
-        or_reason([&] { return pictures.view(view.view, groups); }) +
-            Html::element("figcaption", Html::text(fmt::format("View {} after the work", view.view + 1))));
+    figures +=
+        Content::of(PartRole::figure,
+                    or_reason([&] { return pictures.view(view.view, groups); }) +
+                        Content::of(PartRole::caption,
+                                    Content::text(fmt::format("View {} after the work", view.view + 1))));
   // Small where there is nothing to point out, so that the report fits a page.
   const bool is_large = inspection.compared.size() < 3 && !inspection.findings.empty();
-  return Html::element("div", figures, is_large ? "pictures two" : "pictures three");
+  return Content::of(is_large ? PartRole::two_figures : PartRole::three_figures, figures);
 }
 
 }  // namespace
 
-Html coverage_section(const InspectionHistory& history, const InspectionFolder& folder) {
+Content coverage_section(const InspectionHistory& history, const InspectionFolder& folder) {
   const Inspection& inspection = history.inspection;
   if (!inspection.comparison || inspection.compared.empty()) return {};
-  return Html::element("h2", Html::text("What was inspected")) + html_of(table_of(inspection)) +
-         Html::element("p",
-                       Html::text("“5 mm found in”: where an object that depth shows 5 mm high and wide "
-                                  "would be found in nine "
-                                  "of ten inspections. Striped: not inspected."),
-                       "legend") +
+  return Content::of(PartRole::heading, Content::text("What was inspected")) +
+         content_of(table_of(inspection)) +
+         Content::of(PartRole::legend,
+                     Content::text("“5 mm found in”: where an object that depth shows 5 mm high and wide "
+                                   "would be found in nine "
+                                   "of ten inspections. Striped: not inspected.")) +
          warnings_of(inspection) + pictures_of(history, folder);
 }
 

@@ -16,7 +16,7 @@ namespace {
 struct Event {
   std::string at;      ///< ISO 8601
   std::string person;  ///< empty: the program
-  Html what;
+  Content what;
 };
 
 // What a decision is on, as people count: "round 2, finding 3"; "marked finding 1".
@@ -70,16 +70,16 @@ std::vector<SameDecisions> same_decisions(const InspectionHistory& history) {
   return rows;
 }
 
-Html text_of(const SameDecisions& same) {
+Content text_of(const SameDecisions& same) {
   const std::string of =
       same.round == 0 ? "Decided, marked finding" : fmt::format("Decided, round {}, finding", same.round);
-  Html text = Html::text(
+  Content text = Content::text(
       fmt::format("{}{} {}: {}", of, same.labels.size() > 1 ? "s" : "", listed(same.labels),
                   same.decision->verdict == Verdict::undecided ? "decision taken back"
                                                                : verdict_text(same.decision->verdict)));
   if (!same.decision->object.empty())
-    text += Html::text(" (") + Html::typed(same.decision->object) + Html::text(")");
-  if (!same.decision->note.empty()) text += Html::text(", ") + Html::typed(same.decision->note);
+    text += Content::text(" (") + Content::typed(same.decision->object) + Content::text(")");
+  if (!same.decision->note.empty()) text += Content::text(", ") + Content::typed(same.decision->note);
   return text;
 }
 
@@ -87,37 +87,38 @@ void add_captures(const InspectionHistory& history, std::vector<Event>& events) 
   for (const CapturedRound& round : history.captured)
     events.push_back(
         {round.taken.taken_at, round.taken.person,
-         Html::text(round.side == Side::initial ? "Baseline captured" : "Bay after the work captured")});
+         Content::text(round.side == Side::initial ? "Baseline captured" : "Bay after the work captured")});
   for (std::size_t k = 0; k < history.rounds.size(); ++k) {
     const ComparedRound& round = history.rounds[k];
     events.push_back(
         {round.comparison.compared_at, "",
-         Html::text(fmt::format("Round {} compared: {}", history.rounds.size() - k,
-                                counted(object_groups(round.findings).size(), "finding", "findings")))});
+         Content::text(fmt::format("Round {} compared: {}", history.rounds.size() - k,
+                                   counted(object_groups(round.findings).size(), "finding", "findings")))});
   }
 }
 
 void add_remarks(const Inspection& inspection, std::vector<Event>& events) {
   for (const MarkedFinding& marked : inspection.marked)
-    events.push_back(
-        {marked.marked_at, marked.person,
-         Html::text(fmt::format("Marked a finding, number {}: ", marked.number)) + Html::typed(marked.note)});
+    events.push_back({marked.marked_at, marked.person,
+                      Content::text(fmt::format("Marked a finding, number {}: ", marked.number)) +
+                          Content::typed(marked.note)});
   for (const Snapshot& snapshot : inspection.snapshots)
     events.push_back(
         {snapshot.taken_at, snapshot.person,
-         Html::text(fmt::format("Kept snapshot {}: ", snapshot.number)) + Html::typed(snapshot.note)});
+         Content::text(fmt::format("Kept snapshot {}: ", snapshot.number)) + Content::typed(snapshot.note)});
 }
 
 std::vector<Event> events_of(const InspectionHistory& history) {
   const Inspection& inspection = history.inspection;
-  std::vector<Event> events{{inspection.created_at, inspection.order.person, Html::text("Inspection begun")}};
+  std::vector<Event> events{
+      {inspection.created_at, inspection.order.person, Content::text("Inspection begun")}};
   add_captures(history, events);
   add_remarks(inspection, events);
   for (const SameDecisions& same : same_decisions(history))
     events.push_back({same.decision->decided_at, same.decision->person, text_of(same)});
   if (const auto& closing = inspection.closing) {
-    Html text = Html::text("Inspection closed");
-    if (!closing->note.empty()) text += Html::text(", ") + Html::typed(closing->note);
+    Content text = Content::text("Inspection closed");
+    if (!closing->note.empty()) text += Content::text(", ") + Content::typed(closing->note);
     events.push_back({closing->closed_at, closing->person, text});
   }
   std::ranges::stable_sort(events, {}, &Event::at);
@@ -126,14 +127,18 @@ std::vector<Event> events_of(const InspectionHistory& history) {
 
 }  // namespace
 
-Html events_section(const InspectionHistory& history) {
-  HtmlTable table{.head = {Html::text("Time"), Html::text("Person"), Html::text("Action")},
-                  .rows = {},
-                  .class_name = "events"};
+std::string last_action_at(const InspectionHistory& history) { return events_of(history).back().at; }
+
+Content events_section(const InspectionHistory& history) {
+  ReportTable table{.role = PartRole::events_table,
+                    .head = {Content::text("Time"), Content::text("Person"), Content::text("Action")},
+                    .rows = {}};
   for (const Event& event : events_of(history))
-    table.rows.push_back({Html::text(time_text(event.at)),
-                          event.person.empty() ? Html::text("RVA") : Html::typed(event.person), event.what});
-  return Html::element("h2", Html::text("Actions, by the computer's clock")) + html_of(table);
+    table.rows.push_back({Content::text(time_text(event.at)),
+                          event.person.empty() ? Content::text("RVA") : Content::typed(event.person),
+                          event.what});
+  return Content::of(PartRole::heading, Content::text("Actions, by the computer's clock")) +
+         content_of(table);
 }
 
 }  // namespace rva

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rva {
 
@@ -16,8 +15,7 @@ class Html {
   /// Nothing.
   Html() = default;
 
-  /// Text as it is read. Bytes that are not UTF-8, and characters that no document may contain, appear as
-  /// U+FFFD.
+  /// Text as it is read. @see shown_text() for what becomes of bytes that are no text
   [[nodiscard]] static Html text(std::string_view words);
   /// Text of a person. Its direction of writing does not affect what follows it, and its line breaks are
   /// kept.
@@ -39,13 +37,5 @@ class Html {
  private:
   std::string markup_;
 };
-
-/// A table. The first row is its head; without it, the first cell of each row is the head of that row.
-struct HtmlTable {
-  std::vector<Html> head{};               ///< of each column; empty for none
-  std::vector<std::vector<Html>> rows{};  ///< of as many cells each
-  std::string_view class_name{};          ///< from the program; empty for none
-};
-[[nodiscard]] Html html_of(const HtmlTable& table);
 
 }  // namespace rva

@@ -6,17 +6,16 @@
 
 #include "inspect/inspection.hpp"
 #include "inspect/inspection_folder.hpp"
+#include "report/report_document.hpp"
 
 namespace rva {
 
-/// A document that needs no other file and runs no script: the verdict first, then what was inspected and
-/// down to which size, every finding of every comparison with pictures and decisions, the actions of each
-/// person, settings and checksums. It fits A4 and Letter. The state of the records determines it, with the
-/// time that it states. Where a file that the records name cannot be read, the reason is in its place
-/// (or_reason()).
-/// @param folder  of the inspection
+/// A document that needs no other file and runs no script, and that fits A4 and Letter. The report determines
+/// it, with the time that it states.
 /// @param made_at ISO 8601 in UTC (time_of_making())
-/// @throws Interrupted
+[[nodiscard]] std::string html_report(const ReportDocument& report, const std::string& made_at);
+
+/// html_report() of report_on(). @throws Interrupted
 [[nodiscard]] std::string inspection_report(const InspectionHistory& history, const InspectionFolder& folder,
                                             const std::string& made_at);
 

@@ -16,13 +16,8 @@ namespace fs = std::filesystem;
 namespace rva {
 namespace {
 
-constexpr int quality = 85;
 const cv::Scalar outline{255, 176, 32};
 const cv::Scalar shadow{0, 0, 0};
-
-Html embedded(const ColorImage& picture, std::string_view description) {
-  return Html::jpeg(encode_jpeg(picture, quality), description);
-}
 
 // With a dark rim, so that it is seen on bright and on dark surfaces.
 void draw_box(ColorImage& picture, const Box& box) {
@@ -60,8 +55,8 @@ ColorImage read_without_links(const InspectionFolder& folder, const fs::path& fi
   return read_color(file);
 }
 
-Html figure(const Html& picture, std::string_view caption) {
-  return Html::element("figure", picture + Html::element("figcaption", Html::text(caption)));
+Content figure(const Content& picture, std::string_view caption) {
+  return Content::of(PartRole::figure, picture + Content::of(PartRole::caption, Content::text(caption)));
 }
 
 }  // namespace
@@ -90,7 +85,7 @@ bool ComparisonPictures::is_lit(int view) {
   return known->second;
 }
 
-Html ComparisonPictures::view(int view, const std::vector<ObjectGroup>& groups) {
+Content ComparisonPictures::view(int view, const std::vector<ObjectGroup>& groups) {
   ColorImage drawn = picture(view, is_lit(view) ? "final_color" : "final_depth");
   blend_stripes(picture(view, "not_inspected"), drawn);
   for (const ObjectGroup& group : groups)
@@ -99,13 +94,13 @@ Html ComparisonPictures::view(int view, const std::vector<ObjectGroup>& groups) 
   for (const ObjectGroup& group : groups)
     for (const ReviewedFinding* const finding : group.all)
       if (finding->view == view) draw_label(drawn, finding->finding.box, group.label);
-  return embedded(drawn, fmt::format("View {} after the work; striped: not inspected", view + 1));
+  return Content::picture(drawn, fmt::format("View {} after the work; striped: not inspected", view + 1));
 }
 
-Html ComparisonPictures::before_and_after(const ReviewedFinding& finding) {
+Content ComparisonPictures::before_and_after(const ReviewedFinding& finding) {
   std::vector<std::string> kinds{"depth"};
   if (is_lit(finding.view)) kinds.insert(kinds.begin(), "color");
-  Html pictures;
+  Content pictures;
   for (const std::string& kind : kinds)
     for (const auto& [side, moment] : {std::pair("initial_", "Before"), std::pair("final_", "After")}) {
       const ColorImage& whole = picture(finding.view, side + kind);
@@ -113,21 +108,22 @@ Html ComparisonPictures::before_and_after(const ReviewedFinding& finding) {
       const ColorImage part =
           part_of(whole, surroundings_of(finding.finding.box, whole.width(), whole.height()));
       const std::string caption = kind == "depth" ? fmt::format("{}, depth", moment) : moment;
-      pictures += figure(embedded(part, caption), caption);
+      pictures += figure(Content::picture(part, caption), caption);
     }
-  return Html::element("div", pictures, "crops");
+  return Content::of(PartRole::close_ups, pictures);
 }
 
-Html marked_picture(const InspectionFolder& folder, const MarkedFinding& marked) {
+Content marked_picture(const InspectionFolder& folder, const MarkedFinding& marked) {
   ColorImage drawn = read_without_links(folder, folder.path() / marked.picture);
   draw_box(drawn, marked.box);
   const ColorImage part = part_of(drawn, surroundings_of(marked.box, drawn.width(), drawn.height()));
-  return Html::element("div", figure(embedded(part, "Marked by a person"), "As it was marked"), "crops");
+  return Content::of(PartRole::close_ups,
+                     figure(Content::picture(part, "Marked by a person"), "As it was marked"));
 }
 
-Html snapshot_picture(const InspectionFolder& folder, const Snapshot& snapshot) {
-  return embedded(read_without_links(folder, folder.path() / snapshot.picture),
-                  fmt::format("Snapshot {}", snapshot.number));
+Content snapshot_picture(const InspectionFolder& folder, const Snapshot& snapshot) {
+  return Content::picture(read_without_links(folder, folder.path() / snapshot.picture),
+                          fmt::format("Snapshot {}", snapshot.number));
 }
 
 }  // namespace rva

@@ -9,8 +9,8 @@
 #include "depth/image.hpp"
 #include "inspect/inspection.hpp"
 #include "inspect/inspection_folder.hpp"
-#include "report/html.hpp"
 #include "report/object_groups.hpp"
+#include "report/report_content.hpp"
 
 namespace rva {
 
@@ -26,11 +26,11 @@ class ComparisonPictures {
   /// A view after the work, with the outlines and labels of the objects found in it, and stripes where
   /// nothing could be found: in colour, or, in darkness, depth. @throws Error when a picture that must be
   /// there cannot be read
-  [[nodiscard]] Html view(int view, const std::vector<ObjectGroup>& groups);
+  [[nodiscard]] Content view(int view, const std::vector<ObjectGroup>& groups);
 
   /// A finding before and after the work, in colour where there is light and as depth.
   /// @throws Error as view()
-  [[nodiscard]] Html before_and_after(const ReviewedFinding& finding);
+  [[nodiscard]] Content before_and_after(const ReviewedFinding& finding);
 
  private:
   [[nodiscard]] const ColorImage& picture(int view, const std::string& name);
@@ -44,9 +44,9 @@ class ComparisonPictures {
 
 /// The surroundings of a marked finding in the picture in which it was marked, with its box.
 /// @throws Error when it cannot be read
-[[nodiscard]] Html marked_picture(const InspectionFolder& folder, const MarkedFinding& marked);
+[[nodiscard]] Content marked_picture(const InspectionFolder& folder, const MarkedFinding& marked);
 
 /// A picture that a person kept. @throws Error when it cannot be read
-[[nodiscard]] Html snapshot_picture(const InspectionFolder& folder, const Snapshot& snapshot);
+[[nodiscard]] Content snapshot_picture(const InspectionFolder& folder, const Snapshot& snapshot);
 
 }  // namespace rva

@@ -42,18 +42,18 @@ std::string exposure_text(const CaptureInfo& info) {
 }
 
 // What the first capture of a side states; it is the same for the others.
-Html capture_text(const Capture& capture, int dither) {
+Content capture_text(const Capture& capture, int dither) {
   const Intrinsics& depth = capture.info().depth;
-  return Html::text(fmt::format(
+  return Content::text(fmt::format(
       "{}; {} × {} pixels, {}, {} of each view; {}", camera_text(capture.info()), depth.width, depth.height,
       counted(capture.depth_frames(), "image a capture", "images a capture"),
       counted(static_cast<std::size_t>(dither), "capture", "captures"), exposure_text(capture.info())));
 }
 
-std::vector<Html> row_of(const Inspection& inspection, const InspectionFolder& folder, Side side,
-                         const TakenSide& taken) {
-  return {Html::text(side == Side::initial ? "Baseline" : "After the work"),
-          Html::text(time_text(taken.taken_at) + ", by ") + Html::typed(taken.person), or_reason([&] {
+std::vector<Content> row_of(const Inspection& inspection, const InspectionFolder& folder, Side side,
+                            const TakenSide& taken) {
+  return {Content::text(side == Side::initial ? "Baseline" : "After the work"),
+          Content::text(time_text(taken.taken_at) + ", by ") + Content::typed(taken.person), or_reason([&] {
             const fs::path capture = folder.capture(side, inspection, 0, 0);
             folder.require_no_links(capture / "capture.json");
             return capture_text(*open_capture(capture), inspection.dither);
@@ -65,21 +65,21 @@ std::string value_text(const nlohmann::json& value) {
 }
 
 // The method of a view with every option that affected its result, as the result states them.
-Html method_of(const InspectionFolder& folder, const fs::path& result, const ComparedView& view) {
+Content method_of(const InspectionFolder& folder, const fs::path& result, const ComparedView& view) {
   const fs::path file = result / result_file::detections;
   folder.require_no_links(file);
   const nlohmann::json json = parse_json(read_text_file(file), printable(file));
   std::vector<std::string> options;
   if (const auto parameters = json.find("parameters"); parameters != json.end() && parameters->is_object())
     for (const auto& [name, value] : parameters->items()) options.push_back(name + " " + value_text(value));
-  const Html program = Html::text(fmt::format("View {}: method {}", view.view + 1, view.method));
-  return Html::element("p", program + Html::text(options.empty() ? "" : ", with ") +
-                                Html::typed(fmt::format("{}", fmt::join(options, ", "))));
+  const Content program = Content::text(fmt::format("View {}: method {}", view.view + 1, view.method));
+  return Content::of(PartRole::paragraph, program + Content::text(options.empty() ? "" : ", with ") +
+                                              Content::typed(fmt::format("{}", fmt::join(options, ", "))));
 }
 
-Html methods_of(const Inspection& inspection, const InspectionFolder& folder) {
+Content methods_of(const Inspection& inspection, const InspectionFolder& folder) {
   if (!inspection.comparison || folder.in_comparison(*inspection.comparison, "").empty()) return {};
-  Html methods;
+  Content methods;
   for (const ComparedView& view : inspection.compared)
     methods += or_reason([&] { return method_of(folder, folder.result(inspection, view.view), view); });
   return methods;
@@ -87,19 +87,19 @@ Html methods_of(const Inspection& inspection, const InspectionFolder& folder) {
 
 }  // namespace
 
-Html settings_section(const InspectionHistory& history, const InspectionFolder& folder) {
+Content settings_section(const InspectionHistory& history, const InspectionFolder& folder) {
   const Inspection& inspection = history.inspection;
-  HtmlTable table{.head = {Html::text("Captures"), Html::text("Taken"), Html::text("With")},
-                  .rows = {},
-                  .class_name = {}};
+  ReportTable table{.role = PartRole::table,
+                    .head = {Content::text("Captures"), Content::text("Taken"), Content::text("With")},
+                    .rows = {}};
   if (inspection.initial)
     table.rows.push_back(row_of(inspection, folder, Side::initial, *inspection.initial));
   if (inspection.final) table.rows.push_back(row_of(inspection, folder, Side::final, *inspection.final));
-  Html content = table.rows.empty() ? Html() : html_of(table);
+  Content content = table.rows.empty() ? Content() : content_of(table);
   content += methods_of(inspection, folder);
-  return content.empty()
-             ? content
-             : Html::element("h2", Html::text("Settings")) + Html::element("div", content, "settings");
+  return content.empty() ? content
+                         : Content::of(PartRole::heading, Content::text("Settings")) +
+                               Content::of(PartRole::settings, content);
 }
 
 }  // namespace rva

@@ -64,15 +64,6 @@ TEST(Html, ElementsContainWhatTheyAreGiven) {
   EXPECT_TRUE(Html().empty());
 }
 
-TEST(Html, TablesHaveAHeadForEveryColumnOrRow) {
-  const std::vector<std::vector<Html>> rows{{Html::text("1"), Html::text("2")}};
-  EXPECT_EQ(html_of({.head = {Html::text("a"), Html::text("b")}, .rows = rows, .class_name = {}}).str(),
-            "<table><thead><tr><th>a</th><th>b</th></tr></thead><tbody><tr><td>1</td><td>2</td></tr></"
-            "tbody></table>");
-  EXPECT_EQ(html_of({.head = {}, .rows = rows, .class_name = "views"}).str(),
-            "<table class=\"views\"><tbody><tr><th>1</th><td>2</td></tr></tbody></table>");
-}
-
 TEST(Html, APictureIsInTheDocument) {
   const std::array bytes{std::byte{0xff}, std::byte{0xd8}};
   EXPECT_EQ(Html::jpeg(bytes, "a \"view\"").str(),
