@@ -121,6 +121,7 @@ test('from the empty list to the last decision, with a reload and a power cut be
 
   // The report is a page of its own, with all of its pictures.
   const opened = page.context().waitForEvent('page');
+  await expect(page.getByTestId('pdf-report')).toHaveAttribute('href', '/api/inspections/1/report.pdf');
   await page.getByTestId('report').click();
   const report = await opened;
   await expect(report.locator('.verdict')).toContainText('No debris remains in what was inspected');

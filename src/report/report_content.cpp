@@ -33,31 +33,32 @@ Content row_of(const std::vector<Content>& cells, PartRole role) {
 
 Content Content::text(std::string_view words) {
   Content content;
-  content.parts_.push_back({.role = PartRole::text, .words = shown_text(words), .picture = {}, .inside = {}});
+  content.append({.role = PartRole::text, .words = shown_text(words), .picture = {}, .inside = {}});
   return content;
 }
 
 Content Content::typed(std::string_view words) {
   Content content;
-  content.parts_.push_back(
-      {.role = PartRole::typed, .words = shown_text(words), .picture = {}, .inside = {}});
+  content.append({.role = PartRole::typed, .words = shown_text(words), .picture = {}, .inside = {}});
   return content;
 }
 
 Content Content::picture(const ColorImage& picture, std::string_view description) {
   Content content;
-  content.parts_.push_back({.role = PartRole::picture,
-                            .words = shown_text(description),
-                            .picture = {encode_jpeg(picture, quality), picture.width(), picture.height()},
-                            .inside = {}});
+  content.append({.role = PartRole::picture,
+                  .words = shown_text(description),
+                  .picture = {encode_jpeg(picture, quality), picture.width(), picture.height()},
+                  .inside = {}});
   return content;
 }
 
 Content Content::of(PartRole role, Content inside) {
   Content content;
-  content.parts_.push_back({.role = role, .words = {}, .picture = {}, .inside = std::move(inside)});
+  content.append({.role = role, .words = {}, .picture = {}, .inside = std::move(inside)});
   return content;
 }
+
+void Content::append(ReportPart part) { parts_.push_back(std::move(part)); }
 
 Content& Content::operator+=(const Content& more) {
   parts_.insert(parts_.end(), more.parts_.begin(), more.parts_.end());

@@ -78,6 +78,8 @@ class Content {
   /// A part that consists of others.
   [[nodiscard]] static Content of(PartRole role, Content inside);
 
+  /// Adds a part.
+  void append(ReportPart part);
   Content& operator+=(const Content& more);
   [[nodiscard]] friend Content operator+(Content first, const Content& second) { return first += second; }
 

@@ -99,14 +99,18 @@ ReportDocument report_on(const InspectionHistory& history, const InspectionFolde
           .last_action_at = last_action_at(history)};
 }
 
-Content report_foot(const std::string& made) {
+std::string program_text() {
   const nlohmann::ordered_json origin = provenance_json("");
+  return fmt::format("{} {}", origin.value("program", ""), origin.value("version", ""));
+}
+
+Content report_foot(const std::string& made) {
   return Content::of(
       PartRole::foot,
-      Content::text(fmt::format(
-          "Made by {} {}{}. Whether it is as it was written is shown by the signed package of the "
-          "inspection (rva inspection verify), not by this page alone.",
-          origin.value("program", ""), origin.value("version", ""), made)));
+      Content::text(
+          fmt::format("Made by {}{}. Whether it is as it was written is shown by the signed package of the "
+                      "inspection (rva inspection verify), not by this page alone.",
+                      program_text(), made)));
 }
 
 }  // namespace rva

@@ -25,6 +25,9 @@ struct ReportDocument {
 /// @throws Interrupted
 [[nodiscard]] ReportDocument report_on(const InspectionHistory& history, const InspectionFolder& folder);
 
+/// The program with its version.
+[[nodiscard]] std::string program_text();
+
 /// That a report alone proves nothing. @param made when, or from what, it was made: ", 2026-01-01 00:00 UTC"
 [[nodiscard]] Content report_foot(const std::string& made);
 

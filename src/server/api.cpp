@@ -61,6 +61,7 @@ const std::vector<Api::Route>& Api::routes() {
       {"POST", "/api/inspections/{}/compare", PersonRole::operator_, &Api::compare},
       {"GET", "/api/inspections/{}/rounds", PersonRole::viewer, &Api::get_rounds},
       {"GET", "/api/inspections/{}/report", PersonRole::viewer, &Api::get_report},
+      {"GET", "/api/inspections/{}/report.pdf", PersonRole::viewer, &Api::get_pdf_report},
       {"POST", "/api/inspections/{}/findings/{}/decision", PersonRole::inspector, &Api::decide},
       {"POST", "/api/inspections/{}/decisions", PersonRole::inspector, &Api::decide_all},
       {"POST", "/api/inspections/{}/marked", PersonRole::operator_, &Api::mark},

@@ -107,6 +107,7 @@ class Api {
   // server/review_routes.cpp
   ApiResponse get_rounds(const Call& call) const;
   ApiResponse get_report(const Call& call) const;
+  ApiResponse get_pdf_report(const Call& call) const;
   ApiResponse decide(const Call& call) const;
   ApiResponse decide_all(const Call& call) const;
   ApiResponse mark(const Call& call) const;

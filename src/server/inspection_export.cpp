@@ -20,6 +20,7 @@
 #include "inspect/view_comparison.hpp"
 #include "map/view_capture.hpp"
 #include "report/inspection_report.hpp"
+#include "report/pdf/pdf_report.hpp"
 #include "server/json_of.hpp"
 
 namespace fs = std::filesystem;
@@ -29,12 +30,13 @@ namespace {
 
 constexpr const char* records_file = "inspection.json";
 constexpr const char* report_file = "report.html";
+constexpr const char* pdf_file = "report.pdf";
 constexpr const char* restore = "restore the data folder from a backup";
 
 }  // namespace
 
 std::vector<std::string> exported_files() {
-  std::vector<std::string> files{records_file, report_file, "regions/[0-9][0-9][0-9].json",
+  std::vector<std::string> files{records_file, report_file, pdf_file, "regions/[0-9][0-9][0-9].json",
                                  InspectionFolder::marks_name + std::string("/*.png"),
                                  InspectionFolder::snapshots_name + std::string("/*.png")};
   const auto add = [&](const std::string& folder, const std::vector<std::string>& inside) {
@@ -211,8 +213,9 @@ void write_exported_inspection(const InspectionHistory& history, const fs::path&
   copy(contents, folder, progress);
   write_regions(history.inspection, folder);
   const std::string made_at = time_of_making();
-  write_file(folder / report_file,
-             inspection_report(history, InspectionFolder(data, history.inspection.id), made_at));
+  const ReportDocument report = report_on(history, InspectionFolder(data, history.inspection.id));
+  write_file(folder / report_file, html_report(report, made_at));
+  write_file(folder / pdf_file, pdf_report(report, Paper::a4));
   const Json json{{"format", "rva-inspection"},
                   {"version", 1},
                   {"inspection", record_of(history.inspection)},

@@ -25,7 +25,7 @@ void write_exported_inspection(const InspectionHistory& history, const std::file
 ///   - the captures of every complete round, the results of every comparison, the baseline check and the
 ///     pictures in which findings were marked or that were kept, under the names that they have in the
 ///     inspection's folder;
-///   - `report.html`: all of it for people (inspection_report());
+///   - `report.html` and `report.pdf`: all of it for people (inspection_report(), pdf_report());
 ///   - `regions/000.json` of each view of which something is left out.
 /// Paths in the results are relative to this folder.
 /// @param data     the folder of all inspections

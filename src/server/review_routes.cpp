@@ -9,6 +9,7 @@
 #include "core/path_text.hpp"
 #include "core/units.hpp"
 #include "report/inspection_report.hpp"
+#include "report/pdf/pdf_report.hpp"
 #include "server/api.hpp"
 #include "server/live_pictures.hpp"
 #include "server/measurement.hpp"
@@ -104,6 +105,14 @@ ApiResponse Api::get_report(const Call& call) const {
       inspection_report(parts_.inspector.history(id), parts_.inspector.folder(id), time_of_making()),
       {{"Content-Security-Policy",
         "sandbox; default-src 'none'; img-src data:; style-src 'unsafe-inline'; frame-ancestors 'none'"}}};
+}
+
+ApiResponse Api::get_pdf_report(const Call& call) const {
+  const std::int64_t id = inspection_id(call);
+  return {200,
+          "application/pdf",
+          pdf_report(report_on(parts_.inspector.history(id), parts_.inspector.folder(id)), Paper::a4),
+          {{"Content-Disposition", fmt::format("inline; filename=\"inspection-{}.pdf\"", id)}}};
 }
 
 ApiResponse Api::decide(const Call& call) const {

@@ -48,7 +48,12 @@ class ReadElsewhere:
             self.assertEqual(answer.headers['Content-Type'], 'text/html; charset=utf-8')
             self.assertIn("default-src 'none'", answer.headers['Content-Security-Policy'])
             page = answer.read().decode()
+        with urllib.request.urlopen(f'{self.address}/api/inspections/1/report.pdf', timeout=60) as answer:
+            self.assertEqual(answer.headers['Content-Type'], 'application/pdf')
+            pdf = answer.read()
+        self.assertEqual(pdf, (self.folder / 'exported' / 'report.pdf').read_bytes())
         self.refuse('GET', 'inspections/7/report', None, 404)
+        self.refuse('GET', 'inspections/7/report.pdf', None, 404)
         read = ReadPage(page)
         self.assertEqual(read.faults, [])
         self.assertIn('Closed by Ann', read.text)

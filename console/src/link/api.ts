@@ -164,6 +164,11 @@ export function reportAddress(inspection: Inspection): string {
   return `/api/inspections/${inspection.id}/report`;
 }
 
+/** The URL of the same report as a PDF file. */
+export function pdfReportAddress(inspection: Inspection): string {
+  return `/api/inspections/${inspection.id}/report.pdf`;
+}
+
 /** The URL of a picture of a view's baseline. Colour and the pictures of the baseline check may be missing. */
 export function baselineAddress(inspection: Inspection, view: number, name: 'color' | 'depth' | 'level_of_detection' | 'depth_overlay'): string {
   const taken = encodeURIComponent(inspection.initial?.taken_at ?? '');

@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { unaccounted } from '../checkout/items';
 import { attempt, update } from '../inspection/inspections';
 import { timeOf } from '../inspection/words';
-import { api, reportAddress } from '../link/api';
+import { api, pdfReportAddress, reportAddress } from '../link/api';
 import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
@@ -82,6 +82,9 @@ function Closed({ inspection, session }: { inspection: Inspection; session: Sess
       <Signing inspection={inspection} session={session} />
       <a class="button" href={reportAddress(inspection)} target="_blank" rel="noreferrer" data-testid="report">
         {words.review.report}
+      </a>
+      <a class="button" href={pdfReportAddress(inspection)} target="_blank" rel="noreferrer" data-testid="pdf-report">
+        {words.review.pdfReport}
       </a>
     </div>
   );

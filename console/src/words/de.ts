@@ -475,6 +475,7 @@ export const de: Words = {
     },
     nothingFound: 'nichts gefunden',
     passwordOf: (name) => `Passwort von ${name}, zum Unterschreiben`,
+    pdfReport: 'Bericht als PDF',
     pictures: 'Bilder vor und nach der Arbeit',
     remains: (list) => `Vor dem Abschluss: ${list}.`,
     report: 'Bericht zum Lesen und Drucken',

@@ -482,6 +482,7 @@ export const en = {
     },
     nothingFound: 'nothing found',
     passwordOf: (name: string) => `Password of ${name}, to sign`,
+    pdfReport: 'Report as PDF',
     pictures: 'Pictures before and after the work',
     remains: (list: string) => `Before closing: ${list}.`,
     report: 'Report to read and print',
