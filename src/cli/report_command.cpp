@@ -1,10 +1,14 @@
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/hidden_input.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/output_file.hpp"
 #include "cli/printing.hpp"
@@ -15,6 +19,8 @@
 #include "core/path_text.hpp"
 #include "report/inspection_report.hpp"
 #include "report/pdf/pdf_report.hpp"
+#include "report/pdf/pdf_signature.hpp"
+#include "report/pdf/signing_certificate.hpp"
 
 namespace fs = std::filesystem;
 
@@ -27,6 +33,8 @@ struct ReportArguments {
   std::string out;
   std::string pdf;
   std::string paper{name_of(Paper::a4)};
+  std::string sign_with;
+  std::string passphrase_file;
   bool overwrite = false;
 };
 
@@ -51,15 +59,37 @@ void require_one_format(const ReportArguments& arguments) {
     throw UsageError("rva inspection report", "has nothing to write", "give --out, --pdf or both");
 }
 
+// The first line of the file, or what is typed.
+std::string passphrase_of(const ReportArguments& arguments) {
+  if (arguments.passphrase_file.empty())
+    return read_password(fmt::format("Passphrase of {}: ", printable(arguments.sign_with)));
+  const std::string text = read_text_file(arguments.passphrase_file);
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+// A certificate that cannot sign is refused before the report is made.
+std::optional<SigningCertificate> certificate_for(const ReportArguments& arguments,
+                                                  const std::string& made_at) {
+  if (arguments.sign_with.empty()) return std::nullopt;
+  SigningCertificate certificate =
+      read_signing_certificate(arguments.sign_with, [&] { return passphrase_of(arguments); });
+  require_valid(certificate, made_at);
+  return certificate;
+}
+
 void write_report(const ReportArguments& arguments) {
   require_one_format(arguments);
   require_writable(arguments, arguments.out);
   require_writable(arguments, arguments.pdf);
+  const std::string made_at = time_of_making();
+  const std::optional<SigningCertificate> certificate = certificate_for(arguments, made_at);
   const InspectionHistory history = recorded_inspection(arguments.data, arguments.inspection);
   const ReportDocument report = report_on(history, InspectionFolder(arguments.data, arguments.inspection));
-  const std::string pdf = arguments.pdf.empty() ? "" : pdf_report(report, *value_of<Paper>(arguments.paper));
+  std::string pdf;
+  if (!arguments.pdf.empty()) pdf = pdf_report(report, *value_of<Paper>(arguments.paper));
+  if (certificate) pdf = signed_pdf(pdf, *certificate, made_at);
   if (!arguments.out.empty()) {
-    replace_file(arguments.out, html_report(report, time_of_making()));
+    replace_file(arguments.out, html_report(report, made_at));
     print("{}\n", arguments.out);
   }
   if (arguments.pdf.empty()) return;
@@ -82,6 +112,19 @@ void add_report_command(CLI::App& inspection) {
       ->needs(pdf)
       ->type_name("SIZE")
       ->capture_default_str();
+  CLI::Option* const sign_with =
+      command
+          .add_option("--sign-with", arguments->sign_with,
+                      "PKCS#12 file (.p12) with the certificate and private key that sign --pdf")
+          ->needs(pdf)
+          ->type_name("FILE");
+  command
+      .add_option(
+          "--passphrase-file", arguments->passphrase_file,
+          "file whose first line is the passphrase of --sign-with; without it, the passphrase is typed "
+          "or a line of stdin")
+      ->needs(sign_with)
+      ->type_name("FILE");
   command.add_flag("--overwrite", arguments->overwrite, "replace earlier files");
   command.callback([arguments] { write_report(*arguments); });
 }

@@ -9,7 +9,6 @@ import subprocess
 import program
 from written_inspections import write_inspection
 
-PASSPHRASE = 'a passphrase: ß'
 RTL = 'שלום \u202eWO\u2069'
 LONG = 'N' * 300
 NAMES = f'Zoë 東京 🛩 {RTL} {LONG}\nsecond line\t<b>&'
@@ -120,3 +119,27 @@ class PdfReport(program.ProgramTest):
         for k in range(200):
             self.assertIn(f'line {k}.', text)
         self.assertGreater(self.pages(), 2)
+
+    def test_files_are_replaced_only_when_asked(self):
+        self.written()
+        before = self.pdf.read_bytes()
+        command = ('inspection', 'report', '--data', self.data, '--inspection', 1)
+        self.check_fails(*command, '--pdf', self.pdf, names=['already exists', '--overwrite'])
+        self.check_fails(*command, '--out', self.folder / 'report.html', '--pdf', self.pdf, names=['already exists'])
+        self.check_fails(*command, '--pdf', self.folder / 'none' / 'report.pdf', names=['none'])
+        self.check_fails(*command, '--pdf', self.data / 'rva.db', '--overwrite', names=['is in the folder of the inspections'])
+        self.assertEqual(self.pdf.read_bytes(), before)
+        for wrong in ((), ('--out', 'a.html', '--paper', 'letter'), ('--pdf', 'a.pdf', '--paper', 'a5'),
+                      ('--out', 'a.html', '--sign-with', 'shop.p12'), ('--pdf', 'a.pdf', '--passphrase-file', 'x')):
+            self.assertEqual(self.rva(*command, *wrong).returncode, 2, wrong)
+
+    def test_without_fonts_the_error_states_what_to_install(self):
+        write_inspection(self.data, 1)
+        (self.folder / 'fonts.conf').write_text('<?xml version="1.0"?><!DOCTYPE fontconfig SYSTEM "urn:fontconfig:fonts.dtd"><fontconfig/>')
+        os.environ['FONTCONFIG_FILE'] = str(self.folder / 'fonts.conf')
+        self.addCleanup(os.environ.pop, 'FONTCONFIG_FILE')
+        self.check_fails('inspection', 'report', '--data', self.data, '--inspection', 1, '--pdf', self.pdf, names=['needs a font'])
+
+
+if __name__ == '__main__':
+    program.main()

@@ -69,16 +69,10 @@ LineStyle line_style(PartRole role, const TextStyle& around) {
   return style;
 }
 
-/// The rim of a group: its border, and the distances to what is within.
-struct Rim {
-  Border border{};
-  double left_pt = 0.0;
-  double vertical_pt = 0.0;
-};
-
-Rim rim_of(PartRole role) {
-  const auto verdict = [](const Ink& ink) {
-    return Rim{{ink, 3.0 * pt_per_mm, 0.5 * pt_per_mm, 0.0}, 7.0 * pt_per_mm, 2.0 * pt_per_mm};
+// Of the verdict and of findings; of no width where a role has none.
+Border border_of(PartRole role, double width_pt) {
+  const auto verdict = [&](const Ink& ink) {
+    return Border{ink, 3.0 * pt_per_mm, 0.5 * pt_per_mm, width_pt};
   };
   switch (role) {
     case PartRole::verdict_clear:
@@ -89,38 +83,23 @@ Rim rim_of(PartRole role) {
       return verdict(amber);
     case PartRole::verdict_open:
       return verdict(grey);
-    case PartRole::note:
-      return {{light_grey, 0.6 * pt_per_mm, 0.0, 0.0}, 3.0 * pt_per_mm, 0.0};
-    default:
-      return {{light_grey, 0.8 * pt_per_mm, 0.0, 0.0}, 3.8 * pt_per_mm, 1.0 * pt_per_mm};
-  }
-}
-
-bool has_rim(PartRole role) {
-  switch (role) {
-    case PartRole::verdict_clear:
-    case PartRole::verdict_bad:
-    case PartRole::verdict_warning:
-    case PartRole::verdict_open:
-    case PartRole::note:
     case PartRole::finding:
-      return true;
+      return {light_grey, 0.8 * pt_per_mm, 0.0, width_pt};
     default:
-      return false;
+      return {};
   }
 }
 
-Box rimmed(const ReportPart& part, const Setting& setting) {
-  const Rim rim = rim_of(part.role);
+Box bordered(const ReportPart& part, const Border& border, const Setting& setting) {
+  const double left_pt = border.left_pt + 3.5 * pt_per_mm;
+  const double right_pt = border.around_pt > 0.0 ? 4.0 * pt_per_mm : 0.0;
+  const double vertical_pt = border.around_pt > 0.0 ? 2.0 * pt_per_mm : 1.0 * pt_per_mm;
   Setting inner = setting;
-  inner.style = line_style(part.role, setting.style).text;
-  const double right_pt = rim.border.around_pt > 0.0 ? 4.0 * pt_per_mm : 0.0;
-  inner.width_pt -= rim.left_pt + right_pt;
+  inner.width_pt -= left_pt + right_pt;
   Box box = stacked(boxes_of(part.inside, inner));
-  shift(box, rim.left_pt, rim.vertical_pt);
-  box.height_pt += 2.0 * rim.vertical_pt;
-  box.border = rim.border;
-  box.border.width_pt = setting.width_pt;
+  shift(box, left_pt, vertical_pt);
+  box.height_pt += 2.0 * vertical_pt;
+  box.border = border;
   box.above_pt = 2.0 * pt_per_mm;
   return box;
 }
@@ -132,7 +111,22 @@ void add_rule(Box& box, double y_pt, double width_pt) {
   box.height_pt = std::max(box.height_pt, y_pt + rule_pt);
 }
 
+// A bar beside each line, so that a long note can be divided between them.
+Box note_box(const ReportPart& part, const Setting& setting) {
+  constexpr double indent_pt = 3.0 * pt_per_mm;
+  constexpr double bar_pt = 0.6 * pt_per_mm;
+  Box box = setting.text->lines(part.inside, line_style(part.role, setting.style).text,
+                                setting.width_pt - indent_pt);
+  shift(box, indent_pt, 0.0);
+  const std::size_t lines = box.marks.size();
+  for (std::size_t k = 0; k < lines; ++k)
+    box.marks.push_back(rule(light_grey, box.marks[k].y_pt, bar_pt, box.marks[k].height_pt));
+  box.above_pt = 1.0 * pt_per_mm;
+  return box;
+}
+
 Box lines_box(const ReportPart& part, const Setting& setting) {
+  if (part.role == PartRole::note) return note_box(part, setting);
   const LineStyle style = line_style(part.role, setting.style);
   const Content bullet = part.role == PartRole::warning ? Content::text("• ") : Content();
   Box box = setting.text->lines(bullet + part.inside, style.text, setting.width_pt);
@@ -195,6 +189,7 @@ bool is_lines(PartRole role) {
     case PartRole::open_decision:
     case PartRole::legend:
     case PartRole::caption:
+    case PartRole::note:
     case PartRole::warning:
     case PartRole::foot:
       return true;
@@ -204,7 +199,8 @@ bool is_lines(PartRole role) {
 }
 
 std::vector<Box> part_boxes(const ReportPart& part, const Setting& setting) {
-  if (has_rim(part.role)) return {rimmed(part, setting)};
+  const Border border = border_of(part.role, setting.width_pt);
+  if (border.left_pt > 0.0) return {bordered(part, border, setting)};
   if (is_lines(part.role)) return {lines_box(part, setting)};
   return group_boxes(part, setting);
 }

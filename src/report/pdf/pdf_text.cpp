@@ -49,9 +49,9 @@ std::string isolated(std::string_view words) {
 class StyledText {
  public:
   explicit StyledText(const TextStyle& style) : style_(style) {
-    add_from(0, pango_attr_insert_hyphens_new(FALSE));
-    if (style.is_bold) add_from(0, pango_attr_weight_new(PANGO_WEIGHT_BOLD));
-    if (style.is_italic) add_from(0, pango_attr_style_new(PANGO_STYLE_ITALIC));
+    pango_attr_list_insert(attributes_, pango_attr_insert_hyphens_new(FALSE));
+    if (style.is_bold) pango_attr_list_insert(attributes_, pango_attr_weight_new(PANGO_WEIGHT_BOLD));
+    if (style.is_italic) pango_attr_list_insert(attributes_, pango_attr_style_new(PANGO_STYLE_ITALIC));
   }
   ~StyledText() { pango_attr_list_unref(attributes_); }
   StyledText(const StyledText&) = delete;
@@ -78,9 +78,10 @@ class StyledText {
     add_from(start, pango_attr_size_new(static_cast<int>(code_size * style_.size_pt * PANGO_SCALE)));
   }
 
+  // To the end of the text as it is now.
   void add_from(std::size_t start, PangoAttribute* attribute) {
     attribute->start_index = static_cast<guint>(start);
-    if (start > 0) attribute->end_index = static_cast<guint>(text_.size());
+    attribute->end_index = static_cast<guint>(text_.size());
     pango_attr_list_insert(attributes_, attribute);
   }
 
@@ -115,6 +116,14 @@ Box box_of(const std::shared_ptr<PangoLayout>& layout, const Ink& ink) {
   return box;
 }
 
+void require_font(PangoFontMap* fonts, PangoContext* context) {
+  PangoFontDescription* const wanted = pango_font_description_from_string(family);
+  PangoFont* const font = pango_font_map_load_font(fonts, context, wanted);
+  pango_font_description_free(wanted);
+  if (font == nullptr) throw Error("PDF", "needs a font, and none is installed", "install fonts-liberation");
+  g_object_unref(font);
+}
+
 // Widths that are rounded down by a unit would break a line that just fits.
 int pango_width(double width_pt) {
   return static_cast<int>(std::ceil(std::max(1.0, width_pt) * PANGO_SCALE));
@@ -124,11 +133,6 @@ int pango_width(double width_pt) {
 
 TextSetter::TextSetter() {
   const auto fonts = owned(pango_cairo_font_map_new());
-  PangoFontFamily** families = nullptr;
-  int count = 0;
-  pango_font_map_list_families(fonts.get(), &families, &count);
-  g_free(families);
-  if (count == 0) throw Error("PDF", "needs a font, and none is installed", "install fonts-liberation");
   constexpr double dots_per_inch = 72.0;  // a unit of the pages is a point
   pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts.get()), dots_per_inch);
   context_ = owned(pango_font_map_create_context(fonts.get()));
@@ -139,6 +143,7 @@ TextSetter::TextSetter() {
   cairo_font_options_destroy(options);
   pango_context_set_round_glyph_positions(context_.get(), FALSE);
   pango_context_set_language(context_.get(), pango_language_from_string("en"));
+  require_font(fonts.get(), context_.get());
 }
 
 std::shared_ptr<PangoLayout> TextSetter::layout_of(const Content& words, const TextStyle& style) const {
