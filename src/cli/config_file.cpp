@@ -17,7 +17,7 @@ std::vector<CLI::ConfigItem> items_of(const std::string& path) {
   try {
     return CLI::ConfigBase().from_config(text);
   } catch (const CLI::Error& error) {
-    throw Error(printable(path), printable(error.what()), "write one option = value a line");
+    throw UsageError(printable(path), printable(error.what()), "write one option = value a line");
   }
 }
 
@@ -29,8 +29,9 @@ void apply_config_file(CLI::App& command, const std::string& path) {
     if (is_mark_of_a_section) continue;
     CLI::Option* const option = command.get_option_no_throw("--" + item.name);
     if (option == nullptr || !item.parents.empty())
-      throw Error(printable(path), printable(item.fullname()) + " is not an option of " + command.get_name(),
-                  "see rva " + command.get_name() + " --help");
+      throw UsageError(printable(path),
+                       printable(item.fullname()) + " is not an option of " + command.get_name(),
+                       "see rva " + command.get_name() + " --help");
     if (option->count() > 0) continue;
     try {
       option->add_result(item.inputs);

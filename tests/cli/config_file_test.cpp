@@ -64,10 +64,10 @@ TEST_F(ConfigFile, GivesWayToTheCommandLine) {
 TEST_F(ConfigFile, MayBeEmpty) { EXPECT_NO_THROW(apply("")); }
 
 TEST_F(ConfigFile, RefusesOptionsThatTheCommandDoesNotHave) {
-  EXPECT_THAT(problem<Error>("prot = 81\n"),
+  EXPECT_THAT(problem<UsageError>("prot = 81\n"),
               AllOf(HasSubstr("rva.conf"), HasSubstr("prot is not an option of serve"),
                     HasSubstr("rva serve --help")));
-  EXPECT_THAT(problem<Error>("[detect]\nport = 81\n"), HasSubstr("is not an option of serve"));
+  EXPECT_THAT(problem<UsageError>("[detect]\nport = 81\n"), HasSubstr("is not an option of serve"));
 }
 
 TEST_F(ConfigFile, RefusesValuesThatTheOptionRefuses) {

@@ -171,7 +171,7 @@ class Starting(program.ProgramTest):
             server.stdout.close()
 
     def test_a_file_of_options_is_checked(self):
-        for text, status, words in (('walk = 1\n', 1, 'walk'), ('port = many\n', 2, 'port'), ('[x]\nport = 1\n', 1, 'x.port'),
+        for text, status, words in (('walk = 1\n', 2, 'walk'), ('port = many\n', 2, 'port'), ('[x]\nport = 1\n', 2, 'x.port'),
                                     ('', 2, '--camera')):
             (self.folder / 'rva.conf').write_text(text)
             done = self.rva('serve', '--config', self.folder / 'rva.conf')
