@@ -87,6 +87,19 @@ export interface ErrorAnswer {
   error: ErrorDetail;
 }
 
+export interface Health {
+  /** Whether no check has a problem; the status is 200 then, otherwise 503. */
+  healthy: boolean;
+  checks: HealthCheck[];
+}
+
+export interface HealthCheck {
+  name: 'camera' | 'robot' | 'data' | 'disk' | 'records';
+  healthy: boolean;
+  /** What is wrong, and what to do; missing where nothing is. */
+  problem?: string;
+}
+
 export interface Session {
   protocol: Protocol;
   /** Whether there are accounts. */

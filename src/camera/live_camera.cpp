@@ -114,6 +114,7 @@ class LiveCamera::Reader : public Camera {
 LiveCamera::LiveCamera(std::unique_ptr<Camera> camera, double most_hz)
     : camera_(std::move(camera)),
       most_hz_(most_hz),
+      last_frame_s_(steady_clock().now_s()),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 LiveCamera::~LiveCamera() = default;
@@ -219,7 +220,9 @@ std::unique_ptr<Camera> LiveCamera::every_frame(std::function<void()> while_wait
 
 CameraHealth LiveCamera::health() const {
   const std::lock_guard lock(mutex_);
-  return health_;
+  CameraHealth health = health_;
+  health.silence_s = steady_clock().now_s() - last_frame_s_;
+  return health;
 }
 
 }  // namespace rva

@@ -29,6 +29,7 @@ struct CameraHealth {
   std::uint64_t frames = 0;  ///< number of frames received
   std::uint64_t lost = 0;    ///< number of frames missing, by gaps in their numbers
   double rate_hz = 0.0;      ///< average over about the last second
+  double silence_s = 0.0;    ///< since the last frame; before the first one, since the object was constructed
   std::string problem;       ///< a sentence for the user; empty while frames arrive
 };
 
@@ -95,7 +96,7 @@ class LiveCamera {
   CameraHealth health_;
   std::optional<Error> failure_;  // the last one
   std::uint64_t problems_ = 0;
-  double last_frame_s_ = 0.0;
+  double last_frame_s_;
   std::list<Reader*> readers_;
   std::jthread thread_;  // last, since it uses everything above
 };

@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <exception>
 #include <new>
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/event_log.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
@@ -71,26 +70,26 @@ int main(int argc, char** argv) {
   } catch (const rva::Interrupted& interrupted) {
     return 128 + interrupted.signal();
   } catch (const rva::OptionError& error) {
-    fmt::print(stderr, "rva: --{}\n", rva::printable(error.what()));
+    rva::cli::complain("--" + rva::printable(error.what()));
     return rva::cli::status_usage;
   } catch (const rva::UsageError& error) {
-    fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
+    rva::cli::complain(rva::printable(error.what()));
     return rva::cli::status_usage;
   } catch (const rva::ExistsError& error) {
-    fmt::print(stderr, "rva: {} with --overwrite\n", rva::printable(error.what()));
+    rva::cli::complain(rva::printable(error.what()) + " with --overwrite");
     return rva::cli::status_failed;
   } catch (const rva::Error& error) {
-    fmt::print(stderr, "rva: {}\n", rva::printable(error.what()));
+    rva::cli::complain(rva::printable(error.what()));
     return rva::cli::status_failed;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "rva: memory: there is not enough; close other programs or use fewer frames\n");
+    rva::cli::complain("memory: there is not enough; close other programs or use fewer frames");
     return rva::cli::status_failed;
   } catch (const std::system_error& error) {
-    fmt::print(stderr, "rva: system: {}; close other programs and try again\n", error.code().message());
+    rva::cli::complain("system: " + error.code().message() + "; close other programs and try again");
     return rva::cli::status_failed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "rva: internal error ({}); please report it with the command that led to it\n",
-               rva::printable(error.what()));
+    rva::cli::complain("internal error (" + rva::printable(error.what()) +
+                       "); please report it with the command that led to it");
     return rva::cli::status_failed;
   }
 }

@@ -9,11 +9,13 @@
 #include "cli/commands.hpp"
 #include "cli/config_file.hpp"
 #include "cli/console_folder.hpp"
+#include "cli/event_log.hpp"
 #include "cli/live_rig.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/folder_lock.hpp"
+#include "core/interrupt.hpp"
 #include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "inspect/inspector.hpp"
@@ -48,7 +50,7 @@ void require(const std::string& value, const char* option, const std::string& wh
 }
 
 std::unique_ptr<WebServer> open_server(const ServerOptions& options, const ServerParts& parts,
-                                       const std::function<void(const std::string&)>& log) {
+                                       const std::function<void(const Event&)>& log) {
   try {
     return std::make_unique<WebServer>(options, parts, log);
   } catch (const UnsafeAccessError& error) {
@@ -69,9 +71,10 @@ void serve(ServeArguments arguments) {
   std::filesystem::create_directories(arguments.data, failure);
   const FolderLock lock(arguments.data);
   SqliteRecords records(std::filesystem::path(arguments.data) / "rva.db");
-  const auto log = [](const std::string& line) { fmt::print(stderr, "rva: {}\n", printable(line)); };
-  for (const std::string& line : recover_data(arguments.data, records)) log(line);
-  for (const std::string& line : remove_incomplete_packages(arguments.data)) log(line);
+  for (const std::string& line : recover_data(arguments.data, records))
+    log_event({EventLevel::warning, "recovered", line});
+  for (const std::string& line : remove_incomplete_packages(arguments.data))
+    log_event({EventLevel::warning, "recovered", line});
   LiveCamera camera(std::move(rig.camera));
   const std::unique_ptr<Drive> drive =
       rig.robot ? std::make_unique<Drive>(*rig.robot, arguments.drive) : nullptr;
@@ -81,10 +84,24 @@ void serve(ServeArguments arguments) {
   SiteKeys keys(std::filesystem::path(arguments.data) / site_keys_name, key_cost);
   const std::unique_ptr<WebServer> server = open_server(
       arguments.server,
-      {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure, &keys}, log);
+      {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure, &keys},
+      log_event);
   print("{}\n", server->address());
   static_cast<void>(std::fflush(stdout));
-  server->run();
+  log_event({EventLevel::notice,
+             "started",
+             "serves the console",
+             {{"version", RVA_VERSION},
+              {"address", server->address()},
+              {"camera", arguments.camera},
+              {"robot", arguments.robot},
+              {"data", arguments.data}}});
+  try {
+    server->run();
+  } catch (const Interrupted& interrupted) {
+    log_event({EventLevel::notice, "stopped", "ends", {{"signal", std::to_string(interrupted.signal())}}});
+    throw;
+  }
 }
 
 }  // namespace
@@ -110,6 +127,8 @@ void add_serve_command(CLI::App& program) {
   command.add_option("--tls-key", arguments->server.tls_key, "PEM file")->type_name("FILE");
   command.add_option("--console", arguments->server.console, "folder of the console's files")
       ->type_name("DIR");
+  command.add_flag("--metrics", arguments->server.metrics,
+                   "lets monitoring programs read /metrics (Prometheus), without signing in");
   command
       .add_option("--seed", arguments->seed,
                   "seed of a simulated camera's noise and a simulated robot's errors")

@@ -81,6 +81,8 @@ class Inspector {
   [[nodiscard]] InspectionFolder folder(std::int64_t id) const { return {data_, id}; }
   /// The folder of all inspections.
   [[nodiscard]] const std::filesystem::path& data() const { return data_; }
+  /// The options of the check before a capture.
+  [[nodiscard]] const ReadinessOptions& readiness_options() const { return options_.readiness; }
   /// The robot's geometry.
   [[nodiscard]] const PanTiltChain& chain() const { return rig_.chain; }
 
@@ -122,6 +124,8 @@ class Inspector {
   void stop_capture() { tasks_.stop_capture(); }
 
   [[nodiscard]] TaskState task() const { return tasks_.task(); }
+  /// TaskRunner::ended()
+  [[nodiscard]] EndedTasks ended_tasks() const { return tasks_.ended(); }
   /// Of the last check; empty before.
   [[nodiscard]] std::optional<Readiness> readiness() const;
 

@@ -73,6 +73,7 @@ void TaskRunner::run(const Work& work) {
     task.end = end;
     task.problem = problem;
     task.waiting.clear();
+    ++ended_[{task.kind, end}];
   });
 }
 
@@ -91,6 +92,11 @@ void TaskRunner::stop_capture() {
 TaskState TaskRunner::task() const {
   const std::lock_guard lock(mutex_);
   return task_;
+}
+
+EndedTasks TaskRunner::ended() const {
+  const std::lock_guard lock(mutex_);
+  return ended_;
 }
 
 void TaskRunner::update(const std::function<void(TaskState&)>& change) {

@@ -4,14 +4,19 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "core/progress.hpp"
 #include "inspect/side_capture.hpp"
 #include "inspect/task.hpp"
 
 namespace rva {
+
+/// Number of tasks that have ended, by kind and end.
+using EndedTasks = std::map<std::pair<TaskKind, TaskEnd>, std::uint64_t>;
 
 /// Every member may be called from any thread. A check of readiness or of a baseline is ended when another
 /// task is to start.
@@ -48,6 +53,8 @@ class TaskRunner {
   void stop_capture();
 
   [[nodiscard]] TaskState task() const;
+  /// Since the object was constructed. What never happened is left out.
+  [[nodiscard]] EndedTasks ended() const;
   void update(const std::function<void(TaskState&)>& change);
 
   // For use by the work. throw_if_ended() and both progress callbacks throw Interrupted once the task is to
@@ -62,8 +69,9 @@ class TaskRunner {
   void end_check();
   void require_free(std::uint64_t ends_asked_for) const;
 
-  mutable std::mutex mutex_;  // guards the next two
+  mutable std::mutex mutex_;  // guards the next three
   TaskState task_;
+  EndedTasks ended_;
   std::uint64_t ends_asked_for_ = 0;
   std::mutex starting_;  // guards the thread
   std::atomic<bool> cancelled_ = false;

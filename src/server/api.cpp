@@ -5,6 +5,7 @@
 #include "core/clock.hpp"
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
+#include "server/health.hpp"
 #include "server/private_paths.hpp"
 #include "server/request_body.hpp"
 
@@ -47,6 +48,7 @@ Api::Api(const ServerParts& parts, bool secure_cookie) : parts_(parts), secure_c
 
 const std::vector<Api::Route>& Api::routes() {
   static const std::vector<Route> all{
+      {"GET", "/api/health", std::nullopt, &Api::get_health},
       {"GET", "/api/session", std::nullopt, &Api::get_session},
       {"POST", "/api/sign-in", std::nullopt, &Api::sign_in},
       {"POST", "/api/sign-out", std::nullopt, &Api::sign_out},
@@ -160,6 +162,11 @@ std::int64_t Api::inspection_id(const Call& call) const {
   if (!parts_.inspector.has(id))
     throw ApiError(404, "not-found", "inspection " + text, "does not exist", "see the list of inspections");
   return id;
+}
+
+ApiResponse Api::get_health(const Call& /*call*/) const {
+  const std::vector<HealthCheck> checks = check_health(parts_);
+  return {is_healthy(checks) ? 200 : 503, "application/json", json_text(json_of(checks))};
 }
 
 // The name of the account; without accounts, the name that the request states.

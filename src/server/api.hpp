@@ -88,6 +88,7 @@ class Api {
   [[nodiscard]] ApiResponse whole_inspection(std::int64_t id, int status = 200) const;
   [[nodiscard]] static std::string person_of(const Call& call);
 
+  ApiResponse get_health(const Call& call) const;
   // server/session_routes.cpp
   ApiResponse get_session(const Call& call) const;
   ApiResponse sign_in(const Call& call) const;

@@ -222,9 +222,15 @@ std::string address_of(const beast::tcp_stream& stream) {
 // @return empty when the connection has become a WebSocket, and ended
 template <typename Stream>
 asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, SharedState& shared) {
-  const HttpCaller caller{shared.api, shared.files, shared.tls, shared.loopback,
-                          address_of(beast::get_lowest_layer(stream))};
-  if (!websocket::is_upgrade(request)) co_return co_await answer_on_pool(request, caller, shared);
+  const HttpCaller caller{
+      shared.api,    shared.files, shared.tls, shared.loopback, address_of(beast::get_lowest_layer(stream)),
+      shared.metrics};
+  if (!websocket::is_upgrade(request)) {
+    const double asked_s = now_s();
+    Response response = co_await answer_on_pool(request, caller, shared);
+    shared.traffic.add_request(static_cast<int>(response.result_int()), now_s() - asked_s);
+    co_return response;
+  }
   const std::variant<Person, ApiResponse> visitor = co_await asio::co_spawn(
       shared.pool,
       [&]() -> asio::awaitable<std::variant<Person, ApiResponse>> {

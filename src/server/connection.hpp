@@ -27,6 +27,8 @@ struct SharedState {
   Complaints& complaints;
   asio::thread_pool::executor_type pool;
   asio::thread_pool::executor_type lists;  ///< one thread, so that long lists delay only each other
+  Traffic& traffic;
+  std::function<std::string()> metrics;  ///< HttpCaller::metrics
   bool tls = false;
   bool loopback = true;
   double write_limit_s = 30.0;  ///< for sending one message or response

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "server/metrics.hpp"
+
 namespace rva {
 namespace {
 
@@ -98,6 +100,7 @@ ApiResponse answer_of(const Request& request, const HttpCaller& caller) {
   if (path.starts_with("/api/")) return api_answer(request, caller);
   if (request.method() != http::verb::get && request.method() != http::verb::head)
     return refusal(405, "method-not-allowed", "only GET is supported here");
+  if (path == "/metrics" && caller.metrics) return {200, metrics_content_type, caller.metrics()};
   const ConsoleFile* file = caller.files.find(std::string(path));
   return file == nullptr ? refusal(404, "not-found", "there is nothing at this address")
                          : file_answer(*file, request);

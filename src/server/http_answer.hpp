@@ -1,6 +1,7 @@
 // Converts between HTTP messages and the API.
 #pragma once
 
+#include <functional>
 #include <variant>
 
 #include "server/api.hpp"
@@ -16,6 +17,8 @@ struct HttpCaller {
   bool tls = false;
   bool loopback = true;  ///< whether the server accepts connections from this computer only
   std::string from;      ///< address of the client
+  /// metrics_text(), at `/metrics`; empty if nobody may read it.
+  std::function<std::string()> metrics{};
 };
 
 /// May be called from any thread. Never throws.

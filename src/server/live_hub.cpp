@@ -20,6 +20,8 @@ std::shared_ptr<LiveHub::Member> LiveHub::join(Person person) {
 }
 
 void LiveHub::tell(const std::shared_ptr<const LivePicture>& picture) {
+  const std::chrono::duration<double> delay = std::chrono::system_clock::now() - picture->taken_at;
+  parts_.traffic->add_picture(std::string(name_of(picture->stream)), delay.count());
   for (const auto& member : members_) {
     member->conversation.offer(picture);
     member->wake();
@@ -39,6 +41,7 @@ asio::awaitable<void> LiveHub::tell_status() {
   constexpr int rounds_of_silence = 10;
   asio::steady_timer timer(context_);
   for (int round = 0; !ended_; ++round) {
+    parts_.traffic->set_consoles(members_.size());
     std::string status = status_message(parts_, pictures_, members_.size());
     if (!status_ || *status_ != status || round % rounds_of_silence == 0)
       status_ = std::make_shared<const std::string>(std::move(status));

@@ -9,9 +9,11 @@
 #include "inspect/inspector.hpp"
 #include "measure/measure_options.hpp"
 #include "robot/drive.hpp"
+#include "server/data_folder_probe.hpp"
 #include "server/frozen_pictures.hpp"
 #include "server/lease.hpp"
 #include "server/sessions.hpp"
+#include "server/traffic.hpp"
 
 namespace rva {
 
@@ -31,6 +33,9 @@ struct ServerParts {
   SiteKeys* keys = nullptr;      ///< of those who sign inspections; null: nobody can
   /// What people froze.
   std::shared_ptr<FrozenPictures> frozen = std::make_shared<FrozenPictures>();
+  std::shared_ptr<Traffic> traffic = std::make_shared<Traffic>();  ///< what the server counts
+  /// Whether the data folder can be written.
+  std::shared_ptr<DataFolderProbe> data_probe = std::make_shared<DataFolderProbe>();
 };
 
 }  // namespace rva

@@ -11,6 +11,9 @@
 #include "core/path_text.hpp"
 #include "server/asio.hpp"
 #include "server/connection.hpp"
+#include "server/health.hpp"
+#include "server/metrics.hpp"
+#include "server/state_events.hpp"
 
 namespace rva {
 namespace {
@@ -84,12 +87,15 @@ const ServerOptions& checked(const ServerOptions& options) {
 class WebServer::Implementation {
  public:
   Implementation(const ServerOptions& options, const ServerParts& parts,
-                 std::function<void(const std::string&)> log)
+                 std::function<void(const Event&)> log)
       : options_(checked(options)),
         address_(parse_address(options.address)),
         tls_(tls_context(options)),
         files_(options.console),
-        complaints_(std::move(log)),
+        log_(std::move(log)),
+        complaints_([this](const std::string& line) {
+          log_({EventLevel::warning, "refused", line});
+        }),
         parts_(parts),
         api_(parts_, tls_ != nullptr),
         acceptor_(listen(context_, address_, options.port)),
@@ -100,6 +106,8 @@ class WebServer::Implementation {
                 complaints_,
                 pool_.get_executor(),
                 lists_.get_executor(),
+                *parts_.traffic,
+                options.metrics ? std::function([this] { return metrics_text(parts_); }) : nullptr,
                 tls_ != nullptr,
                 address_.is_loopback(),
                 options.write_limit_s,
@@ -125,6 +133,7 @@ class WebServer::Implementation {
     asio::co_spawn(context_, accept_all(), asio::detached);
     asio::co_spawn(context_, watch_signals(), asio::detached);
     asio::co_spawn(context_, hub_.tell_status(), asio::detached);
+    asio::co_spawn(context_, log_changes(), asio::detached);
     context_.run();
     throw_if_interrupted();
   }
@@ -156,6 +165,25 @@ class WebServer::Implementation {
       } catch (const Interrupted&) {
         end();
       }
+    }
+  }
+
+  // Checks the health on the pool, since the database may be slow and must not delay the live view.
+  asio::awaitable<void> log_changes() {
+    constexpr int rounds_between_checks = 10;
+    asio::steady_timer timer(context_);
+    for (int round = 0; !stopping_; ++round) {
+      const double now_s = steady_clock().now_s();
+      for (const Event& event : state_events_.of_task(parts_.inspector.task(), now_s)) log_(event);
+      if (round % rounds_between_checks == 0) {
+        const std::vector<HealthCheck> checks = co_await asio::co_spawn(
+            pool_.get_executor(),
+            [this]() -> asio::awaitable<std::vector<HealthCheck>> { co_return check_health(parts_); },
+            asio::use_awaitable);
+        for (const Event& event : state_events_.of_health(checks, now_s)) log_(event);
+      }
+      timer.expires_after(std::chrono::milliseconds(100));
+      co_await timer.async_wait(asio::use_awaitable);
     }
   }
 
@@ -205,7 +233,9 @@ class WebServer::Implementation {
   asio::ip::address address_;
   std::unique_ptr<asio::ssl::context> tls_;
   ConsoleFiles files_;
+  std::function<void(const Event&)> log_;
   Complaints complaints_;
+  StateEvents state_events_;
   ServerParts parts_;
   Api api_;
   asio::io_context context_{1};
@@ -218,7 +248,7 @@ class WebServer::Implementation {
 };
 
 WebServer::WebServer(const ServerOptions& options, const ServerParts& parts,
-                     std::function<void(const std::string&)> log)
+                     std::function<void(const Event&)> log)
     : implementation_(std::make_unique<Implementation>(options, parts, std::move(log))) {}
 
 WebServer::~WebServer() = default;

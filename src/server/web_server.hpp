@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "core/event.hpp"
 #include "core/options.hpp"
 #include "server/server_parts.hpp"
 
@@ -20,6 +21,7 @@ struct ServerOptions {
   std::string console;          ///< folder of the console's files
   std::string tls_certificate;  ///< PEM file; both or neither
   std::string tls_key;
+  bool metrics = false;         ///< whether metrics_text() can be read at `/metrics`, without signing in
   double write_limit_s = 30.0;  ///< a client that takes longer to read one message is disconnected
 
   static void describe(auto&& self, auto&& visit) {
@@ -41,12 +43,11 @@ class UnsafeAccessError : public OptionError {
 class WebServer {
  public:
   /// Listens at once; requests are served by run().
-  /// @param log receives lines for the user, from any thread
+  /// @param log receives events, from any thread
   /// @throws OptionError when options are out of range; UnsafeAccessError when they permit unsafe access
   /// @throws Error when the server cannot listen on the address, or certificate, key or console cannot be
   /// read
-  WebServer(const ServerOptions& options, const ServerParts& parts,
-            std::function<void(const std::string&)> log);
+  WebServer(const ServerOptions& options, const ServerParts& parts, std::function<void(const Event&)> log);
   ~WebServer();
 
   /// "http://127.0.0.1:8080"

@@ -17,7 +17,7 @@ from simulations import TOOLS
 SCHEMA = None
 
 # Fields that appear only after a failure of a device, or by chance.
-NOT_MET = {'CameraStatus.problem', 'CheckedView.problem', 'Finding.moved_from', 'RecordedLevels.effective_frames',
+NOT_MET = {'CameraStatus.problem', 'CheckedView.problem', 'Finding.moved_from', 'HealthCheck.problem', 'RecordedLevels.effective_frames',
            'LampStatus.celsius', 'ReadinessValues.frames', 'ReadinessValues.repeated_frames', 'RobotStatus.problem', 'TaskStatus.problem', 'TaskStatus.waiting'}
 
 
@@ -120,6 +120,7 @@ class ApiSchemaTest(ReadElsewhere, program.ProgramTest):
                              'from the schema, or list them here')
 
     def begin(self):
+        self.get('health', 'Health')
         self.get('session', 'Session')
         self.get('inspections', 'InspectionList')
         self.refuse('GET', 'inspections/1', None, 404)

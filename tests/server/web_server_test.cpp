@@ -52,9 +52,9 @@ class Web : public testing::Test {
     options.connections = connections;
     options.write_limit_s = write_limit_s;
     options.console = (served_.folder / "console").string();
-    server_ = std::make_unique<WebServer>(options, served_.parts(), [this](const std::string& line) {
+    server_ = std::make_unique<WebServer>(options, served_.parts(), [this](const Event& event) {
       const std::lock_guard lock(mutex_);
-      log_.push_back(line);
+      if (event.name == "refused") log_.push_back(event.message);
     });
     thread_ = std::thread([this] { server_->run(); });
   }
@@ -290,7 +290,7 @@ TEST_F(Web, APortThatIsTakenIsReported) {
   options.port = server_->port();
   options.console = (served_.folder / "console").string();
   try {
-    const WebServer second(options, served_.parts(), [](const std::string&) {});
+    const WebServer second(options, served_.parts(), [](const Event&) {});
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("port"));
@@ -305,7 +305,7 @@ TEST(WebServerOptions, OthersThanThisComputerNeedTlsAndAccounts) {
   options.port = 0;
   options.address = "0.0.0.0";
   options.console = (served.folder / "console").string();
-  const auto log = [](const std::string&) {};
+  const auto log = [](const Event&) {};
   EXPECT_THROW(WebServer(options, served.parts(), log), UsageError);
   options.tls_certificate = "only one of the two";
   EXPECT_THROW(WebServer(options, served.parts(), log), UsageError);
