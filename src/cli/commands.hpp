@@ -29,6 +29,9 @@ void add_cameras_command(CLI::App& program);
 /// `rva detect`: what changed between two sides.
 /// @param outcome its status becomes status_detected if a change was found; must outlive `program`
 void add_detect_command(CLI::App& program, Outcome& outcome);
+/// `rva doctor`: checks computer, camera and robot, and states what to do.
+/// @param outcome its status becomes status_detected if a check failed; must outlive `program`
+void add_doctor_command(CLI::App& program, Outcome& outcome);
 /// `rva evaluate`: how much debris is found, and how many false findings there are, in many inspections.
 void add_evaluate_command(CLI::App& program);
 /// `rva export`: an inspection of the console as a folder.

@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   rva::cli::add_simulate_command(program);
   rva::cli::add_map_command(program);
   rva::cli::add_calibrate_command(program);
+  rva::cli::add_doctor_command(program, outcome);
   rva::cli::add_robot_command(program, outcome);
   rva::cli::add_serve_command(program);
   rva::cli::add_account_command(program);

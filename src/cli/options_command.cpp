@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
 #include "detect/detect.hpp"
+#include "doctor/checkup.hpp"
 #include "evaluate/study.hpp"
 #include "inspect/inspector.hpp"
 #include "map/calibration.hpp"
@@ -48,6 +49,7 @@ void print_options() {
   print_table<MapCloudOptions, RefinementOptions, RealSenseOptions>("rva map");
   print_table<CalibrationOptions>("rva calibrate");
   print_table<RealSenseOptions>("rva record");
+  print_table<DoctorOptions, RealSenseOptions>("rva doctor");
   print_table<RepeatabilityOptions, RepeatabilityLimits, RealSenseOptions>("rva robot repeatability");
   print_table<ServerOptions, InspectorOptions, DriveOptions, RealSenseOptions, MeasureOptions>("rva serve");
 }

@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ['core', 'audit', 'geometry', 'depth', 'capture', 'infrared', 'stereo', 'views', 'measure', 'detect', 'classify', 'plan', 'camera', 'robot', 'map',
+ORDER = ['core', 'audit', 'geometry', 'depth', 'capture', 'infrared', 'stereo', 'views', 'measure', 'detect', 'classify', 'plan', 'camera', 'robot', 'doctor', 'map',
          'scene', 'sim', 'inspect', 'report', 'evaluate', 'server', 'store', 'cli']
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

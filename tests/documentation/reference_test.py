@@ -14,7 +14,7 @@ import unittest
 ROOT = pathlib.Path(sys.argv[1])
 SKIPPED = 77
 # Folders of src/ in whose headers every member has a description.
-COMPLETE = ('audit', 'camera', 'capture', 'cli', 'core', 'depth', 'evaluate', 'geometry', 'infrared', 'map', 'measure', 'plan',
+COMPLETE = ('audit', 'camera', 'capture', 'cli', 'core', 'depth', 'doctor', 'evaluate', 'geometry', 'infrared', 'map', 'measure', 'plan',
             'robot', 'scene', 'sim', 'stereo', 'views')
 
 

@@ -28,7 +28,8 @@ std::vector<PluggedIn> plugged_in_realsense(const fs::path& devices) {
     const std::string product = first_line(device->path() / "product");
     if (first_line(device->path() / "idVendor") != intel || product.find("RealSense") == std::string::npos)
       continue;
-    found.push_back({product, std::strtod(first_line(device->path() / "speed").c_str(), nullptr)});
+    found.push_back(
+        {product, std::strtod(first_line(device->path() / "speed").c_str(), nullptr), device->path()});
   }
   std::ranges::sort(found, {}, &PluggedIn::product);
   return found;
