@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,8 @@ struct CaptureSummary {
 /// Reads every depth and colour image, so that a capture for which this succeeds is sound.
 /// @throws Error when an image cannot be read; Interrupted
 [[nodiscard]] CaptureSummary summarize(const Capture& capture, const Progress& progress);
+
+/// What `rva info --json` prints: the description of a capture and its summary.
+[[nodiscard]] nlohmann::ordered_json json_of(const Capture& capture, const CaptureSummary& summary);
 
 }  // namespace rva

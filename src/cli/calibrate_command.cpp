@@ -1,9 +1,7 @@
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -14,12 +12,9 @@
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 #include "core/json_object.hpp"
-#include "core/path_text.hpp"
 #include "geometry/robot_geometry_file.hpp"
 #include "map/calibration.hpp"
 #include "map/calibration_views.hpp"
-
-namespace fs = std::filesystem;
 
 namespace rva::cli {
 namespace {
@@ -32,35 +27,6 @@ struct CalibrateArguments {
   bool overwrite = false;
   bool json = false;
 };
-
-using Json = nlohmann::ordered_json;
-
-Json json_of(const ViewResiduals& residuals) {
-  return {{"agreeing", residuals.share()}, {"residual_px", residuals.residual_px()}};
-}
-
-void print_json(const Calibration& calibration, const std::vector<MapView>& views) {
-  const CalibrationResiduals sum = sum_of_residuals(calibration);
-  Json json = {{"before", json_of(sum.before)},
-               {"after", json_of(sum.after)},
-               {"numbers", Json::array()},
-               {"views", Json::array()}};
-  for (const CalibratedNumber& number : calibration.numbers)
-    json["numbers"].push_back({{"name", number.name},
-                               {"unit", number.unit},
-                               {"change", number.change},
-                               {"deviation", number.deviation}});
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const CalibratedView& view = calibration.views[i];
-    json["views"].push_back({{"capture", views[i].name},
-                             {"pan_error_deg", view.joint_error.pan_deg},
-                             {"tilt_error_deg", view.joint_error.tilt_deg},
-                             {"neighbours", view.after.neighbours},
-                             {"before", json_of(view.before)},
-                             {"after", json_of(view.after)}});
-  }
-  print("{}", json_file_text(json, 2));
-}
 
 void print_table(const Calibration& calibration, const std::vector<MapView>& views) {
   print("{:36} {:>8}     {}\n", "against the geometry that was given", "change", "sigma");
@@ -77,22 +43,8 @@ void print_table(const Calibration& calibration, const std::vector<MapView>& vie
         100.0 * sum.after.share());
 }
 
-void require_replaceable(const fs::path& file, bool overwrite) {
-  std::error_code ignored;
-  if (!fs::exists(fs::symlink_status(file, ignored))) return;
-  if (!overwrite) throw Error(printable(file), "already exists", "choose another name, or give --overwrite");
-  try {
-    if (fs::is_regular_file(fs::symlink_status(file, ignored))) {
-      (void)load_robot_geometry(file);
-      return;
-    }
-  } catch (const Error&) {  // reported below
-  }
-  throw Error(printable(file), "is not a robot's geometry, so it is not replaced", "choose another name");
-}
-
 void calibrate_robot(const CalibrateArguments& arguments) {
-  require_replaceable(arguments.out, arguments.overwrite);
+  require_replaceable_geometry(arguments.out, arguments.overwrite);
   check_options(arguments.options);
   const PanTiltChain given = arguments.geometry ? load_robot_geometry(*arguments.geometry) : PanTiltChain{};
   const std::vector<MapView> views =
@@ -104,7 +56,7 @@ void calibrate_robot(const CalibrateArguments& arguments) {
   throw_if_interrupted();
   replace_file(arguments.out, json_file_text(json_of(calibration.chain), 2));
   if (arguments.json)
-    print_json(calibration, views);
+    print("{}", json_file_text(json_of(calibration, views), 2));
   else
     print_table(calibration, views);
 }

@@ -196,16 +196,7 @@ Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
   const int width = initial.depth.width;
   const int height = initial.depth.height;
   IgnoredRegions regions;
-  for (const std::string& text : arguments.within) {
-    const Box box = box_from(text);
-    if (box.width < 1 || box.height < 1 || box.x >= width || box.y >= height || box.x + box.width <= 0 ||
-        box.y + box.height <= 0)
-      throw UsageError("--within",
-                       fmt::format("{},{},{},{} contains no pixel of the depth image of {}x{}", box.x, box.y,
-                                   box.width, box.height, width, height),
-                       "give x,y,w,h in pixels of the initial depth image");
-    regions.within.push_back(polygon_of(box));
-  }
+  for (const std::string& text : arguments.within) add_within(regions, box_from(text), width, height);
   Mask mask = mask_of(regions, width, height);
   for (const std::string& file : arguments.ignore) unite(mask, read_ignored_mask(file, width, height));
   return mask;

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "classify/labels.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
 #include "core/path_text.hpp"
@@ -48,28 +46,6 @@ void NamingFlags::add_to(CLI::App& command) {
   ModelOptions::describe(options, [&](const auto& /*value*/, const OptionField& field) {
     command.get_option(fmt::format("--{}", field.name))->needs(model_option);
   });
-}
-
-NamingModel::NamingModel(const NamingFlags& flags) {
-  if (!flags.model.empty())
-    objects_.emplace(flags.model, read_labels(flags.labels), flags.options);
-  else if (!flags.classifier.empty())
-    findings_.emplace(FindingModel::read(flags.classifier));
-  else if (flags.classify)
-    findings_.emplace(FindingModel::shipped());
-}
-
-std::optional<FindingClasses> NamingModel::name_findings(const Detection& detection, const Capture& final,
-                                                         nlohmann::ordered_json& json,
-                                                         std::vector<std::string>& warnings) {
-  if (!objects_ && !findings_) return std::nullopt;
-  auto classes = objects_ ? classify(detection, final, *objects_)
-                          : std::optional(classify(shown_findings(detection, final), *findings_));
-  if (classes)
-    add_classes(*classes, objects_ ? described(*objects_) : described(*findings_), json);
-  else
-    warnings.emplace_back("the final capture has neither colour nor infrared images to classify findings by");
-  return classes;
 }
 
 void print_classes(const FindingClasses& classes, const std::optional<PlanMatch>& match) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "capture/capture.hpp"
+#include "capture/stated_camera.hpp"
 #include "core/enum_names.hpp"
 #include "core/error.hpp"
 #include "core/options.hpp"
@@ -79,7 +80,7 @@ struct CaptureFlags {
         .add_option("--depth-unit", depth_unit_mm,
                     "one step of the depth images, whatever the capture states")
         ->type_name("mm")
-        ->check(number_within(0.0001, 1000.0));
+        ->check(number_within(least_depth_unit_mm, most_depth_unit_mm));
   }
 
   /// For commands whose camera has an option --depth-unit of its own.
@@ -105,25 +106,14 @@ struct CaptureFlags {
         ->expected(4);
   }
 
-  /// The options for open_capture(). @throws UsageError for intrinsics that no camera can have
+  /// The options for open_capture(). @throws OptionError for intrinsics that no camera can have
   [[nodiscard]] CaptureOptions options() const {
     CaptureOptions options;
     options.no_depth = no_depth;
     if (!topic.empty()) options.topic = topic;
     if (depth_unit_mm) options.depth_unit_m = m_per_mm * *depth_unit_mm;
-    if (intrinsics.empty()) return options;
-    Intrinsics camera;
-    camera.width = camera.height = 1;  // replaced by the size of the first image
-    camera.fx = intrinsics[0];
-    camera.fy = intrinsics[1];
-    camera.cx = intrinsics[2];
-    camera.cy = intrinsics[3];
-    try {
-      camera.check();
-    } catch (const Error& error) {
-      throw UsageError("--intrinsics", error.problem(), error.remedy());
-    }
-    options.intrinsics = camera;
+    if (!intrinsics.empty())
+      options.intrinsics = stated_intrinsics({intrinsics[0], intrinsics[1], intrinsics[2], intrinsics[3]});
     return options;
   }
 };

@@ -20,8 +20,8 @@ namespace {
 struct SimulateArguments {
   std::string scene;
   std::string out;
-  std::size_t frames = 40;
-  std::uint64_t seed = 1;
+  std::size_t frames = SimulatedCaptureOptions{}.frames;
+  std::uint64_t seed = default_seed;
   std::string debris;
   std::uint64_t debris_seed = 0;
   std::vector<double> position_m;
@@ -30,7 +30,7 @@ struct SimulateArguments {
   bool all_colors = false;
   bool infrared = false;
   bool lamp = false;
-  std::string camera_model = "d435";
+  std::string camera_model = SimulationOrigin{}.camera_model;
   StereoSensorOptions sensor;
   bool overwrite = false;
 };

@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json_object.hpp"
+#include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 
 namespace rva {
@@ -93,6 +95,21 @@ Json json_of(const PanTiltChain& chain) {
             {"right", numbers(axes.col(0))},
             {"down", numbers(axes.col(1))},
             {"forward", numbers(axes.col(2))}}}};
+}
+
+void require_replaceable_geometry(const std::filesystem::path& path, bool overwrite) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(path, ignored);
+  if (!std::filesystem::exists(status)) return;
+  if (!overwrite) throw ExistsError(printable(path), "already exists", "choose another name, or replace it");
+  try {
+    if (std::filesystem::is_regular_file(status)) {
+      static_cast<void>(load_robot_geometry(path));
+      return;
+    }
+  } catch (const Error&) {  // reported below
+  }
+  throw Error(printable(path), "is not a robot's geometry, so it is not replaced", "choose another name");
 }
 
 }  // namespace rva

@@ -17,6 +17,11 @@ namespace rva {
 ///         geometry/pan_tilt.hpp defines
 [[nodiscard]] PanTiltChain load_robot_geometry(const std::filesystem::path& path);
 
+/// Checks that such a file may be written.
+/// @param overwrite whether an earlier geometry may be replaced; any other file never is
+/// @throws ExistsError, Error when something is there that may not be replaced
+void require_replaceable_geometry(const std::filesystem::path& path, bool overwrite);
+
 /// The content of such a file. The chain that is read back from it differs in the last digits only.
 [[nodiscard]] nlohmann::ordered_json json_of(const PanTiltChain& chain);
 

@@ -1,6 +1,7 @@
 // Calibrates a robot's geometry from views that its camera takes at different joint angles.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,5 +74,8 @@ struct Calibration {
 
 /// The residuals summed over all views.
 [[nodiscard]] CalibrationResiduals sum_of_residuals(const Calibration& calibration);
+
+/// What `rva calibrate --json` prints. @param views those of the calibration
+[[nodiscard]] nlohmann::ordered_json json_of(const Calibration& calibration, std::span<const MapView> views);
 
 }  // namespace rva

@@ -16,6 +16,9 @@
 
 namespace rva {
 
+/// The seed of all noise where the user chooses none.
+inline constexpr std::uint64_t default_seed = 1;
+
 /// Which frames have a colour image.
 enum class ColorFrames { none, first, all };
 

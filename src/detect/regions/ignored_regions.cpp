@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json_object.hpp"
+#include "core/options.hpp"
 #include "core/path_text.hpp"
 #include "depth/image_file.hpp"
 
@@ -140,6 +141,16 @@ Polygon polygon_of(const Box& box) {
   const double right = left + box.width;
   const double bottom = top + box.height;
   return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
+void add_within(IgnoredRegions& regions, const Box& box, int width, int height) {
+  if (box.width < 1 || box.height < 1 || box.x >= width || box.y >= height || box.x + box.width <= 0 ||
+      box.y + box.height <= 0)
+    throw OptionError("within",
+                      fmt::format("{},{},{},{} contains no pixel of the depth image of {}x{}", box.x, box.y,
+                                  box.width, box.height, width, height),
+                      "give x,y,w,h in pixels of the initial depth image");
+  regions.within.push_back(polygon_of(box));
 }
 
 IgnoredRegions parse_regions(const std::string& text, const std::string& source) {

@@ -36,6 +36,11 @@ inline constexpr std::size_t most_corners = 1000;
 /// The outline of the pixels of a box, half a pixel outside the centres of the outer ones.
 [[nodiscard]] Polygon polygon_of(const Box& box);
 
+/// Adds a rectangle to those outside which everything is left out.
+/// @param width, height size of the baseline's depth image, in whose pixels the box is
+/// @throws OptionError of the option `within` when the box contains no pixel of the image
+void add_within(IgnoredRegions& regions, const Box& box, int width, int height);
+
 /// Parses `{"format": "rva-regions", "version": 1, "ignore": [[[u, v], ...], ...], "within":
 /// [...]}` (docs/detection.md).
 /// @param source name of the text in error messages
