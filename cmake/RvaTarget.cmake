@@ -21,9 +21,19 @@ if(RVA_FUZZ)
   target_compile_options(rva_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# The Python module is a shared library that contains the libraries. Their functions are called directly, and inlined, as
+# in a program: none of them is to be replaced by another library's.
+function(rva_may_be_shared name)
+  if(RVA_PYTHON_MODULE)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+  endif()
+endfunction()
+
 # Headers that most files include, compiled once: Eigen alone takes a third of the time of an average file.
 add_library(rva_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
 target_link_libraries(rva_precompiled PRIVATE rva_flags Eigen3::Eigen fmt::fmt)
+rva_may_be_shared(rva_precompiled)
 target_precompile_headers(rva_precompiled PRIVATE
   <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
   <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
@@ -42,6 +52,7 @@ function(rva_library name)
   target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:rva_flags>)
   # For the precompiled headers. A folder whose own headers include them has them among its LINKS.
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:fmt::fmt>)
+  rva_may_be_shared(${name})
   target_precompile_headers(${name} REUSE_FROM rva_precompiled)
   set_target_properties(${name} PROPERTIES EXPORT_NAME ${folder})
   set_property(GLOBAL APPEND PROPERTY RVA_COMPONENTS ${folder})

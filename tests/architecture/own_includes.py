@@ -70,7 +70,7 @@ class Sources:
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     sources = Sources(root)
-    files = sorted(file for folder in ('src', 'tests', 'bench', 'examples') for file in (root / folder).rglob('*.[ch]pp'))
+    files = sorted(file for folder in ('src', 'tests', 'bench', 'examples', 'python') for file in (root / folder).rglob('*.[ch]pp'))
     faults = [f'{file.relative_to(root)}: uses what <{header}> declares, but does not include it'
               for file in files for header in sources.missing_in(file)]
     if len(files) < 100:

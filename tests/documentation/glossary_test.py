@@ -12,8 +12,8 @@ ROOT = pathlib.Path(sys.argv[1])
 SECTION = '## Words that are not used\n'
 PAGES = ('README.md', 'CONTRIBUTING.md', 'CMakeLists.txt')
 FOLDERS = ('bench', 'console/schema', 'console/src', 'console/tests', 'data', 'debian', 'docs', 'examples', 'firmware',
-           'hardware', 'script', 'src', 'tests')
-SUFFIXES = ('.cpp', '.css', '.dox', '.h', '.hpp', '.ino', '.json', '.md', '.mjs', '.py', '.scad', '.ts', '.tsx', '.txt',
+           'hardware', 'python', 'script', 'src', 'tests')
+SUFFIXES = ('.cpp', '.css', '.dox', '.h', '.hpp', '.ino', '.json', '.md', '.mjs', '.py', '.pyi', '.scad', '.ts', '.tsx', '.txt',
             '.yaml', '')
 # A space of an expression stands for all that separates words: also the end of a line of a comment or of a
 # part of a string, an underscore, and a capital letter within an identifier.
