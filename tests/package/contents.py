@@ -3,6 +3,7 @@ import itertools
 import pathlib
 import re
 import shutil
+import sys
 import unittest
 
 from packages import NAMES, owners_of
@@ -48,7 +49,7 @@ class Contents(unittest.TestCase):
 
     def test_fields(self):
         self.assertEqual(set(self.packages.files), set(NAMES))
-        for name, architecture in zip(NAMES, ('amd64', 'amd64', 'all')):
+        for name, architecture in zip(NAMES, ('amd64', 'amd64', 'amd64', 'all')):
             self.assertEqual(self.packages.field(name, 'Version'), f'{self.packages.version}-1')
             self.assertEqual(self.packages.field(name, 'Architecture'), architecture)
             self.assertRegex(self.packages.field(name, 'Maintainer'), r'^RVA .* <.*@.*>$')
@@ -64,6 +65,17 @@ class Contents(unittest.TestCase):
         self.assertLessEqual({'libeigen3-dev', 'libfmt-dev', 'libopencv-dev', 'libsqlitecpp-dev', 'libtiff-dev', 'libssl-dev',
                               'nlohmann-json3-dev'}, self.packages.depends('librva-dev'))
         self.assertNotIn('libgtest-dev', self.packages.depends('librva-dev'))
+
+    def test_the_module_depends_on_the_python_that_it_was_built_for(self):
+        module = self.packages.unpacked('python3-rva') / 'usr' / 'lib' / 'python3' / 'dist-packages' / 'rva'
+        self.assertEqual({re.sub(r'cpython-\d+', 'cpython', path.name) for path in module.iterdir()},
+                         {'__init__.cpython-x86_64-linux-gnu.so', '__init__.pyi', 'py.typed'})
+        major, minor = sys.version_info[:2]
+        self.assertTrue(next(module.glob('*.so')).name.startswith(f'__init__.cpython-{major}{minor}-'))
+        depends = self.packages.field('python3-rva', 'Depends')
+        self.assertIn(f'python3 (>= {major}.{minor}), python3 (<< {major}.{minor + 1})', depends)
+        self.assertLessEqual({'libc6', 'libembree3-3', 'libfmt9'}, self.packages.depends('python3-rva'))
+        self.assertEqual(self.packages.field('python3-rva', 'Recommends'), 'python3-numpy')
 
     def test_the_service_runs_with_its_own_program(self):
         self.assertIn(f'rva (= {self.packages.version}-1)', self.packages.field('rva-server', 'Depends'))
@@ -108,7 +120,7 @@ class Contents(unittest.TestCase):
     def test_lintian_finds_no_error(self):
         # librva-dev would take half a minute; script/package has no part that concerns it alone.
         done = run('lintian', '--fail-on', 'error,warning', '--suppress-tags', NOT_FOR_THIS_ARCHIVE,
-                   self.packages.files['rva'], self.packages.files['rva-server'])
+                   self.packages.files['rva'], self.packages.files['rva-server'], self.packages.files['python3-rva'])
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 

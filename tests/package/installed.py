@@ -85,6 +85,23 @@ class LifeWithoutRecords(Installed):
         self.assertEqual(self.left(), set())
 
 
+class PythonModule(Installed):
+    names = ('rva', 'python3-rva')
+
+    def test_a_first_finding_in_three_lines(self):
+        for name, debris in (('before', "debris='none', "), ('after', 'seed=2, ')):
+            self.root.output_of('/usr/bin/python3', '-c', f"""
+import rva
+rva.simulate('/usr/share/rva/scenes/three-tools.yaml', '/tmp/{name}', {debris}frames=4, supersampling=1)
+""")
+        printed = self.root.output_of('/usr/bin/python3', '-c', """
+import rva
+result = rva.detect('/tmp/before', '/tmp/after')
+print(result)
+""")
+        self.assertRegex(printed, r'(?m)^\d finding\(s\), method calibrated, 4 \+ 4 frames\n  1 added, [0-9.]+ x [0-9.]+ mm')
+
+
 class Service(Installed):
     def serve(self, configuration):
         """Starts what the service starts, as its user, with a configuration with which it cannot run."""

@@ -13,7 +13,8 @@ import copied_root
 import installed
 import packages
 
-CASES = (contents.Contents, contents.BadInput, installed.Life, installed.LifeWithoutRecords, installed.Service)
+CASES = (contents.Contents, contents.BadInput, installed.Life, installed.LifeWithoutRecords, installed.PythonModule,
+         installed.Service)
 SKIPPED = 77
 
 

@@ -7,7 +7,7 @@ import tempfile
 
 from processes import output_of, run
 
-NAMES = ('librva-dev', 'rva', 'rva-server')
+NAMES = ('librva-dev', 'python3-rva', 'rva', 'rva-server')
 FAST_NOT_SMALL = {'DPKG_DEB_COMPRESSOR_TYPE': 'gzip', 'DPKG_DEB_COMPRESSOR_LEVEL': '1'}
 FAST = os.environ | FAST_NOT_SMALL
 TOOLS = ('dh', 'dpkg-shlibdeps', 'help2man', 'lintian')  # with all of them, script/package downloads nothing
