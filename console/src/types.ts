@@ -317,6 +317,8 @@ export interface InspectionSummary {
   compared_at?: Moment;
   /** Missing until the inspection is closed. */
   closing?: Closing;
+  /** In lists: there is a signed package. Missing otherwise. */
+  has_signature?: true;
 }
 
 /** What a comparison showed, also after later ones. */

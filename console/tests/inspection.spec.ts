@@ -161,7 +161,7 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await expect(page.getByTestId('signed')).toContainText('signed/000001-1');
 
   await page.getByTestId('home').click();
-  await expect(page.getByTestId('open-1')).toContainText('Closed');
+  await expect(page.getByTestId('open-1')).toContainText('Closed, signed');
 });
 
 test('a baseline of four captures is compared with itself, and nobody has to wait for it', async ({ page }) => {

@@ -108,12 +108,33 @@ void add_remarks(const Inspection& inspection, std::vector<Event>& events) {
          Content::text(fmt::format("Kept snapshot {}: ", snapshot.number)) + Content::typed(snapshot.note)});
 }
 
+// Items that a person took in at once are one row.
+void add_items(const Inspection& inspection, std::vector<Event>& events) {
+  std::map<std::pair<std::string, std::string>, std::size_t> taken;
+  for (const CheckedOutItem& item : inspection.items) {
+    ++taken[{item.taken_at, item.person}];
+    for (const ItemStatement& statement : item.statements) {
+      Content text =
+          Content::text(fmt::format("Item {} of the check-out list, ", item.number)) +
+          Content::typed(item.item.name) +
+          Content::text(fmt::format(": {} returned, {} used or installed, {} lost{}", statement.returned,
+                                    statement.used, statement.lost, statement.released ? ", released" : ""));
+      if (!statement.note.empty()) text += Content::text(", ") + Content::typed(statement.note);
+      events.push_back({statement.stated_at, statement.person, text});
+    }
+  }
+  for (const auto& [key, count] : taken)
+    events.push_back({key.first, key.second,
+                      Content::text(counted(count, "item", "items") + " listed as taken into the bay")});
+}
+
 std::vector<Event> events_of(const InspectionHistory& history) {
   const Inspection& inspection = history.inspection;
   std::vector<Event> events{
       {inspection.created_at, inspection.order.person, Content::text("Inspection begun")}};
   add_captures(history, events);
   add_remarks(inspection, events);
+  add_items(inspection, events);
   for (const SameDecisions& same : same_decisions(history))
     events.push_back({same.decision->decided_at, same.decision->person, text_of(same)});
   if (const auto& closing = inspection.closing) {

@@ -90,6 +90,7 @@ Content verdict(const InspectionHistory& history, const Content& body) {
 ReportDocument report_on(const InspectionHistory& history, const InspectionFolder& folder) {
   Content body = coverage_section(history, folder);
   body += findings_section(history, folder);
+  body += items_section(history.inspection);
   body += events_section(history);
   body += settings_section(history, folder);
   body += checksums_section(history, folder);

@@ -18,6 +18,9 @@ namespace rva {
 /// decision, by whom.
 [[nodiscard]] Content findings_section(const InspectionHistory& history, const InspectionFolder& folder);
 
+/// The check-out list, with what became of each item. Nothing where there is no list.
+[[nodiscard]] Content items_section(const Inspection& inspection);
+
 /// The actions of each person with their times. Decisions on several findings at once are one row; those that
 /// were superseded are there, too.
 [[nodiscard]] Content events_section(const InspectionHistory& history);

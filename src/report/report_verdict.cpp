@@ -65,6 +65,11 @@ std::string unfinished_sentence(const Inspection& inspection) {
   }
   const VerdictCounts counts = counts_now(inspection);
   const std::size_t open = counts.undecided + counts.debris;
+  const std::size_t items =
+      count_in(inspection.items, ItemState::out) + count_in(inspection.items, ItemState::lost);
+  if (open == 0 && items > 0)
+    return fmt::format("Not finished: {} not accounted for",
+                       counted(items, "item of the check-out list is", "items of the check-out list are"));
   return open == 0 ? "Not finished: everything is decided, but nobody has closed the inspection"
                    : fmt::format("Not finished: {} of {} {} not settled", open,
                                  counted(counts.all(), "finding", "findings"), open == 1 ? "is" : "are");
@@ -94,6 +99,10 @@ StatedOutcome closed_outcome(const InspectionHistory& history) {
             fmt::format("{} not be reached in an earlier round, and the last captures do not show {}",
                         counted(gone, "piece of debris could", "pieces of debris could"),
                         gone == 1 ? "it" : "them")};
+  if (const std::size_t lost = count_in(inspection.items, ItemState::released); lost > 0)
+    return {Outcome::not_shown,
+            fmt::format("{} lost, and may be in the bay",
+                        counted(lost, "item of the check-out list is", "items of the check-out list are"))};
   if (least_judged(inspection).value_or(0.0) < least_inspected)
     return {Outcome::too_little, "No debris was left where it was inspected, but most of a view was not"};
   return {Outcome::clear, "No debris remains in what was inspected"};

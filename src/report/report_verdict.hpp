@@ -11,7 +11,7 @@ namespace rva {
 enum class Outcome {
   unfinished,   ///< not closed: nothing is stated yet
   debris_left,  ///< closed, with debris that cannot be reached
-  not_shown,    ///< closed, with debris of which no captures show that it is gone
+  not_shown,    ///< closed, with debris of which no captures show that it is gone, or with a lost item
   too_little,   ///< closed, with less than half of a view inspected
   clear,        ///< closed, with nothing that is debris in the last captures
 };

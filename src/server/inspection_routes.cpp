@@ -2,6 +2,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <set>
 
 #include "core/json_object.hpp"
 #include "core/path_text.hpp"
@@ -71,9 +72,12 @@ InspectionFilter filter_in(const QueryValues& query) {
 
 ApiResponse Api::list_inspections(const Call& call) const {
   Json list = Json::array();
+  const std::set<std::int64_t> signed_ones = signed_inspections(parts_.inspector.data());
   for (const InspectionSummary& summary :
-       parts_.inspector.summaries(filter_in(query_values(call.request.query))))
+       parts_.inspector.summaries(filter_in(query_values(call.request.query)))) {
     list.push_back(json_of(summary));
+    if (signed_ones.contains(summary.id)) list.back()["has_signature"] = true;
+  }
   return json_answer({{"inspections", list}});
 }
 

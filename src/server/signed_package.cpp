@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 
 #include "audit/envelope.hpp"
@@ -15,6 +16,7 @@
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "core/remains.hpp"
+#include "inspect/inspection_folder.hpp"
 #include "server/inspection_export.hpp"
 
 namespace fs = std::filesystem;
@@ -91,6 +93,20 @@ std::vector<SignedPackage> signed_packages(const fs::path& data, std::int64_t id
   for (int number = 1; is_there(package_folder(data, id, number)); ++number)
     packages.push_back(described(data, package_folder(data, id, number)));
   return packages;
+}
+
+std::set<std::int64_t> signed_inspections(const fs::path& data) {
+  std::set<std::int64_t> signed_ones;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(data / signed_folder, failure)) {
+    const std::string name = entry.path().filename();
+    const std::size_t dash = name.find('-');
+    const std::optional<std::int64_t> id = InspectionFolder::number_in(name.substr(0, dash));
+    const bool is_package =
+        dash != name.npos && InspectionFolder::number_in(name.substr(dash + 1)).has_value();
+    if (id && is_package) signed_ones.insert(*id);
+  }
+  return signed_ones;
 }
 
 std::vector<std::string> remove_incomplete_packages(const fs::path& data) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct SignedPackage {
 
 /// The signed packages of an inspection in DATA/signed, in their order.
 [[nodiscard]] std::vector<SignedPackage> signed_packages(const std::filesystem::path& data, std::int64_t id);
+
+/// The inspections that have signed packages in DATA/signed, by the names of the packages alone.
+[[nodiscard]] std::set<std::int64_t> signed_inspections(const std::filesystem::path& data);
 
 /// Removes packages in DATA/signed that were incomplete when the program was stopped. Call this before
 /// anything else uses the folder.

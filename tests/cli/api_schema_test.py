@@ -303,6 +303,7 @@ class ApiSchemaTest(ReadElsewhere, program.ProgramTest):
         package, = self.get('inspections/1', 'Inspection')['signed']
         self.assertEqual([key.split('+')[0] for key in package['signers']], ['ida', 'max'])
         self.assertEqual(len(self.get('keys', 'KeyList')['keys']), 3)
+        self.assertTrue(self.get('inspections', 'InspectionList')['inspections'][-1]['has_signature'])
         self.succeed('inspection', 'verify', self.folder / 'data' / package['folder'], '--log', self.folder / 'data/log')
 
     def sign_in(self):

@@ -160,6 +160,18 @@ class Signing(program.ProgramTest):
         self.assertFalse((self.data / 'signed').exists())
         self.assertFalse((self.data / 'log').exists())
 
+    def test_only_an_inspector_releases_what_is_lost(self):
+        operator, inspector = self.sign_in('max'), self.sign_in('ida weber')
+        items = '/api/inspections/4/items'
+        self.assertEqual(ask(self.address, 'POST', items, {'csv': 'item\nwrench\n'}, cookie=operator)[0], 201)
+        lost = {'returned': 0, 'used': 0, 'lost': 1, 'released': False, 'note': ''}
+        self.assertEqual(ask(self.address, 'POST', f'{items}/1', lost, cookie=operator)[0], 200)
+        released = {**lost, 'released': True, 'note': 'fell outside'}
+        self.assertEqual(ask(self.address, 'POST', f'{items}/1', released, cookie=operator)[0], 403)
+        status, after = ask(self.address, 'POST', f'{items}/1', released, cookie=inspector)
+        self.assertEqual((status, after['items'][0]['state']), (200, 'released'))
+        self.assertEqual([statement['person'] for statement in after['items'][0]['statements']], ['max', 'ida weber'])
+
     def test_a_log_of_another_key_is_left_alone(self):
         self.succeed('key', 'create', 'example.com/other', '--out', self.folder / 'other.key', '--no-password')
         self.succeed('inspection', 'export', '--data', self.data, '--inspection', 3, '--key', self.folder / 'other.key', '--out', self.out)

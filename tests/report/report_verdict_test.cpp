@@ -68,6 +68,30 @@ TEST(ReportVerdict, NothingIsStatedBeforeAnInspectionIsClosed) {
   EXPECT_EQ(verdict_on(history).sentence, "Not finished: the bay was not compared with its latest captures");
 }
 
+// A tool that is lost may be in the bay, whatever the pictures show.
+TEST(ReportVerdict, ALostItemIsNoClearBay) {
+  InspectionHistory history = reviewed({});
+  CheckedOutItem wrench{
+      .number = 1, .item = {"wrench", "T-12", 1}, .person = "Ann", .taken_at = noon, .statements = {}};
+  history.inspection.items = {wrench};
+  EXPECT_EQ(verdict_on(history).sentence, "Not finished: 1 item of the check-out list is not accounted for");
+  ItemStatement statement{.returned = 0,
+                          .used = 0,
+                          .lost = 1,
+                          .released = true,
+                          .note = "why",
+                          .person = "Ida",
+                          .stated_at = noon};
+  history.inspection.items[0].statements = {statement};
+  EXPECT_EQ(verdict_on(closed(history)).outcome, Outcome::not_shown);
+  EXPECT_EQ(verdict_on(closed(history)).sentence,
+            "1 item of the check-out list is lost, and may be in the bay");
+  statement = {
+      .returned = 1, .used = 0, .lost = 0, .released = false, .note = "", .person = "Ida", .stated_at = noon};
+  history.inspection.items[0].statements.push_back(statement);
+  EXPECT_EQ(verdict_on(closed(history)).outcome, Outcome::clear);
+}
+
 TEST(ReportVerdict, DebrisThatWasRemovedBeforeTheLastCapturesIsCounted) {
   // Two findings of one object, in two views, count once.
   const auto history = closed(reviewed(

@@ -112,7 +112,7 @@ function Entry({ inspection, mayDelete }: { inspection: InspectionSummary; mayDe
       <button type="button" class="row" data-testid={`open-${inspection.id}`} onClick={() => void attempt(() => open(inspection.id))}>
         <strong>{titleOf(inspection)}</strong>
         <span>
-          {words.inspection.stages[inspection.stage]}
+          {inspection.has_signature ? words.inspection.signedStage : words.inspection.stages[inspection.stage]}
           {inspection.undecided_count > 0 && ` · ${words.inspection.toDecide(inspection.undecided_count)}`}
         </span>
         <small>

@@ -315,6 +315,7 @@ export const de: Words = {
     search: 'Suchen',
     searchHelp: 'Wörter, eine Nummer oder ein Name',
     showPicture: 'Als Bild zeigen',
+    signedStage: 'Abgeschlossen, unterschrieben',
     signing: 'Unterschreiben',
     simulate: 'Arbeit simulieren',
     simulated: 'Diese Bay ist simuliert: Mit der Taste wird die Arbeit ausgeführt.',

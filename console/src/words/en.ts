@@ -322,6 +322,7 @@ export const en = {
     search: 'Search',
     searchHelp: 'Words, a number or a name',
     showPicture: 'Show it as a picture',
+    signedStage: 'Closed, signed',
     signing: 'Signing',
     simulate: 'Simulate the work',
     simulated: 'This bay is simulated: press the button to have the work done.',
