@@ -68,6 +68,8 @@ void add_verify_command(CLI::App& inspection);
 void add_report_command(CLI::App& inspection);
 /// Adds `rerun` to the command `inspection`.
 void add_rerun_command(CLI::App& inspection);
+/// Adds `actions` to the command `inspection`.
+void add_actions_command(CLI::App& inspection);
 /// Adds `trends` to the command `inspection`.
 void add_trends_command(CLI::App& inspection);
 /// Adds `list` to the command `inspection`.

@@ -96,6 +96,7 @@ void add_inspection_command(CLI::App& program) {
   add_verify_command(command);
   add_report_command(command);
   add_inspection_list_command(command);
+  add_actions_command(command);
   add_rerun_command(command);
   add_trends_command(command);
 }

@@ -31,6 +31,12 @@ Content row_of(const std::vector<Content>& cells, PartRole role) {
 
 }  // namespace
 
+std::string words_of(const Content& content) {
+  std::string words;
+  for (const ReportPart& part : content.parts()) words += part.words + words_of(part.inside);
+  return words;
+}
+
 Content Content::text(std::string_view words) {
   Content content;
   content.append({.role = PartRole::text, .words = shown_text(words), .picture = {}, .inside = {}});

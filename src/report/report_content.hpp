@@ -116,6 +116,9 @@ struct ReportTable {
 /// How many parts of a role there are, at any depth.
 [[nodiscard]] std::size_t count_of(PartRole role, const Content& content);
 
+/// The words of all parts, one after another.
+[[nodiscard]] std::string words_of(const Content& content);
+
 /// Text that any document may contain: bytes that are not UTF-8, control characters but tab and line feed,
 /// and what is no character become U+FFFD.
 [[nodiscard]] std::string shown_text(std::string_view words);

@@ -100,6 +100,11 @@ class Signing(program.ProgramTest):
         self.assertEqual([key.split('+')[0] for key in package['signers']], ['max', 'ida_weber'])
         report = self.verify(self.data / package['folder'])
         self.assertIn('ida_weber', report)
+        done = self.succeed('inspection', 'actions', '--data', self.data, '--person', 'ida weber').stdout.splitlines()
+        self.assertEqual([line.split(',')[1:3] + line.split(',')[-1:] for line in done[1:]], [['ida_weber', '3', 'Signed signed/000003-1']])
+        everybody = self.succeed('inspection', 'actions', '--data', self.data).stdout
+        for action in ('Ann,3,N1,bay,W1,Inspection begun', 'Ann,4,N1,bay,W1,Baseline captured', 'Ann,3,N1,bay,W1,Inspection closed', 'max,3,N1'):
+            self.assertIn(action, everybody)
         published = ask(self.address, 'GET', '/api/keys', cookie=cookie)[1]['keys']
         self.assertEqual(published[0], (self.data / 'keys/log.key.pub').read_text().strip())
         self.assertLessEqual(set(package['signers']), set(published))
