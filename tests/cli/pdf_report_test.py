@@ -112,6 +112,8 @@ class PdfReport(program.ProgramTest):
         text = re.sub(r'\s', '', output_of('pdftotext', self.pdf, '-').stdout)
         for part in ('Zoë', '東京', LONG, 'secondline<b>&', 'Page1of'):
             self.assertIn(part, text)
+        self.assertGreaterEqual(text.count(',2026-01-0110:00UTC'), 1, 'words from right to left affect nothing after them')
+        self.assertNotIn('CTU', text)
 
     def test_a_note_longer_than_a_page_is_continued(self):
         self.written(closing_note='\n'.join(f'line {k}.' for k in range(200)))

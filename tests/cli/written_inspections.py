@@ -37,7 +37,6 @@ def write_inspection(data, number, findings=0, aircraft='N123AB', zone='Left win
             database.execute('insert into view values (?, ?, 0, ?)', (number, view, 5 * view))
         for k, count in enumerate(rounds, 1):
             folder = data / 'inspections' / f'{number:06}' / f'comparison-{k}'
-            database.execute("insert into side values (?, 'final', ?, ?, ?, 'b')", (number, k, BEGUN, person))
             database.execute('insert into comparison values (?, ?, ?, ?, ?)', (number, k, COMPARED, folder.name, k))
             for view in range(views):
                 write_pictures(folder / 'results' / f'{view:03}', view)

@@ -220,6 +220,8 @@ std::vector<Box> boxes_of(const Content& content, const Setting& setting) {
       continue;
     }
     end_line();
+    // A heading that is followed by another one, such as that of a round without findings, is complete.
+    if (part.role == PartRole::heading && !boxes.empty()) boxes.back().keeps_with_next = false;
     std::ranges::move(part_boxes(part, setting), std::back_inserter(boxes));
   }
   end_line();

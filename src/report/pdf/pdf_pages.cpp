@@ -16,9 +16,11 @@ class Pages {
   void place_together(std::span<const Box> boxes) {
     double needed_pt = 0.0;
     for (const Box& box : boxes) needed_pt += distance(box) + box.height_pt;
-    if (!is_begun() || needed_pt <= room_pt()) return place_each(boxes);
-    begin_page();
-    place_each(boxes);
+    // What no page has room for begins here, unless little of it would.
+    constexpr double little = 0.25;
+    const bool is_divided = needed_pt > height_pt_ && room_pt() > little * height_pt_;
+    if (is_begun() && needed_pt > room_pt() && !is_divided) begin_page();
+    for (const Box& box : boxes) place(box);
   }
 
   [[nodiscard]] std::vector<Page> taken() && { return std::move(pages_); }
@@ -31,10 +33,6 @@ class Pages {
   void begin_page() {
     pages_.emplace_back();
     used_pt_ = 0.0;
-  }
-
-  void place_each(std::span<const Box> boxes) {
-    for (const Box& box : boxes) place(box);
   }
 
   void put(const Box& box) {

@@ -44,21 +44,29 @@ cairo_status_t append(void* file, const unsigned char* bytes, unsigned int count
   return CAIRO_STATUS_SUCCESS;
 }
 
-// Without a time that it understands, cairo states the present one.
-std::string stated_time(const std::string& iso_8601) {
-  constexpr std::size_t seconds = 19;
-  return (ns_since_1970(iso_8601) ? iso_8601.substr(0, seconds) : "1970-01-01T00:00:00") + "Z";
+std::string stated_time(const ReportDocument& report) {
+  return ns_since_1970(report.last_action_at) ? report.last_action_at : "1970-01-01T00:00:00.000Z";
 }
 
-void set_metadata(cairo_surface_t* surface, const ReportDocument& report) {
-  const auto set = [&](cairo_pdf_metadata_t which, const std::string& text) {
-    cairo_pdf_surface_set_metadata(surface, which, text.c_str());
-  };
-  set(CAIRO_PDF_METADATA_TITLE, shown_text(report.title + " · inspection report"));
-  set(CAIRO_PDF_METADATA_SUBJECT, fmt::format("Inspection {}", report.inspection));
-  set(CAIRO_PDF_METADATA_CREATOR, program_text());
-  set(CAIRO_PDF_METADATA_CREATE_DATE, stated_time(report.last_action_at));
-  set(CAIRO_PDF_METADATA_MOD_DATE, stated_time(report.last_action_at));
+// Without a time, cairo would state the present one; some versions write it in a form that is none of PDF, so
+// all of the metadata is replaced afterwards.
+void state_time(cairo_surface_t* surface, const std::string& time) {
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, time.c_str());
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_MOD_DATE, time.c_str());
+}
+
+std::string with_metadata(std::string file, const ReportDocument& report) {
+  pdf::PdfUpdate update(std::move(file));
+  const std::string time = pdf::time_string(stated_time(report));
+  update.replace(
+      update.info(),
+      fmt::format("<< /Title {} /Subject {} /Creator {} /Producer {} /CreationDate {} /ModDate {} >>",
+                  pdf::text_string(shown_text(report.title + " · inspection report")),
+                  pdf::text_string(fmt::format("Inspection {}", report.inspection)),
+                  pdf::text_string(program_text()),
+                  pdf::text_string(fmt::format("cairo {}", cairo_version_string())), time, time));
+  update.extend(update.catalog(), "/Lang (en) /ViewerPreferences << /DisplayDocTitle true >>");
+  return std::move(update).finished();
 }
 
 // The foot follows what is before it to the next page, so that it is not alone there.
@@ -108,7 +116,7 @@ std::string drawn(const ReportDocument& report, const Sheet& sheet, const std::v
       cairo_surface_destroy);
   // Later versions may compress the cross-reference table, which an update has to read.
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
-  set_metadata(surface.get(), report);
+  state_time(surface.get(), stated_time(report));
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(surface.get()), cairo_destroy);
   for (std::size_t k = 0; k < pages.size(); ++k)
     draw_page(cairo.get(), sheet, pages[k], fmt::format("Page {} of {}", k + 1, pages.size()));
@@ -127,9 +135,7 @@ std::string pdf_report(const ReportDocument& report, Paper paper) {
   const Sheet sheet{size_of(paper), text, name};
   const std::vector<pdf::Page> pages =
       pdf::pages_of(boxes_of_report(report, {&text, sheet.width_pt(), {}}), sheet.height_pt());
-  pdf::PdfUpdate update(drawn(report, sheet, pages));
-  update.extend(update.catalog(), "/Lang (en) /ViewerPreferences << /DisplayDocTitle true >>");
-  return std::move(update).finished();
+  return with_metadata(drawn(report, sheet, pages), report);
 }
 
 }  // namespace rva

@@ -1,15 +1,12 @@
 #include "report/pdf/pdf_signature.hpp"
 
 #include <fmt/format.h>
-#include <utf8.h>
 
 #include <cstddef>
-#include <iterator>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "audit/digest.hpp"
-#include "core/date_time.hpp"
 #include "core/error.hpp"
 #include "report/pdf/cades_signature.hpp"
 #include "report/pdf/pdf_update.hpp"
@@ -20,23 +17,6 @@ namespace {
 constexpr std::string_view contents_key = "/Contents <";
 constexpr std::string_view range_key = "/ByteRange [";
 constexpr std::string_view unknown_range = "0 0000000000 0000000000 0000000000";
-
-// A text string of PDF in UTF-16, as hexadecimal digits, so that a name cannot end it.
-std::string pdf_text_string(const std::string& utf8) {
-  std::u16string utf16;
-  utf8::utf8to16(utf8.begin(), utf8.end(), std::back_inserter(utf16));
-  std::string text = "<FEFF";
-  for (const char16_t unit : utf16) text += fmt::format("{:04X}", static_cast<unsigned>(unit));
-  return text + ">";
-}
-
-// "D:20260101120000Z" of "2026-01-01T12:00:00.000Z".
-std::string pdf_time(const std::string& iso_8601) {
-  std::string digits;
-  for (const char character : iso_8601.substr(0, 19))
-    if (character >= '0' && character <= '9') digits += character;
-  return fmt::format("(D:{}Z)", digits);
-}
 
 std::size_t encoded_size(X509* certificate) {
   return static_cast<std::size_t>(i2d_X509(certificate, nullptr));
@@ -55,8 +35,8 @@ std::size_t most_bytes(const SigningCertificate& certificate) {
 std::string signature_dictionary(const SigningCertificate& certificate, const std::string& signed_at) {
   return fmt::format(
       "<< /Type /Sig /Filter /Adobe.PPKLite /SubFilter /ETSI.CAdES.detached /M {} /Name {}\n{}{}]\n{}{}> >>",
-      pdf_time(signed_at), pdf_text_string(owner_of(certificate)), range_key, unknown_range, contents_key,
-      std::string(2 * most_bytes(certificate), '0'));
+      pdf::time_string(signed_at), pdf::text_string(owner_of(certificate)), range_key, unknown_range,
+      contents_key, std::string(2 * most_bytes(certificate), '0'));
 }
 
 std::string with_field(const std::string& pdf, const SigningCertificate& certificate,

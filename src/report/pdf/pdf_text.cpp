@@ -17,33 +17,56 @@ constexpr const char* family = "Liberation Sans, DejaVu Sans, Noto Sans, sans-se
 constexpr const char* code_family = "DejaVu Sans Mono, Liberation Mono, monospace";
 constexpr double code_size = 7.0 / 8.0;  // of the words around it: its letters are large
 
-constexpr char32_t first_isolate = 0x2066;  // left-to-right, right-to-left, first strong
-constexpr char32_t last_isolate = 0x2068;
-constexpr char32_t end_of_isolate = 0x2069;
-
 template <typename Object>
 std::shared_ptr<Object> owned(Object* object) {
   return {object, [](Object* unused) { g_object_unref(unused); }};
 }
 
-// The direction of writing of a person's words must not affect what follows them: they are isolated, and what
-// they contain cannot end that.
-std::string isolated(std::string_view words) {
-  std::string text;
-  const auto add = [&](char32_t character) { utf8::append(character, std::back_inserter(text)); };
-  add(last_isolate);
-  int open = 0;
-  for (auto at = words.begin(); at != words.end();) {
-    const auto character = static_cast<char32_t>(utf8::next(at, words.end()));
-    if (character == end_of_isolate && open == 0) continue;
-    if (character >= first_isolate && character <= last_isolate) ++open;
-    if (character == end_of_isolate) --open;
-    add(character);
+/// A person's words, isolated: their direction of writing must not affect what follows, and what they contain
+/// cannot end that. Each line is isolated anew, since a line break ends all isolates.
+class Isolated {
+ public:
+  explicit Isolated(std::string_view words) {
+    begin_line();
+    for (auto at = words.begin(); at != words.end();) add(static_cast<char32_t>(utf8::next(at, words.end())));
+    end_line();
   }
-  for (; open > 0; --open) add(end_of_isolate);
-  add(end_of_isolate);
-  return text;
-}
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  static constexpr char32_t first_isolate = 0x2066;  // left-to-right, right-to-left, first strong
+  static constexpr char32_t last_isolate = 0x2068;
+  static constexpr char32_t end_of_isolate = 0x2069;
+  static constexpr char32_t end_of_paragraph = 0x2029;
+
+  void put(char32_t character) { utf8::append(character, std::back_inserter(text_)); }
+
+  void begin_line() {
+    put(last_isolate);
+    open_ = 1;
+  }
+
+  void end_line() {
+    for (; open_ > 0; --open_) put(end_of_isolate);
+  }
+
+  void add(char32_t character) {
+    if (character == '\n' || character == end_of_paragraph) {
+      end_line();
+      put('\n');
+      begin_line();
+      return;
+    }
+    if (character == end_of_isolate && open_ == 1) return;
+    if (character >= first_isolate && character <= last_isolate) ++open_;
+    if (character == end_of_isolate) --open_;
+    put(character);
+  }
+
+  std::string text_;
+  int open_ = 0;
+};
 
 /// Text with its attributes while it grows.
 class StyledText {
@@ -70,7 +93,7 @@ class StyledText {
   void add(const ReportPart& part) {
     const std::size_t start = text_.size();
     if (part.role == PartRole::text) text_ += part.words;
-    if (part.role == PartRole::typed) text_ += isolated(part.words);
+    if (part.role == PartRole::typed) text_ += Isolated(part.words).text();
     add(part.inside);
     if (part.role == PartRole::strong) add_from(start, pango_attr_weight_new(PANGO_WEIGHT_BOLD));
     if (part.role != PartRole::code) return;

@@ -1,8 +1,10 @@
 #include "report/pdf/pdf_update.hpp"
 
 #include <fmt/format.h>
+#include <utf8.h>
 
 #include <charconv>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -29,6 +31,22 @@ std::size_t number_after(std::string_view text, std::string_view key) {
 }
 
 }  // namespace
+
+std::string text_string(const std::string& utf8) {
+  std::u16string utf16;
+  utf8::utf8to16(utf8.begin(), utf8.end(), std::back_inserter(utf16));
+  std::string text = "<FEFF";
+  for (const char16_t unit : utf16) text += fmt::format("{:04X}", static_cast<unsigned>(unit));
+  return text + ">";
+}
+
+std::string time_string(const std::string& iso_8601) {
+  constexpr std::size_t seconds = 19;
+  std::string digits;
+  for (const char character : iso_8601.substr(0, seconds))
+    if (character >= '0' && character <= '9') digits += character;
+  return fmt::format("(D:{}Z)", digits);
+}
 
 PdfUpdate::PdfUpdate(std::string file) : file_(std::move(file)) {
   constexpr std::string_view key = "startxref";

@@ -8,6 +8,12 @@
 
 namespace rva::pdf {
 
+/// A text string in UTF-16, as hexadecimal digits, so that no text can end it. @param utf8 well-formed
+[[nodiscard]] std::string text_string(const std::string& utf8);
+
+/// The date "(D:20260101120000Z)" of "2026-01-01T12:00:00.000Z".
+[[nodiscard]] std::string time_string(const std::string& iso_8601);
+
 /// An incremental update (ISO 32000-1, section 7.5.6) of a file of this program.
 class PdfUpdate {
  public:
@@ -17,10 +23,14 @@ class PdfUpdate {
 
   /// The numbers of objects.
   [[nodiscard]] int catalog() const { return catalog_; }
+  [[nodiscard]] int info() const { return info_; }
   [[nodiscard]] int first_page() const;  ///< @throws Error when the file names none
 
   /// Adds an object. @return its number
   int add(const std::string& content);
+
+  /// Puts another object in the place of one.
+  void replace(int object, const std::string& content) { changed_[object] = content; }
 
   /// Adds entries to an object that is a dictionary, which must not have them.
   void extend(int object, const std::string& entries);
