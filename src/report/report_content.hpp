@@ -81,7 +81,6 @@ class Content {
   /// Adds a part.
   void append(ReportPart part);
   Content& operator+=(const Content& more);
-  [[nodiscard]] friend Content operator+(Content first, const Content& second) { return first += second; }
 
   [[nodiscard]] const std::vector<ReportPart>& parts() const { return parts_; }
   [[nodiscard]] bool empty() const { return parts_.empty(); }
@@ -104,6 +103,9 @@ struct ReportPart {
   JpegPicture picture{};  ///< of PartRole::picture
   Content inside{};       ///< of all other roles
 };
+
+/// Parts of one, then those of the other.
+[[nodiscard]] inline Content operator+(Content first, const Content& second) { return first += second; }
 
 /// A table with a head.
 struct ReportTable {
