@@ -54,9 +54,11 @@ void require_writable(const ReportArguments& arguments, const std::string& file)
   require_outside(file, arguments.data);
 }
 
-void require_one_format(const ReportArguments& arguments) {
+void require_formats(const ReportArguments& arguments) {
   if (arguments.out.empty() && arguments.pdf.empty())
     throw UsageError("rva inspection report", "has nothing to write", "give --out, --pdf or both");
+  if (fs::path(arguments.out).lexically_normal() == fs::path(arguments.pdf).lexically_normal())
+    throw UsageError(printable(arguments.out), "cannot be the HTML and the PDF file", "give them two names");
 }
 
 // The first line of the file, or what is typed.
@@ -78,7 +80,7 @@ std::optional<SigningCertificate> certificate_for(const ReportArguments& argumen
 }
 
 void write_report(const ReportArguments& arguments) {
-  require_one_format(arguments);
+  require_formats(arguments);
   require_writable(arguments, arguments.out);
   require_writable(arguments, arguments.pdf);
   const std::string made_at = time_of_making();

@@ -131,7 +131,7 @@ class PdfReport(program.ProgramTest):
         self.check_fails(*command, '--pdf', self.folder / 'none' / 'report.pdf', names=['none'])
         self.check_fails(*command, '--pdf', self.data / 'rva.db', '--overwrite', names=['is in the folder of the inspections'])
         self.assertEqual(self.pdf.read_bytes(), before)
-        for wrong in ((), ('--out', 'a.html', '--paper', 'letter'), ('--pdf', 'a.pdf', '--paper', 'a5'),
+        for wrong in ((), ('--out', 'a', '--pdf', './a'), ('--out', 'a.html', '--paper', 'letter'), ('--pdf', 'a.pdf', '--paper', 'a5'),
                       ('--out', 'a.html', '--sign-with', 'shop.p12'), ('--pdf', 'a.pdf', '--passphrase-file', 'x')):
             self.assertEqual(self.rva(*command, *wrong).returncode, 2, wrong)
 
