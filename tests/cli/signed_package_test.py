@@ -95,12 +95,12 @@ class SignedPackage(program.ProgramTest):
         for part in ('inspection: 3', 'N1 \u2713', 'example.com/ann+', 'example.com/bob+', 'record 1 of 1', 'example.com/log+'):
             self.assertIn(part, text)
         stated = json.loads(self.succeed('inspection', 'verify', self.folder / 'second', '--json', *log).stdout)
-        self.assertEqual((stated['verified'], stated['log']['index'], stated['log']['size'], stated['files']), (True, 1, 2, 5))
+        self.assertEqual((stated['verified'], stated['log']['index'], stated['log']['size'], stated['files']), (True, 1, 2, 6))
         self.assertEqual(stated['compared_with'], {'keys': False, 'log': True, 'checkpoint': False})
 
     def test_sha256sum_accepts_the_manifests(self):
         self.sign(self.package)
-        for manifest, count in (('manifest-sha256.txt', 5), ('tagmanifest-sha256.txt', 7)):
+        for manifest, count in (('manifest-sha256.txt', 6), ('tagmanifest-sha256.txt', 7)):
             done = subprocess.run(['sha256sum', '--check', '--strict', manifest], cwd=self.package, capture_output=True, text=True,
                                   check=True)
             self.assertEqual(done.stdout.count(': OK'), count)
@@ -119,7 +119,7 @@ class SignedPackage(program.ProgramTest):
     def test_every_damaged_copy_is_refused(self):
         self.sign(self.package)
         files = [path.relative_to(self.package) for path in sorted(self.package.rglob('*')) if path.is_file()]
-        self.assertEqual(len(files), 13)
+        self.assertEqual(len(files), 14)
         for file in files:
             for at in (0, 0.4, 1):
                 self.check_refused(self.damaged(lambda copy: flip_bit(copy / file, at)))
