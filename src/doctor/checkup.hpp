@@ -19,6 +19,7 @@ enum class CheckState {
   failed,     ///< it does not work
   not_tried,  ///< it does not apply, or an earlier check failed
 };
+/// The names that JSON and the printed list use.
 template <>
 inline constexpr auto enum_names<CheckState> = std::to_array<EnumName<CheckState>>({
     {CheckState::ok, "ok"},

@@ -219,6 +219,11 @@ std::string address_of(const beast::tcp_stream& stream) {
   return asio::ip::address_v6(bytes).to_string();
 }
 
+bool is_refused_sign_in(const Request& request, const Response& response) {
+  return request.target() == "/api/sign-in" && (response.result() == http::status::unauthorized ||
+                                                response.result() == http::status::too_many_requests);
+}
+
 // @return empty when the connection has become a WebSocket, and ended
 template <typename Stream>
 asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& request, SharedState& shared) {
@@ -229,6 +234,7 @@ asio::awaitable<std::optional<Response>> answer(Stream& stream, const Request& r
     const double asked_s = now_s();
     Response response = co_await answer_on_pool(request, caller, shared);
     shared.traffic.add_request(static_cast<int>(response.result_int()), now_s() - asked_s);
+    if (is_refused_sign_in(request, response)) shared.complaints.add("a sign-in was refused", now_s());
     co_return response;
   }
   const std::variant<Person, ApiResponse> visitor = co_await asio::co_spawn(

@@ -13,17 +13,7 @@
 namespace rva {
 namespace {
 
-// A slow simulated camera takes seconds for a frame.
-constexpr double longest_silence_s = 10.0;
 constexpr double bytes_per_gb = 1e9;
-
-std::string camera_problem(const ServerParts& parts) {
-  const CameraHealth health = parts.camera.health();
-  if (!health.problem.empty()) return health.problem;
-  if (health.silence_s < longest_silence_s) return {};
-  return fmt::format("camera: has given no frame for {:.0f} seconds; check its cable, or connect it again",
-                     health.silence_s);
-}
 
 std::string disk_problem(const ServerParts& parts) {
   const double free_gb = static_cast<double>(space_of(parts.inspector.data()).free_bytes) / bytes_per_gb;
@@ -49,8 +39,16 @@ HealthCheck checked(const std::string& name, const std::function<std::string()>&
 
 }  // namespace
 
+std::string camera_problem(const CameraHealth& health) {
+  constexpr double longest_silence_s = 10.0;  // a slow simulated camera takes seconds for a frame
+  if (!health.problem.empty()) return health.problem;
+  if (health.silence_s < longest_silence_s) return {};
+  return fmt::format("camera: has given no frame for {:.0f} seconds; check its cable, or connect it again",
+                     health.silence_s);
+}
+
 std::vector<HealthCheck> check_health(const ServerParts& parts) {
-  std::vector<HealthCheck> checks{checked("camera", [&] { return camera_problem(parts); })};
+  std::vector<HealthCheck> checks{checked("camera", [&] { return camera_problem(parts.camera.health()); })};
   if (parts.drive != nullptr)
     checks.push_back(checked("robot", [&] { return parts.drive->state().problem; }));
   checks.push_back(checked(

@@ -18,6 +18,9 @@ struct HealthCheck {
 /// All checks, in that order. May be called from any thread. Never throws.
 [[nodiscard]] std::vector<HealthCheck> check_health(const ServerParts& parts);
 
+/// What is wrong with a camera in this state; empty if nothing is.
+[[nodiscard]] std::string camera_problem(const CameraHealth& health);
+
 /// Whether no check has a problem.
 [[nodiscard]] bool is_healthy(const std::vector<HealthCheck>& checks);
 

@@ -126,6 +126,11 @@ class Service(Installed):
         self.assertEqual((done.returncode, done.stderr),
                          (2, 'rva: --camera: is missing; give sim:SCENE, replay:PATH or realsense[:SERIAL]\n'))
 
+    def test_a_misspelt_option(self):
+        done = self.serve(self.configuration() + SIMULATED + 'prot = 8080\n')
+        self.assertEqual(done.returncode, 2, 'the unit does not try again')
+        self.assertIn('prot is not an option of serve', done.stderr)
+
     def test_a_port_in_use(self):
         with socket.socket() as other:
             other.bind(('127.0.0.1', 0))

@@ -47,6 +47,14 @@ TEST(Health, NamesACameraThatIsUnplugged) {
   EXPECT_EQ(Api(served.parts(), false).answer({"GET", "/api/health", "", "", "", "", ""}).status, 503);
 }
 
+TEST(Health, NamesACameraThatIsSilent) {
+  EXPECT_EQ(camera_problem({.frames = 5, .lost = 0, .rate_hz = 30.0, .silence_s = 9.0, .problem = ""}), "");
+  EXPECT_EQ(camera_problem({.frames = 5, .lost = 0, .rate_hz = 30.0, .silence_s = 12.0, .problem = ""}),
+            "camera: has given no frame for 12 seconds; check its cable, or connect it again");
+  EXPECT_EQ(camera_problem({.frames = 0, .lost = 0, .rate_hz = 0.0, .silence_s = 0.0, .problem = "is gone"}),
+            "is gone");
+}
+
 TEST(Health, NamesADataFolderThatIsGone) {
   test::Served served;
   const ServerParts parts = served.parts();
