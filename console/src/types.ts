@@ -317,7 +317,7 @@ export interface InspectionSummary {
   compared_at?: Moment;
   /** Missing until the inspection is closed. */
   closing?: Closing;
-  /** In lists: there is a signed package. Missing otherwise. */
+  /** There is a signed package. Missing otherwise. */
   has_signature?: true;
 }
 

@@ -10,7 +10,9 @@
 #include "audit/digest.hpp"
 #include "core/durability.hpp"
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/path_text.hpp"
+#include "core/remains.hpp"
 
 namespace fs = std::filesystem;
 
@@ -18,6 +20,7 @@ namespace rva {
 namespace {
 
 constexpr const char* log_key_name = "site-log";
+constexpr const char* people_name = "people";
 constexpr std::size_t most_stem_characters = 40;
 
 bool is_ascii_letter_or_digit(char character) {
@@ -41,12 +44,31 @@ std::string file_stem_of(const std::string& person) {
 }
 
 fs::path file_of(const fs::path& folder, const std::string& person, int number) {
-  return folder / "people" / fmt::format("{}{}.key", file_stem_of(person), number);
+  return folder / people_name / fmt::format("{}{}.key", file_stem_of(person), number);
 }
 
 bool is_there(const fs::path& file) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(file, ignored));
+}
+
+// In the order of their names.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure))
+    if (entry.is_regular_file(failure)) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+// Private keys: that of the log first, then those of people.
+std::vector<fs::path> key_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (const fs::path log = SiteKeys::log_key_file(folder); is_there(log)) files.push_back(log);
+  for (const fs::path& file : files_in(folder / people_name))
+    if (file.extension() == ".key") files.push_back(file);
+  return files;
 }
 
 }  // namespace
@@ -78,22 +100,33 @@ SigningKey SiteKeys::key_of(const std::string& person, const std::string& passwo
     // The person has another password now, which opens none of the earlier keys.
   }
   SigningKey key = SigningKey::generate(key_name_of(person));
-  make_folders(folder_ / "people");
+  make_folders(folder_ / people_name);
   write_key_files(file_of(folder_, person, number), key, password, cost_);
   return key;
 }
 
 std::vector<PublicKey> SiteKeys::public_keys() const {
   const std::lock_guard lock(mutex_);
-  std::vector<fs::path> files;
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "people", failure))
-    if (entry.path().extension() == ".key") files.push_back(entry.path());
-  std::ranges::sort(files);
-  if (const fs::path log = log_key_file(folder_); is_there(log)) files.insert(files.begin(), log);
   std::vector<PublicKey> keys;
-  for (const fs::path& file : files) keys.push_back(read_public_key(file));
+  for (const fs::path& file : key_files_in(folder_)) keys.push_back(read_public_key(file));
   return keys;
+}
+
+std::vector<std::string> SiteKeys::repair() {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> done;
+  for (const fs::path& folder : {folder_, folder_ / people_name})
+    for (const fs::path& file : files_in(folder)) {
+      std::error_code failure;
+      if (!is_name_of_remains(file) || !fs::remove(file, failure)) continue;
+      done.push_back(printable(file) + ": removed: it was not complete when the program was stopped");
+    }
+  for (const fs::path& file : key_files_in(folder_)) {
+    if (is_there(public_file_of(file))) continue;
+    replace_file(public_file_of(file), verifier_key(read_public_key(file)) + '\n');
+    done.push_back(printable(public_file_of(file)) + ": written from the private key beside it");
+  }
+  return done;
 }
 
 }  // namespace rva

@@ -42,6 +42,12 @@ class SiteKeys {
   /// @throws Error when a file is damaged
   [[nodiscard]] std::vector<PublicKey> public_keys() const;
 
+  /// Puts in order what a program left that was stopped while it made a key: removes files that are not
+  /// complete, and writes a public half that is missing. Call this before anything else uses the folder.
+  /// @return one sentence for the user for each file
+  /// @throws Error when a key is damaged, or the disk refuses
+  std::vector<std::string> repair();
+
   /// The file of the log's key in a folder of keys.
   [[nodiscard]] static std::filesystem::path log_key_file(const std::filesystem::path& folder) {
     return folder / "log.key";

@@ -75,13 +75,14 @@ void serve(ServeArguments arguments) {
     log_event({EventLevel::warning, "recovered", line});
   for (const std::string& line : remove_incomplete_packages(arguments.data))
     log_event({EventLevel::warning, "recovered", line});
+  SiteKeys keys(std::filesystem::path(arguments.data) / site_keys_name, key_cost);
+  for (const std::string& line : keys.repair()) log_event({EventLevel::warning, "recovered", line});
   LiveCamera camera(std::move(rig.camera));
   const std::unique_ptr<Drive> drive =
       rig.robot ? std::make_unique<Drive>(*rig.robot, arguments.drive) : nullptr;
   Inspector inspector({camera, drive.get(), chain}, records, arguments.data, arguments.inspector);
   Sessions sessions(records);
   Lease lease;
-  SiteKeys keys(std::filesystem::path(arguments.data) / site_keys_name, key_cost);
   const std::unique_ptr<WebServer> server = open_server(
       arguments.server,
       {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure, &keys},

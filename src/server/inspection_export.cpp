@@ -36,7 +36,10 @@ constexpr const char* restore = "restore the data folder from a backup";
 }  // namespace
 
 std::vector<std::string> exported_files() {
-  std::vector<std::string> files{records_file, report_file, pdf_file, "regions/[0-9][0-9][0-9].json",
+  std::vector<std::string> files{records_file,
+                                 report_file,
+                                 pdf_file,
+                                 "regions/[0-9][0-9][0-9].json",
                                  InspectionFolder::marks_name + std::string("/*.png"),
                                  InspectionFolder::snapshots_name + std::string("/*.png")};
   const auto add = [&](const std::string& folder, const std::vector<std::string>& inside) {

@@ -96,6 +96,7 @@ ApiResponse Api::whole_inspection(std::int64_t id, int status) const {
   for (const SignedPackage& package : signed_packages(parts_.inspector.data(), id))
     json["signed"].push_back(
         {{"folder", package.folder}, {"signed_at", package.signed_at}, {"signers", package.signers}});
+  if (json.contains("signed")) json["has_signature"] = true;
   return json_answer(json, status);
 }
 

@@ -83,6 +83,24 @@ TEST_F(SiteKeysTest, DamagedKeysAreReportedAndNotReplaced) {
   EXPECT_NO_THROW(static_cast<void>(keys_.key_of("Bob", password)));
 }
 
+TEST_F(SiteKeysTest, WhatAKilledProgramLeftIsPutInOrder) {
+  const PublicKey ann = keys_.key_of("Ann", password).public_key();
+  const PublicKey log = keys_.log_key().public_key();
+  for (const char* const left :
+       {"log.key.partial-17", "log.key.pub.partial-17", "people/Bob-1.key.partial-3"})
+    write_file(keys_folder_ / left, "half");
+  fs::remove(keys_folder_ / "log.key.pub");
+  EXPECT_EQ(keys_.repair().size(), 4U);
+  EXPECT_EQ(keys_.repair().size(), 0U);
+  EXPECT_EQ(read_public_key(keys_folder_ / "log.key.pub"), log);
+  EXPECT_EQ(keys_.public_keys(), (std::vector{log, ann}));
+  std::size_t files = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(keys_folder_))
+    files += entry.is_regular_file() ? 1U : 0U;
+  EXPECT_EQ(files, 4U);
+  EXPECT_TRUE(SiteKeys(folder_ / "none").repair().empty());
+}
+
 TEST_F(SiteKeysTest, AnEncryptedLogKeyIsRefused) {
   fs::create_directories(keys_folder_);
   write_key_files(keys_folder_ / "log.key", SigningKey::generate("site"), password, cheap);
