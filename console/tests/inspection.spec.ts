@@ -1,6 +1,5 @@
 // A whole inspection, as a person does it who has never seen the console.
 import type { Page } from '@playwright/test';
-import { expectAccessible, expectTouchable } from './accessibility';
 import { angle, begin, expect, expectAtRest, Served, test } from './served';
 
 /** Nothing is wider than the page. */
@@ -117,11 +116,11 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await page.getByTestId('close-form').getByLabel('Your name').fill('Ida');
   await page.getByTestId('close-confirm').click();
   await expect(page.getByTestId('closed')).toContainText('Closed by Ida');
+  await expect(page.getByTestId('closed')).toContainText('Signing needs an account');
   await expect(page.getByTestId('capture-again')).toHaveCount(0);
 
   // The report is a page of its own, with all of its pictures.
   const opened = page.context().waitForEvent('page');
-  await expect(page.getByTestId('pdf-report')).toHaveAttribute('href', '/api/inspections/1/report.pdf');
   await page.getByTestId('report').click();
   const report = await opened;
   await expect(report.locator('.verdict')).toContainText('No debris remains in what was inspected');
@@ -136,32 +135,8 @@ test('from the empty list to the last decision, with a reload and a power cut be
   await page.reload();
   await expect(page.getByTestId('report')).toBeVisible();
 
-  // With accounts, it is signed, with the passwords of both; a wrong one signs nothing.
-  await expect(page.getByTestId('closed')).toContainText('Signing needs an account');
-  served.account('add', 'ida', ['--role', 'inspector'], 'correct horse');
-  served.account('add', 'max', ['--role', 'operator'], 'battery staple');
-  await page.reload();
-  await page.getByLabel('Name').fill('ida');
-  await page.getByLabel('Password').fill('correct horse');
-  await page.getByTestId('sign-in').click();
-  await page.getByTestId('sign').click();
-  const form = page.getByTestId('sign-form');
-  await form.getByLabel('Password of ida').fill('wrong horse');
-  await page.getByTestId('sign-confirm').click();
-  await expect(page.getByRole('alert')).toContainText('name or password is wrong');
-  await form.getByLabel('Password of ida').fill('correct horse');
-  await page.getByTestId('add-signer').click();
-  await expect(page.getByTestId('sign-confirm')).toBeDisabled();
-  await form.getByLabel('Name').fill('max');
-  await form.getByLabel('Password', { exact: true }).fill('battery staple');
-  await expectAccessible(page);
-  await expectTouchable(page);
-  await page.getByTestId('sign-confirm').click();
-  await expect(page.getByTestId('signed')).toContainText('Signed by ida, max');
-  await expect(page.getByTestId('signed')).toContainText('signed/000001-1');
-
   await page.getByTestId('home').click();
-  await expect(page.getByTestId('open-1')).toContainText('Closed, signed');
+  await expect(page.getByTestId('open-1')).toContainText('Closed');
 });
 
 test('a baseline of four captures is compared with itself, and nobody has to wait for it', async ({ page }) => {
