@@ -29,6 +29,11 @@ test('an inspector closes and signs, and a mechanic signs, too', async ({ consol
   await page.getByTestId('close').click();
   const closing = page.getByTestId('close-form');
   await expect(page.getByTestId('close-confirm'), 'not without a password').toBeDisabled();
+  await page.getByTestId('add-signer').click();
+  await page.getByTestId('add-signer').click();
+  await expect(page.getByTestId('close-confirm'), 'however many sign').toBeInViewport({ ratio: 1 });
+  await page.getByRole('button', { name: 'Not yet' }).click();
+  await page.getByTestId('close').click();
   await closing.getByLabel('Password of ida').fill('wrong horse');
   await page.getByTestId('close-confirm').click();
   await expect(page.getByRole('alert')).toContainText('name or password is wrong');
@@ -42,6 +47,7 @@ test('an inspector closes and signs, and a mechanic signs, too', async ({ consol
   await expect(page.getByTestId('sign-confirm'), 'not without the other one').toBeDisabled();
   await signing.getByLabel('Name').fill('max');
   await signing.getByLabel('Password', { exact: true }).fill('battery staple');
+  await expect(page.getByTestId('sign-confirm')).toBeInViewport({ ratio: 1 });
   await expectAccessible(page);
   await expectTouchable(page);
   await page.getByTestId('sign-confirm').click();

@@ -52,7 +52,8 @@ class ComputerCheckup : public testing::Test {
     write(device + "devnum", "7\n");
     for (const char* const node : {"dev/bus/usb/002/007", "dev/video0", "dev/video2"}) write(node, "");
   }
-  // As a node of a group that this program is not in.
+  // Restricts a device node to its owner or, with `to_group`, to a group to which this program does not
+  // belong.
   void restrict(const std::string& path, bool to_group = true) {
     fs::permissions(folder_ / path, static_cast<fs::perms>(to_group ? 0660 : 0600));
     if (getuid() == 0 && to_group) {

@@ -69,7 +69,7 @@ LineStyle line_style(PartRole role, const TextStyle& around) {
   return style;
 }
 
-// Of the verdict and of findings; of no width where a role has none.
+// The border of the verdict or of a finding. Its width is zero for all other roles.
 Border border_of(PartRole role, double width_pt) {
   const auto verdict = [&](const Ink& ink) {
     return Border{ink, 3.0 * pt_per_mm, 0.5 * pt_per_mm, width_pt};
