@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "bench/arguments.hpp"
+#include "core/intervals.hpp"
 #include "core/random.hpp"
 #include "detect/detect.hpp"
 #include "evaluate/capture_room.hpp"
-#include "evaluate/intervals.hpp"
 #include "evaluate/judgement.hpp"
 #include "evaluate/moved_wing.hpp"
 #include "evaluate/robot_side.hpp"

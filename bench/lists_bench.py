@@ -1,5 +1,5 @@
 """Measures searches in the list of many inspections, and how long other requests wait while several consoles request
-all of it.
+all of it, or the trends of all inspections.
 
 usage: lists_bench.py RVA [--inspections 5000] [--lists 6]
 """
@@ -83,18 +83,23 @@ def main():
             for what, query in SEARCHES.items():
                 times = sorted(server.seconds(f'/api/inspections?{query}') for _ in range(REPEATS))
                 print(f'{what}: median {1000 * times[REPEATS // 2]:.0f} ms, longest {1000 * times[-1]:.0f} ms')
-            alone = server.seconds('/api/inspections')
-            lists = []
-            threads = [threading.Thread(target=lambda: lists.append(server.seconds('/api/inspections')))
-                       for _ in range(arguments.lists)]
-            for thread in threads:
-                thread.start()
-            others = []
-            while any(thread.is_alive() for thread in threads):
-                others.append(server.seconds('/api/inspections/7'))
-            for thread in threads:
-                thread.join()
-    print(f'one list {alone:.2f} s; {arguments.lists} at a time, the last after {max(lists):.2f} s; '
+            for path in ('/api/inspections', '/api/trends'):
+                measure_beside_others(server, path, arguments.lists)
+
+
+def measure_beside_others(server, path, requests):
+    """Requests the path once, and several times at once while other requests are timed."""
+    alone = server.seconds(path)
+    times = []
+    threads = [threading.Thread(target=lambda: times.append(server.seconds(path))) for _ in range(requests)]
+    for thread in threads:
+        thread.start()
+    others = []
+    while any(thread.is_alive() for thread in threads):
+        others.append(server.seconds('/api/inspections/7'))
+    for thread in threads:
+        thread.join()
+    print(f'{path}: one {alone:.2f} s; {requests} at a time, the last after {max(times):.2f} s; '
           f'meanwhile {len(others)} other requests, the longest {max(others):.3f} s')
 
 

@@ -28,6 +28,8 @@ import { beginReview, selectionOf, show } from './review/review_state';
 import { LazySpace } from './space/LazySpace';
 import { useStore } from './store';
 import { ThemeSwitch } from './ThemeSwitch';
+import { trendsShown } from './trends/trends';
+import { TrendsPage } from './trends/TrendsPage';
 import type { Inspection, Session } from './types';
 import { Glossary } from './words/Glossary';
 import { LanguageSwitch } from './words/LanguageSwitch';
@@ -117,6 +119,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
     [inspection?.id, comparison],
   );
 
+  const trends = useStore(trendsShown) && !inspection;
   const round = useStore(earlierRound);
   const past = inspection && round ? asItWas(inspection, round) : inspection;
   const mayMark = inspection !== null && !inspection.closing && session.role !== 'viewer';
@@ -165,7 +168,9 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
       )}
       <Trouble />
       <main>
-        {page === 'review' && past?.compared_at ? (
+        {trends ? (
+          <TrendsPage />
+        ) : page === 'review' && past?.compared_at ? (
           <ReviewPictures inspection={past} onMark={mayMark && !round ? (bbox, view) => (newMark.value = { bbox, where: { view } }) : undefined} />
         ) : page === 'space' && past?.compared_at ? (
           <LazySpace inspection={past} />
@@ -197,7 +202,7 @@ export function App({ session, onSignedOut }: { session: Session; onSignedOut: (
         {inspection && mayMark && <SnapshotForm inspection={inspection} session={session} />}
       </aside>
       <footer>
-        <DrivePanel mayDrive={session.role !== 'viewer'} small={page !== 'live'} />
+        <DrivePanel mayDrive={session.role !== 'viewer'} small={page !== 'live' || trends} />
       </footer>
     </div>
   );

@@ -6,6 +6,7 @@ import { api } from './link/api';
 import { page as shownPage } from './pages';
 import { review } from './review/review_state';
 import { earlierRound, numbered, showRound, type NumberedRound } from './review/rounds';
+import { trendsShown } from './trends/trends';
 
 /** An address, with the round to which it leads; null: the current one. */
 interface Destination extends Address {
@@ -27,10 +28,10 @@ function write(): void {
   if (requested) return;
   const id = openInspection.value?.id ?? null;
   const round = earlierRound.value?.comparison;
-  const now = textOf({ id, ...(round && { round }), page: shownPage.value, finding: review.value.group });
+  const now = textOf({ id, trends: trendsShown.value, ...(round && { round }), page: shownPage.value, finding: review.value.group });
   if (now === location.hash) return;
   const before = addressIn(location.hash);
-  const isElsewhere = before.id !== id || before.round !== round || before.page !== undefined && before.page !== shownPage.value;
+  const isElsewhere = before.id !== id || id === null && (before.trends ?? false) !== trendsShown.value || before.round !== round || before.page !== undefined && before.page !== shownPage.value;
   if (isElsewhere) history.pushState(null, '', now);
   else history.replaceState(null, '', now);
 }
@@ -44,6 +45,7 @@ async function roundOf(id: number, comparison: number): Promise<NumberedRound | 
 export async function openAddress(): Promise<void> {
   const address = addressIn(location.hash);
   if (address.id === null) {
+    trendsShown.value = address.trends ?? false;
     await open(null);
     return;
   }
@@ -73,5 +75,5 @@ export async function openAddress(): Promise<void> {
 
 export function followAddress(): void {
   addEventListener('popstate', () => void openAddress().catch(() => undefined));
-  for (const store of [openInspection, shownPage, review, earlierRound]) store.subscribe(write);
+  for (const store of [openInspection, shownPage, review, earlierRound, trendsShown]) store.subscribe(write);
 }

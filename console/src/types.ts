@@ -342,6 +342,75 @@ export interface InspectionList {
   inspections: InspectionSummary[];
 }
 
+/** Numbers of objects by verdict. `left`: debris that is still there; `undecided`: also those that need a second look. */
+export interface VerdictCounts {
+  removed: number;
+  left: number;
+  unreachable: number;
+  installed: number;
+  false_alarms: number;
+  undecided: number;
+}
+
+/** With its interval of 95 %. */
+export interface Ratio {
+  value: number;
+  low: number;
+  high: number;
+}
+
+export interface NamedDebris {
+  /** As people named it; empty where nobody did. */
+  name: string;
+  objects: number;
+}
+
+/** Sums over inspections. */
+export interface Trend {
+  inspections: number;
+  closed: number;
+  /** From the beginning to the closing of those that were closed. Missing where none was. */
+  median_hours?: number;
+  /** Complete ones, also of those that later ones replaced. */
+  comparisons: number;
+  /** Objects that the program found, counted anew in each comparison. */
+  found: VerdictCounts;
+  /** Objects that people marked. */
+  marked: VerdictCounts;
+  /** Missing without a comparison. */
+  false_alarms_per_comparison?: Ratio;
+  /** Among the objects that were found and decided on. Missing where there are none. */
+  false_alarm_share?: Ratio;
+  /** Debris that was found or marked, by name. */
+  debris: NamedDebris[];
+}
+
+export interface MonthTrend extends Trend {
+  month: Month;
+}
+
+export interface ZoneTrend extends Trend {
+  zone: string;
+}
+
+export interface ZoneMonthTrend extends Trend {
+  zone: string;
+  month: Month;
+}
+
+/** In which inspections were begun: `2026-01`, UTC. */
+export type Month = string;
+
+export interface Trends {
+  sum: Trend;
+  /** Of all zones, ascending; those without an inspection are missing. */
+  months: MonthTrend[];
+  /** Of all months, by name. */
+  zones: ZoneTrend[];
+  /** By zone, then by month. */
+  zone_months: ZoneMonthTrend[];
+}
+
 /** `debris` was removed after the last captures, or cannot be reached; `coverage`: less than half of a view was inspected; `lost-item`: an item of the check-out list is lost and was released. */
 export type ClosingReason = 'debris' | 'coverage' | 'lost-item';
 

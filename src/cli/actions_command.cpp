@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/csv.hpp"
+#include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
+#include "core/csv_row.hpp"
 #include "report/actions.hpp"
 #include "server/signed_package.hpp"
 
@@ -53,11 +54,12 @@ std::vector<InspectionAction> actions_in(const InspectionHistory& history,
 }
 
 void print_actions(const ActionsArguments& arguments) {
-  print_csv_row({"time", "person", "inspection", "aircraft", "zone", "work_order", "action"});
+  print("{}", csv_row({"time", "person", "inspection", "aircraft", "zone", "work_order", "action"}));
   visit_recorded(arguments.data, [&](const InspectionHistory& history) {
     for (const InspectionAction& action : actions_in(history, arguments))
-      print_csv_row({action.at, action.person, std::to_string(action.inspection), action.order->aircraft,
-                     action.order->zone, action.order->work_order, action.what});
+      print("{}",
+            csv_row({action.at, action.person, std::to_string(action.inspection), action.order->aircraft,
+                     action.order->zone, action.order->work_order, action.what}));
   });
 }
 

@@ -1,18 +1,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/csv.hpp"
-#include "cli/option_flags.hpp"
+#include "cli/inspection_filter.hpp"
 #include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
-#include "core/date_time.hpp"
-#include "core/error.hpp"
+#include "core/csv_row.hpp"
 #include "core/path_text.hpp"
 
 namespace rva::cli {
@@ -20,31 +17,9 @@ namespace {
 
 struct ListArguments {
   std::string data;
-  std::string text;
-  std::string stage;
-  std::string from;
-  std::string until;
+  InspectionFilterFlags filter;
   bool csv = false;
 };
-
-// A day or a time, as the records write times. A day that no month has is read as one of the next month.
-std::string time_of(const std::string& given, const std::string& flag) {
-  if (given.empty()) return given;
-  constexpr std::size_t day_length = 10;
-  const auto ns = ns_since_1970(given.size() == day_length ? given + "T00:00:00Z" : given);
-  const std::string time =
-      !ns ? "" : iso_8601(std::chrono::system_clock::time_point(std::chrono::nanoseconds(*ns)));
-  if (time.empty() || !given.starts_with(time.substr(0, day_length)))
-    throw UsageError(flag, printable(given) + " is no date", "give one such as 2026-01-31, in UTC");
-  return time;
-}
-
-InspectionFilter filter_of(const ListArguments& arguments) {
-  return {.text = arguments.text,
-          .stage = value_of<Stage>(arguments.stage),
-          .from = time_of(arguments.from, "--from"),
-          .until = time_of(arguments.until, "--until")};
-}
 
 // Fits 100 columns; longer texts are cut off, which --csv does not do.
 void print_row(const std::array<std::string, 8>& cells) {
@@ -62,19 +37,20 @@ void print_summaries(const std::vector<InspectionSummary>& summaries) {
 }
 
 void print_summaries_csv(const std::vector<InspectionSummary>& summaries) {
-  print_csv_row({"number", "begun_at", "begun_by", "stage", "aircraft", "zone", "work_order", "baseline_at",
-                 "final_at", "findings", "undecided", "closed_at", "closed_by"});
+  print("{}", csv_row({"number", "begun_at", "begun_by", "stage", "aircraft", "zone", "work_order",
+                       "baseline_at", "final_at", "findings", "undecided", "closed_at", "closed_by"}));
   for (const InspectionSummary& summary : summaries)
-    print_csv_row({std::to_string(summary.id), summary.created_at, summary.order.person,
-                   std::string(name_of(summary.stage)), summary.order.aircraft, summary.order.zone,
-                   summary.order.work_order, summary.initial ? summary.initial->taken_at : "",
-                   summary.final ? summary.final->taken_at : "", std::to_string(summary.findings),
-                   std::to_string(summary.undecided), summary.closing ? summary.closing->closed_at : "",
-                   summary.closing ? summary.closing->person : ""});
+    print("{}", csv_row({std::to_string(summary.id), summary.created_at, summary.order.person,
+                         std::string(name_of(summary.stage)), summary.order.aircraft, summary.order.zone,
+                         summary.order.work_order, summary.initial ? summary.initial->taken_at : "",
+                         summary.final ? summary.final->taken_at : "", std::to_string(summary.findings),
+                         std::to_string(summary.undecided), summary.closing ? summary.closing->closed_at : "",
+                         summary.closing ? summary.closing->person : ""}));
 }
 
 void list_inspections(const ListArguments& arguments) {
-  const std::vector<InspectionSummary> summaries = recorded_summaries(arguments.data, filter_of(arguments));
+  const std::vector<InspectionSummary> summaries =
+      recorded_summaries(arguments.data, filter_of(arguments.filter));
   arguments.csv ? print_summaries_csv(summaries) : print_summaries(summaries);
 }
 
@@ -85,15 +61,7 @@ void add_inspection_list_command(CLI::App& inspection) {
       *inspection.add_subcommand("list", "lists inspections, newest first, or those that are searched for");
   const auto arguments = std::make_shared<ListArguments>();
   add_data_folder(command, arguments->data);
-  command
-      .add_option("--text", arguments->text,
-                  "words that each occur in the aircraft, zone, work order, person or number")
-      ->type_name("WORDS");
-  command.add_option("--stage", arguments->stage, "the next step: baseline, work, review, or done")
-      ->check(name_among<Stage>())
-      ->type_name("STAGE");
-  command.add_option("--from", arguments->from, "begun on this day (UTC) or later")->type_name("DATE");
-  command.add_option("--until", arguments->until, "begun before this day (UTC)")->type_name("DATE");
+  add_inspection_filter(command, arguments->filter);
   command.add_flag("--csv", arguments->csv, "as CSV (RFC 4180) with further columns, for spreadsheets");
   command.callback([arguments] { list_inspections(*arguments); });
 }

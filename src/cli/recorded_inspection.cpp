@@ -50,6 +50,10 @@ std::vector<InspectionSummary> recorded_summaries(const std::string& data, const
   return SqliteRecords(database_of(data)).summaries(filter);
 }
 
+std::vector<InspectionTally> recorded_tallies(const std::string& data, const InspectionFilter& filter) {
+  return SqliteRecords(database_of(data)).tallies(filter);
+}
+
 InspectionHistory recorded_inspection(const std::string& data, std::int64_t number) {
   const fs::path database = database_of(data);
   std::optional<InspectionHistory> history = SqliteRecords(database).history(number);

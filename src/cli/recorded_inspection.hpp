@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inspect/inspection.hpp"
+#include "inspect/inspection_tally.hpp"
 
 namespace rva::cli {
 
@@ -24,6 +25,10 @@ void add_recorded_inspection(CLI::App& command, std::string& data, std::int64_t&
 /// records
 [[nodiscard]] std::vector<InspectionSummary> recorded_summaries(const std::string& data,
                                                                 const InspectionFilter& filter);
+
+/// What inspections of a data folder showed, as numbers; as recorded_summaries().
+[[nodiscard]] std::vector<InspectionTally> recorded_tallies(const std::string& data,
+                                                            const InspectionFilter& filter);
 
 /// All that the records of a data folder contain of an inspection.
 /// @throws Error when the folder has no records, or these have no such inspection

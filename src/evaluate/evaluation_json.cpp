@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/intervals.hpp"
 #include "core/json_object.hpp"
-#include "evaluate/intervals.hpp"
 
 namespace rva {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/intervals.hpp"
 #include "core/json_object.hpp"
-#include "evaluate/intervals.hpp"
 #include "evaluate/moved_tally.hpp"
 
 namespace rva {

@@ -8,10 +8,10 @@
 #include <tuple>
 #include <utility>
 
+#include "core/intervals.hpp"
 #include "core/quantile.hpp"
 #include "detect/calibrated/calibrated.hpp"
 #include "detect/thesis/octree_detection.hpp"
-#include "evaluate/intervals.hpp"
 #include "evaluate/moved_tally.hpp"
 #include "evaluate/table.hpp"
 

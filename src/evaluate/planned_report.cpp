@@ -4,7 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "evaluate/intervals.hpp"
+#include "core/intervals.hpp"
 #include "evaluate/planned_study.hpp"
 
 namespace rva {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/intervals.hpp"
 #include "detect/calibrated/false_alarm_tail.hpp"
-#include "evaluate/intervals.hpp"
 
 namespace rva {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "evaluate/intervals.hpp"
+#include "core/intervals.hpp"
 #include "evaluate/recorded_study.hpp"
 #include "evaluate/table.hpp"
 

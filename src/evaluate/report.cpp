@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "evaluate/intervals.hpp"
+#include "core/intervals.hpp"
 #include "evaluate/table.hpp"
 
 namespace rva {

@@ -67,6 +67,10 @@ class Inspector {
   [[nodiscard]] std::vector<InspectionSummary> summaries(const InspectionFilter& filter = {}) const {
     return records_.summaries(filter);
   }
+  /// Tallies of the inspections that a filter selects, newest first.
+  [[nodiscard]] std::vector<InspectionTally> tallies(const InspectionFilter& filter = {}) const {
+    return records_.tallies(filter);
+  }
   /// Records::comparison()
   [[nodiscard]] std::optional<RecordedComparison> comparison(std::int64_t id, int number) const {
     return records_.comparison(id, number);

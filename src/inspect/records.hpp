@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "inspect/inspection.hpp"
+#include "inspect/inspection_tally.hpp"
 
 namespace rva {
 
@@ -30,6 +31,8 @@ class Records {
   [[nodiscard]] virtual std::vector<std::int64_t> inspections() const = 0;
   /// Summaries of the inspections that a filter selects, newest first; much faster than find() for each.
   [[nodiscard]] virtual std::vector<InspectionSummary> summaries(const InspectionFilter& filter) const = 0;
+  /// Tallies of the inspections that a filter selects, newest first; much faster than history() for each.
+  [[nodiscard]] virtual std::vector<InspectionTally> tallies(const InspectionFilter& filter) const = 0;
   /// Empty if there is no inspection with this id.
   [[nodiscard]] virtual std::optional<Inspection> find(std::int64_t id) const = 0;
   /// A complete comparison, which may be outdated; empty if there is none of this number.

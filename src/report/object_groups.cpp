@@ -23,30 +23,6 @@ const ReviewedFinding& best_seen(const ObjectGroup& group) {
   return *best;
 }
 
-void VerdictCounts::count(const std::optional<Decision>& decision) {
-  switch (decision ? decision->verdict : Verdict::undecided) {
-    case Verdict::debris:
-      ++debris;
-      break;
-    case Verdict::debris_removed:
-      ++removed;
-      break;
-    case Verdict::debris_unreachable:
-      ++unreachable;
-      break;
-    case Verdict::installed_work:
-      ++installed;
-      break;
-    case Verdict::false_alarm:
-      ++false_alarms;
-      break;
-    case Verdict::second_look:
-    case Verdict::undecided:
-      ++undecided;
-      break;
-  }
-}
-
 VerdictCounts verdicts_of(const std::vector<ReviewedFinding>& findings) {
   VerdictCounts counts;
   for (const ObjectGroup& group : object_groups(findings)) counts.count(group.lead->decision);

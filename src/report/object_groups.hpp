@@ -1,11 +1,10 @@
 // Findings of several views that show the same object, as one.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "inspect/inspection.hpp"
+#include "inspect/verdict_counts.hpp"
 
 namespace rva {
 
@@ -23,22 +22,7 @@ struct ObjectGroup {
 /// known.
 [[nodiscard]] const ReviewedFinding& best_seen(const ObjectGroup& group);
 
-/// How many objects have each verdict.
-struct VerdictCounts {
-  std::size_t debris = 0;
-  std::size_t removed = 0;
-  std::size_t unreachable = 0;
-  std::size_t installed = 0;
-  std::size_t false_alarms = 0;
-  std::size_t undecided = 0;  ///< those that need a second look, too
-
-  void count(const std::optional<Decision>& decision);
-  [[nodiscard]] std::size_t all() const {
-    return debris + removed + unreachable + installed + false_alarms + undecided;
-  }
-};
-
-/// Those of one comparison.
+/// The verdicts on the objects of one comparison.
 [[nodiscard]] VerdictCounts verdicts_of(const std::vector<ReviewedFinding>& findings);
 
 }  // namespace rva

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "inspect/inspection.hpp"
-#include "report/object_groups.hpp"
+#include "inspect/inspection_tally.hpp"
 
 namespace rva {
 
@@ -20,26 +19,36 @@ struct ZoneMonth {
   std::strong_ordering operator<=>(const ZoneMonth&) const = default;
 };
 
-/// Sums over the inspections of one zone and month.
+/// Sums over inspections.
 struct Trend {
   std::size_t inspections = 0;
   std::size_t closed = 0;       ///< number of them that were closed
   std::size_t comparisons = 0;  ///< number of complete ones, also of those that later ones replaced
   VerdictCounts found;          ///< objects that the program found, counted anew in each comparison
   VerdictCounts marked;         ///< objects that people marked
+  std::map<std::string, std::size_t> debris_by_name{};  ///< InspectionTally::debris_by_name
   std::vector<double> hours{};  ///< from the beginning to the closing of each that was closed
 
   /// The median of `hours`; empty if there are none.
   [[nodiscard]] std::optional<double> median_hours() const;
+  /// Objects that were found and decided on.
+  [[nodiscard]] std::size_t decided() const { return found.all() - found.undecided; }
+  Trend& operator+=(const Trend& more);
 };
 
 /// Trends by zone and month, in their order.
 using Trends = std::map<ZoneMonth, Trend>;
 
-/// Adds an inspection.
-void add_to(Trends& trends, const InspectionHistory& history);
+[[nodiscard]] Trends trends_of(const std::vector<InspectionTally>& tallies);
 
 /// The sum of all.
 [[nodiscard]] Trend sum_of(const Trends& trends);
+
+/// Sums of all zones by month, and of all months by zone.
+[[nodiscard]] std::map<std::string, Trend> by_month(const Trends& trends);
+[[nodiscard]] std::map<std::string, Trend> by_zone(const Trends& trends);
+
+/// Trends as CSV (csv_row()), with a head.
+[[nodiscard]] std::string csv_of(const Trends& trends);
 
 }  // namespace rva

@@ -72,6 +72,8 @@ const std::vector<Api::Route>& Api::routes() {
       {"POST", "/api/inspections/{}/items", PersonRole::operator_, &Api::check_out},
       {"POST", "/api/inspections/{}/items/{}", PersonRole::operator_, &Api::state_item},
       {"POST", "/api/inspections/{}/sign", PersonRole::operator_, &Api::sign},
+      {"GET", "/api/trends", PersonRole::viewer, &Api::get_trends},
+      {"GET", "/api/trends.csv", PersonRole::viewer, &Api::get_trends_csv},
       {"GET", "/api/keys", PersonRole::viewer, &Api::get_keys},
       {"GET", "/api/inspections/{}/views/{}/{}", PersonRole::viewer, &Api::get_picture},
       {"GET", "/api/inspections/{}/rounds/{}/views/{}/{}", PersonRole::viewer, &Api::get_round_picture},

@@ -123,6 +123,9 @@ class Api {
                                           const std::string& from) const;
   ApiResponse sign(const Call& call) const;
   ApiResponse get_keys(const Call& call) const;
+  // server/trends_routes.cpp
+  ApiResponse get_trends(const Call& call) const;
+  ApiResponse get_trends_csv(const Call& call) const;
   // server/picture_routes.cpp
   ApiResponse get_picture(const Call& call) const;
   ApiResponse get_round_picture(const Call& call) const;

@@ -202,10 +202,11 @@ std::optional<ApiResponse> refusal_of(const ErrorCode& failure) {
 // Runs on a pool, so that requests that query the database or read pictures do not delay the live view.
 asio::awaitable<Response> answer_on_pool(const Request& request, const HttpCaller& caller,
                                          SharedState& shared) {
-  const bool is_list = request.method() == http::verb::get &&
-                       request.target().substr(0, request.target().find('?')) == "/api/inspections";
+  const auto path = request.target().substr(0, request.target().find('?'));
+  const bool reads_all = request.method() == http::verb::get &&
+                         (path == "/api/inspections" || path == "/api/trends" || path == "/api/trends.csv");
   co_return co_await asio::co_spawn(
-      is_list ? shared.lists : shared.pool,
+      reads_all ? shared.lists : shared.pool,
       [&]() -> asio::awaitable<Response> { co_return http_answer(request, caller); }, asio::use_awaitable);
 }
 

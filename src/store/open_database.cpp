@@ -60,6 +60,10 @@ SQLite::Database open_database(const std::filesystem::path& file) {
   }
 }
 
+SQLite::Database open_for_reading(const std::filesystem::path& file) {
+  return {file.string(), SQLite::OPEN_READONLY, busy_limit_ms};
+}
+
 Error database_error(const std::string& source, const SQLite::Exception& failure) {
   switch (failure.getErrorCode()) {
     case SQLITE_FULL:

@@ -16,6 +16,10 @@ namespace rva {
 ///         newer version of this one
 [[nodiscard]] SQLite::Database open_database(const std::filesystem::path& file);
 
+/// Opens a file that is open already (open_database()) once more, for reading: a long query there does not
+/// delay changes.
+[[nodiscard]] SQLite::Database open_for_reading(const std::filesystem::path& file);
+
 /// A failure of SQLite as an error for the user, without SQLite's own message, which names tables and
 /// columns.
 /// @param source the file

@@ -21,6 +21,7 @@
 #include "store/open_database.hpp"
 #include "store/round_rows.hpp"
 #include "store/summary_rows.hpp"
+#include "store/tally_rows.hpp"
 
 namespace rva {
 namespace {
@@ -55,7 +56,7 @@ auto with_errors(const std::string& source, const Work& work) {
 }  // namespace
 
 SqliteRecords::SqliteRecords(const std::filesystem::path& file)
-    : source_(printable(file)), database_(open_database(file)) {}
+    : file_(file), source_(printable(file)), database_(open_database(file)) {}
 
 template <typename Work>
 auto SqliteRecords::change(const Work& work) {
@@ -111,6 +112,15 @@ std::vector<std::int64_t> SqliteRecords::inspections() const {
 
 std::vector<InspectionSummary> SqliteRecords::summaries(const InspectionFilter& filter) const {
   return read([&](SQLite::Database& database) { return summaries_of(database, filter); });
+}
+
+std::vector<InspectionTally> SqliteRecords::tallies(const InspectionFilter& filter) const {
+  // Of many inspections this takes seconds, for which nobody else should wait.
+  return with_errors(source_, [&] {
+    SQLite::Database reader = open_for_reading(file_);
+    const SQLite::Transaction transaction(reader);
+    return tallies_of(reader, filter);
+  });
 }
 
 std::optional<RecordedComparison> SqliteRecords::comparison(std::int64_t id, int number) const {

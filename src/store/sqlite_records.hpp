@@ -25,6 +25,7 @@ class SqliteRecords : public Records, public Accounts {
                                             std::int64_t above) override;
   [[nodiscard]] std::vector<std::int64_t> inspections() const override;
   [[nodiscard]] std::vector<InspectionSummary> summaries(const InspectionFilter& filter) const override;
+  [[nodiscard]] std::vector<InspectionTally> tallies(const InspectionFilter& filter) const override;
   [[nodiscard]] std::optional<Inspection> find(std::int64_t id) const override;
   [[nodiscard]] std::optional<RecordedComparison> comparison(std::int64_t id, int number) const override;
   [[nodiscard]] std::vector<ComparedRound> rounds(std::int64_t id) const override;
@@ -58,6 +59,7 @@ class SqliteRecords : public Records, public Accounts {
   template <typename Work>
   auto read(const Work& work) const;
 
+  std::filesystem::path file_;
   std::string source_;
   mutable std::mutex mutex_;
   mutable SQLite::Database database_;  // a read may write the log

@@ -112,6 +112,7 @@ class ApiSchemaTest(ReadElsewhere, program.ProgramTest):
         self.close()
         self.export()
         self.report()
+        self.trends()
         self.rerun()
         self.export_crops()
         self.sign_in()

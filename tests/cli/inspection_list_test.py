@@ -70,9 +70,11 @@ class InspectionList(program.ProgramTest):
         lines = self.succeed('inspection', 'trends', '--data', self.data).stdout.splitlines()
         self.assertEqual(len(lines), 4)
         self.assertLessEqual(max(map(len, lines)), 100)
+        done = self.succeed('inspection', 'trends', '--data', self.data, '--csv', '--until', '2026-02-01')
+        self.assertEqual([row['zone'] for row in csv.DictReader(io.StringIO(done.stdout, newline=''))], ['left wing'])
 
-    def check_usage(self, name, *arguments):
-        done = self.rva('inspection', 'list', '--data', self.data, *arguments)
+    def check_usage(self, name, *arguments, command='list'):
+        done = self.rva('inspection', command, '--data', self.data, *arguments)
         self.assertEqual((done.returncode, done.stdout), (2, ''), done.stderr)
         self.assertIn(name, done.stderr)
 
@@ -81,6 +83,7 @@ class InspectionList(program.ProgramTest):
             for text in ('2026-13-01', 'yesterday', '2026-02-01T', '2026-02-30'):
                 self.check_usage(text, option, text)
         self.check_usage('--stage', '--stage', 'lost')
+        self.check_usage('2026-02-30', '--from', '2026-02-30', command='trends')
         self.check_fails('inspection', 'list', '--data', self.folder / 'nowhere', names=['contains no inspections'])
 
 

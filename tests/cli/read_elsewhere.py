@@ -75,6 +75,24 @@ class ReadElsewhere:
                                      cwd=inspection, capture_output=True, encoding='utf-8', check=True).stdout
             self.assertIn(f'{folder} {printed.split()[0]}', read.text)
 
+    def trends(self):
+        """Sums over all inspections, of which there is one: from the server, and as the command has them."""
+        trends = self.get('trends', 'Trends')
+        self.assertEqual([trends['months'][0] | {'month': '', 'zone': 'bay'}, trends['zones'][0] | {'month': ''}],
+                         2 * [trends['zone_months'][0] | {'month': ''}])
+        rounds = self.get('inspections/1/rounds', 'RoundList')['rounds']
+        self.assertEqual((trends['sum']['inspections'], trends['sum']['closed'], trends['sum']['comparisons']), (1, 1, len(rounds)))
+        objects = sum(finding['same_as'] == finding['number'] for round in rounds for finding in round['findings'])
+        self.assertEqual(sum(trends['sum']['found'].values()), objects)
+        self.assertEqual(sum(named['objects'] for named in trends['sum']['debris']), sum(
+            trends['sum'][by][verdict] for by in ('found', 'marked') for verdict in ('removed', 'left', 'unreachable')))
+        with urllib.request.urlopen(f'{self.address}/api/trends.csv?text=bay', timeout=60) as answer:
+            self.assertEqual(answer.headers['Content-Type'], 'text/csv; charset=utf-8')
+            csv = answer.read().decode()
+        self.assertEqual(csv.replace('\r', ''), self.succeed('inspection', 'trends', '--data', self.folder / 'data', '--csv').stdout)
+        self.assertEqual(self.get('trends?text=nowhere', 'Trends')['zones'], [])
+        self.refuse('GET', 'trends?zone=bay', None, 400)
+
     def rerun(self):
         """The recorded captures give the recorded results again."""
         out = self.folder / 'again'

@@ -4,6 +4,7 @@ import { api } from '../link/api';
 import { person } from '../link/client';
 import { link } from '../link/live_link';
 import { useStore } from '../store';
+import { trendsShown } from '../trends/trends';
 import type { InspectionSummary, Session, Stage } from '../types';
 import { attempt, hasMore, inspectionList, listFilter, loadList, open, wholeList, type ListFilter } from './inspections';
 import { timeOf, titleOf } from './words';
@@ -131,13 +132,19 @@ function Entry({ inspection, mayDelete }: { inspection: InspectionSummary; mayDe
 export function Begin({ session }: { session: Session }) {
   const list = useStore(inspectionList);
   const more = useStore(hasMore);
+  const trends = useStore(trendsShown);
   const filtered = useStore(listFilter) !== wholeList;
   useEffect(() => void loadList().catch(() => undefined), []);
   return (
     <div class="panel-body">
       <NewInspection session={session} />
       <div class="card" aria-label={words.inspection.inspections} role="region">
-        <h2>{words.inspection.earlier}</h2>
+        <div class="card-head">
+          <h2>{words.inspection.earlier}</h2>
+          <button type="button" aria-pressed={trends} data-testid="trends-open" onClick={() => (trendsShown.value = !trends)}>
+            {words.trends.title}
+          </button>
+        </div>
         <Search />
         {list === null && <p class="hint">{words.page.loading}</p>}
         {list?.length === 0 && <p class="hint">{filtered ? words.inspection.noneMatches : words.inspection.none}</p>}

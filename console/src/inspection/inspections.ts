@@ -56,15 +56,18 @@ function startOf(day: string, later_days = 0): string {
   return date.toISOString();
 }
 
+/** The filter of the list as the parameters of a query. */
+export function listQuery(): Record<string, string> {
+  const { text, stage, from, until } = listFilter.value;
+  return { text, stage, from: startOf(from), until: startOf(until, 1) };
+}
+
 /** Loads the list from its beginning, or the entries that follow those that are shown. */
 export async function loadList(further = false): Promise<void> {
   const filter = listFilter.value;
   const shown = further ? (inspectionList.value ?? []) : [];
   const { inspections } = await api.inspections({
-    text: filter.text,
-    stage: filter.stage,
-    from: startOf(filter.from),
-    until: startOf(filter.until, 1),
+    ...listQuery(),
     before: String(shown.at(-1)?.id ?? ''),
     most: String(page_entries + 1),
   });

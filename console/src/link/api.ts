@@ -33,6 +33,7 @@ import type {
   SimulationRequest,
   SnapshotRequest,
   Stream,
+  Trends,
   ViewMeasureRequest,
   ViewsRequest,
 } from '../types';
@@ -73,15 +74,23 @@ function send<Request, Answer>(method: 'POST' | 'PUT', path: string, request: Re
   return call<Answer>(method, path, request);
 }
 
+function queryOf(filter: Record<string, string>): URLSearchParams {
+  return new URLSearchParams(Object.entries(filter).filter(([, value]) => value !== ''));
+}
+
+/** @param ending '.csv' for a spreadsheet */
+export function trendsAddress(ending: '' | '.csv', filter: Record<string, string>): string {
+  return `/api/trends${ending}?${queryOf(filter)}`;
+}
+
 export const api = {
   session: () => call<Session>('GET', '/api/session'),
   signIn: (name: string, password: string) => send<SignInRequest, Empty>('POST', '/api/sign-in', { name, password }),
   signOut: () => post<Empty>('/api/sign-out'),
   /** @param filter parameters of the query (docs/api.md); empty values have no effect */
-  inspections: (filter: Record<string, string>) => {
-    const query = new URLSearchParams(Object.entries(filter).filter(([, value]) => value !== ''));
-    return call<InspectionList>('GET', `/api/inspections?${query}`);
-  },
+  inspections: (filter: Record<string, string>) => call<InspectionList>('GET', `/api/inspections?${queryOf(filter)}`),
+  /** @param filter as that of the list */
+  trends: (filter: Record<string, string>) => call<Trends>('GET', trendsAddress('', filter)),
   inspection: (id: number) => call<Inspection>('GET', `/api/inspections/${id}`),
   /** Refused once something has been captured or marked. */
   remove: (id: number) => call<Empty>('DELETE', `/api/inspections/${id}`),

@@ -25,6 +25,11 @@ export function clockText(iso: string): string {
   return new Date(iso).toLocaleTimeString(locale);
 }
 
+/** @param month 2026-01 */
+export function monthText(month: string): string {
+  return new Date(`${month}-01T00:00:00Z`).toLocaleDateString(locale, { month: 'short', year: 'numeric', timeZone: 'UTC' });
+}
+
 export function percentText(share: number): string {
   return `${Math.round(100 * share)} %`;
 }

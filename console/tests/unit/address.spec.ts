@@ -4,6 +4,7 @@ import { addressIn, textOf, type Address } from '../../src/address';
 
 const known: [string, Address][] = [
   ['#/', { id: null }],
+  ['#/trends', { id: null, trends: true }],
   ['#/inspections/12', { id: 12 }],
   ['#/inspections/12/space', { id: 12, page: 'space' }],
   ['#/inspections/12/review', { id: 12, page: 'review' }],
@@ -21,7 +22,7 @@ for (const [text, address] of known) {
   });
 }
 
-for (const text of ['', '#', '#/inspections', '#/inspections/x', '#/inspections/-1', '#/inspections/1/2/3/4', '#/inspections/1e9', '#/inspections/rounds/1', '#/inspections/1/rounds/x', '#/inspections/1/rounds/-1/space', '#/inspections/1/rounds/1/2/3/4', '#/../api/session', 'javascript:1']) {
+for (const text of ['', '#', '#/inspections', '#/trends/1', '#/inspections/x', '#/inspections/-1', '#/inspections/1/2/3/4', '#/inspections/1e9', '#/inspections/rounds/1', '#/inspections/1/rounds/x', '#/inspections/1/rounds/-1/space', '#/inspections/1/rounds/1/2/3/4', '#/../api/session', 'javascript:1']) {
   test(`"${text}" leads to the list`, () => {
     expect(addressIn(text)).toEqual({ id: null });
   });

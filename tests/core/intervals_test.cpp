@@ -1,4 +1,4 @@
-#include "evaluate/intervals.hpp"
+#include "core/intervals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,8 @@
-#include "cli/csv.hpp"
+#include "core/csv_row.hpp"
 
 #include <string_view>
 
-#include "cli/printing.hpp"
-
-namespace rva::cli {
+namespace rva {
 namespace {
 
 // A spreadsheet would compute what begins so.
@@ -25,10 +23,10 @@ std::string csv_cell(const std::string& given) {
 
 }  // namespace
 
-void print_csv_row(const std::vector<std::string>& cells) {
+std::string csv_row(const std::vector<std::string>& cells) {
   std::string row;
   for (const std::string& cell : cells) row += (&cell == cells.data() ? "" : ",") + csv_cell(cell);
-  print("{}\r\n", row);
+  return row + "\r\n";
 }
 
-}  // namespace rva::cli
+}  // namespace rva
