@@ -103,11 +103,17 @@ void require_same_keys(const Package& package, const CheckedPackage& checked) {
     throw package.wrong(package_file::log_key, "is not the key of the log that the statement names");
 }
 
-void require_same_files(const Package& package, const FileDigests& signed_files) {
+void require_same_files(const Package& package, const Statement& statement) {
+  const FileDigests& signed_files = statement.subjects;
   const std::vector<std::string> always = package_files();
   std::set<std::string> expected(always.begin(), always.end());
   for (const char* const file : {package_file::declaration, package_file::information})
     if (!signed_files.contains(file)) throw package.wrong(file, "was not signed");
+  if (statement.time_stamp && statement.time_stamp->is_there()) {
+    if (!package.files().contains(package_file::time_stamp))
+      throw package.wrong(package_file::time_stamp, "is missing: there was a time stamp when it was signed");
+    expected.insert(package_file::time_stamp);
+  }
   for (const auto& [file, digest] : signed_files) {
     if (!package.files().contains(file)) throw package.wrong(file, "was signed and is missing");
     expected.insert(file);
@@ -158,6 +164,23 @@ Checkpoint require_record(const Package& package, const Envelope& envelope, cons
   return checkpoint;
 }
 
+// Why a package has no time stamp.
+std::string reason_of(const std::optional<StatedTimeStamp>& stated) {
+  return stated ? stated->server + ": " + stated->failure : std::string("no server was asked");
+}
+
+std::optional<TimeStamp> checked_time_stamp(const Package& package, const Statement& statement,
+                                            const std::optional<fs::path>& trusted_ca) {
+  const std::string file = package_file::time_stamp;
+  if (statement.time_stamp && statement.time_stamp->is_there())
+    return check_time_stamp(package.text(file), package.text(package_file::envelope), trusted_ca,
+                            package.name(file));
+  if (trusted_ca)
+    throw Error(package.name(file), "does not exist (" + printable(reason_of(statement.time_stamp)) + ")",
+                "ask the site for another proof of the time, or verify without a time stamp");
+  return std::nullopt;
+}
+
 std::uintmax_t size_of(const Package& package, const FileDigests& payload) {
   std::uintmax_t bytes = 0;
   for (const auto& [file, digest] : payload) bytes += fs::file_size(package.path(file));
@@ -179,9 +202,10 @@ CheckedPackage check_package(const fs::path& folder, const KnownFromElsewhere& k
   checked.statement = parse_statement(envelope.payload, package.name(package_file::envelope));
   require_same_keys(package, checked);
   const FileDigests& signed_files = checked.statement.subjects;
-  require_same_files(package, signed_files);
+  require_same_files(package, checked.statement);
   require_same_content(package, signed_files);
   require_manifests(package, signed_files);
+  checked.time_stamp = checked_time_stamp(package, checked.statement, known.time_stamp_ca);
   const Checkpoint checkpoint = require_record(package, envelope, checked.log_key, checked);
   require_in_known_log(checkpoint, checked.log_key, package.name(package_file::proof), known);
   const FileDigests payload = payload_of(signed_files);

@@ -23,7 +23,8 @@ inline constexpr const char* envelope = "signature/statement.dsse.json";  ///< t
 inline constexpr const char* signers = "signature/signers.pub";           ///< public keys, one a line
 inline constexpr const char* log_key = "signature/log.pub";               ///< public key of the site's log
 inline constexpr const char* proof = "signature/record.tlog-proof";       ///< that the log has the record
-inline constexpr const char* payload = "data/";  ///< what the payload's paths begin with
+inline constexpr const char* time_stamp = "signature/statement.tst";  ///< of the envelope, if there is one
+inline constexpr const char* payload = "data/";                       ///< what the payload's paths begin with
 }  // namespace package_file
 
 /// The content of bagit.txt.

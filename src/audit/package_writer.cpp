@@ -10,6 +10,7 @@
 #include "audit/package_files.hpp"
 #include "audit/site_log.hpp"
 #include "core/durability.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 
@@ -42,6 +43,20 @@ Envelope signed_statement(const Statement& statement, const std::vector<SigningK
   return envelope;
 }
 
+// The time stamp is of the signatures, so that what is signed when there is none is another statement.
+Envelope stamped_statement(Statement statement, const PackageSigning& signing, std::string& time_stamp) {
+  if (signing.time_stamping.server.empty()) return signed_statement(statement, signing.signers);
+  statement.time_stamp = StatedTimeStamp{signing.time_stamping.server, ""};
+  Envelope envelope = signed_statement(statement, signing.signers);
+  try {
+    time_stamp = signing.time_stamping.stamp(text_of(envelope));
+    return envelope;
+  } catch (const Error& error) {
+    statement.time_stamp->failure = error.problem();
+    return signed_statement(statement, signing.signers);
+  }
+}
+
 std::vector<PublicKey> public_keys_of(const std::vector<SigningKey>& keys) {
   std::vector<PublicKey> public_keys;
   for (const SigningKey& key : keys) public_keys.push_back(key.public_key());
@@ -61,10 +76,12 @@ void seal_package(const fs::path& folder, const StatedInspection& inspection, co
   const Statement statement{inspection, made_at, verifier_keys_of(signer_keys), verifier_key(key_of_log),
                             digests_of(folder, files_in(folder))};
   write_file(folder / manifest, manifest_text(payload_of(statement.subjects)));
-  const Envelope envelope_of_statement = signed_statement(statement, signing.signers);
+  std::string time_stamp_of_envelope;
+  const Envelope envelope_of_statement = stamped_statement(statement, signing, time_stamp_of_envelope);
   std::error_code ignored;  // write_file() reports the error
   fs::create_directories(folder / fs::path(envelope).parent_path(), ignored);
   write_file(folder / envelope, text_of(envelope_of_statement));
+  if (!time_stamp_of_envelope.empty()) write_file(folder / time_stamp, time_stamp_of_envelope);
   write_file(folder / signers, key_lines(signer_keys));
   write_file(folder / log_key, key_lines({key_of_log}));
   sync_tree(folder);  // a full disk has to be noticed before the log has the record

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "audit/signing_key.hpp"
@@ -10,15 +12,25 @@
 
 namespace rva {
 
+/// From where a package gets its time stamp.
+struct TimeStamping {
+  std::string server;  ///< its URL
+  /// A time stamp of these bytes, as time_stamp_in() returns it. @throws Error when the server gives none
+  std::function<std::string(std::string_view bytes)> stamp;
+};
+
 /// By whom a package is signed, and the log that gets its record.
 struct PackageSigning {
   std::vector<SigningKey> signers;  ///< at least one
   SigningKey log_key;               ///< may be one of the signers
   std::filesystem::path log;        ///< folder of the site's log
+  TimeStamping time_stamping{};     ///< without a server: none
 };
 
 /// Makes a folder with the payload in `data/` a package: writes its checksums, the signed statement, appends
-/// the record to the log, and writes its proof. For use within an OutputFolder: if this throws, the folder is
+/// the record to the log, and writes its proof. Where a time stamp server is
+/// configured, the signed statement gets its time stamp or, if the server gives none, states why; nothing is
+/// blocked by that. For use within an OutputFolder: if this throws, the folder is
 /// incomplete.
 /// @param folder  contains `data/` and nothing else
 /// @param made_at ISO 8601 in UTC

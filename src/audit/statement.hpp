@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,23 @@ struct StatedInspection {
   std::string work_order;   ///< UTF-8
 };
 
+/// What a statement states of the time stamp that was asked for.
+struct StatedTimeStamp {
+  std::string server;   ///< the URL that was asked
+  std::string failure;  ///< why there is no time stamp; empty: the package has it
+
+  /// Whether the package has it.
+  [[nodiscard]] bool is_there() const { return failure.empty(); }
+};
+
 /// What is signed.
 struct Statement {
-  StatedInspection inspection;       ///< which inspection
-  std::string made_at;               ///< when the package was made, ISO 8601 in UTC
-  std::vector<std::string> signers;  ///< verifier_key() of each, in the order of the signatures
-  std::string log;                   ///< verifier_key() of the site's log that gets the record
-  FileDigests subjects;              ///< every file whose content no other file determines
+  StatedInspection inspection;                  ///< which inspection
+  std::string made_at;                          ///< when the package was made, ISO 8601 in UTC
+  std::vector<std::string> signers;             ///< verifier_key() of each, in the order of the signatures
+  std::string log;                              ///< verifier_key() of the site's log that gets the record
+  FileDigests subjects;                         ///< every file whose content no other file determines
+  std::optional<StatedTimeStamp> time_stamp{};  ///< empty: none was asked for
 };
 
 /// The statement as JSON, in the one form that RVA writes.

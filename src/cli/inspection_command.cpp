@@ -14,9 +14,11 @@
 #include "cli/printing.hpp"
 #include "cli/recorded_inspection.hpp"
 #include "cli/terminal_progress.hpp"
+#include "cli/timestamp_server.hpp"
 #include "core/error.hpp"
 #include "core/path_text.hpp"
 #include "server/signed_package.hpp"
+#include "server/time_stamp_client.hpp"
 
 namespace fs = std::filesystem;
 
@@ -29,6 +31,7 @@ struct PackageArguments {
   std::vector<std::string> keys;
   std::string log_key;
   std::string log;
+  std::string timestamp_server;
   std::string out;
 };
 
@@ -50,7 +53,10 @@ PackageSigning signing_from(const PackageArguments& arguments) {
   std::vector<SigningKey> signers;
   for (const std::string& file : arguments.keys) signers.push_back(signing_key(file));
   const fs::path log = arguments.log.empty() ? fs::path(arguments.data) / "log" : fs::path(arguments.log);
-  return {signers, log_key(arguments, signers), log};
+  return {signers, log_key(arguments, signers), log,
+          time_stamping(arguments.timestamp_server, [](const Error& failure) {
+            fmt::print(stderr, "rva: warning: {}; the package has no time stamp\n", failure.what());
+          })};
 }
 
 void export_package(const PackageArguments& arguments) {
@@ -81,6 +87,7 @@ void add_package_export(CLI::App& command) {
       ->type_name("FILE");
   exporting.add_option("--log", arguments->log, "folder of the site's log; by default DIR/log")
       ->type_name("DIR");
+  add_timestamp_server(exporting, arguments->timestamp_server);
   exporting.add_option("--out", arguments->out, "folder of the package")->required()->type_name("PACKAGE");
   exporting.callback([arguments] { export_package(*arguments); });
 }

@@ -13,6 +13,7 @@
 #include "cli/live_rig.hpp"
 #include "cli/option_flags.hpp"
 #include "cli/printing.hpp"
+#include "cli/timestamp_server.hpp"
 #include "core/error.hpp"
 #include "core/folder_lock.hpp"
 #include "core/interrupt.hpp"
@@ -21,6 +22,7 @@
 #include "inspect/inspector.hpp"
 #include "inspect/recovery.hpp"
 #include "server/signed_package.hpp"
+#include "server/time_stamp_client.hpp"
 #include "server/web_server.hpp"
 #include "store/sqlite_records.hpp"
 
@@ -36,6 +38,7 @@ struct ServeArguments {
   std::string data;
   std::string geometry;
   std::string config;
+  std::string timestamp_server;
   std::uint64_t seed = 1;
   InspectorOptions inspector;
   DriveOptions drive;
@@ -66,6 +69,9 @@ void serve(ServeArguments arguments) {
   const PanTiltChain chain =
       arguments.geometry.empty() ? PanTiltChain{} : load_robot_geometry(arguments.geometry);
   if (arguments.server.console.empty()) arguments.server.console = console_folder();
+  const TimeStamping stamping = time_stamping(arguments.timestamp_server, [](const Error& failure) {
+    log_event({EventLevel::warning, "no-time-stamp", failure.what()});
+  });
   LiveRig rig = open_live_rig(arguments.camera, arguments.robot, arguments.seed, arguments.realsense);
   std::error_code failure;
   std::filesystem::create_directories(arguments.data, failure);
@@ -83,10 +89,11 @@ void serve(ServeArguments arguments) {
   Inspector inspector({camera, drive.get(), chain}, records, arguments.data, arguments.inspector);
   Sessions sessions(records);
   Lease lease;
-  const std::unique_ptr<WebServer> server = open_server(
-      arguments.server,
-      {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure, &keys},
-      log_event);
+  const std::unique_ptr<WebServer> server =
+      open_server(arguments.server,
+                  {camera, drive.get(), inspector, sessions, lease, rig.simulated_work, arguments.measure,
+                   &keys, stamping},
+                  log_event);
   print("{}\n", server->address());
   static_cast<void>(std::fflush(stdout));
   log_event({EventLevel::notice,
@@ -130,6 +137,7 @@ void add_serve_command(CLI::App& program) {
       ->type_name("DIR");
   command.add_flag("--metrics", arguments->server.metrics,
                    "lets monitoring programs read /metrics (Prometheus), without signing in");
+  add_timestamp_server(command, arguments->timestamp_server);
   command
       .add_option("--seed", arguments->seed,
                   "seed of a simulated camera's noise and a simulated robot's errors")

@@ -24,6 +24,7 @@ struct VerifyArguments {
   std::vector<std::string> keys;
   std::string log;
   std::string checkpoint;
+  std::string timestamp_ca;
   bool json = false;
 };
 
@@ -32,7 +33,22 @@ KnownFromElsewhere known_from(const VerifyArguments& arguments) {
   for (const std::string& file : arguments.keys) known.keys.push_back(read_public_key(file));
   if (!arguments.log.empty()) known.log = arguments.log;
   if (!arguments.checkpoint.empty()) known.checkpoint = arguments.checkpoint;
+  if (!arguments.timestamp_ca.empty()) known.time_stamp_ca = arguments.timestamp_ca;
   return known;
+}
+
+// Null where no server was asked.
+Json time_stamp_of(const CheckedPackage& checked) {
+  const auto& stated = checked.statement.time_stamp;
+  if (!stated) return nullptr;
+  Json json{{"server", stated->server}};
+  if (checked.time_stamp) {
+    json["time"] = checked.time_stamp->time;
+    json["authority"] = checked.time_stamp->authority;
+  } else {
+    json["failure"] = stated->failure;
+  }
+  return json;
 }
 
 Json json_of(const CheckedPackage& checked, const VerifyArguments& arguments) {
@@ -46,11 +62,13 @@ Json json_of(const CheckedPackage& checked, const VerifyArguments& arguments) {
           {"files", checked.files},
           {"bytes", checked.bytes},
           {"signers", statement.signers},
+          {"time_stamp", time_stamp_of(checked)},
           {"log", {{"key", statement.log}, {"index", checked.index}, {"size", checked.log_size}}},
           {"compared_with",
            {{"keys", !arguments.keys.empty()},
             {"log", !arguments.log.empty()},
-            {"checkpoint", !arguments.checkpoint.empty()}}}};
+            {"checkpoint", !arguments.checkpoint.empty()},
+            {"timestamp_ca", !arguments.timestamp_ca.empty()}}}};
 }
 
 void print_signers(const CheckedPackage& checked) {
@@ -59,6 +77,17 @@ void print_signers(const CheckedPackage& checked) {
     print("  {:<12}{}\n", heading, printable(name_with_id(key)));
     heading = "";
   }
+}
+
+void print_time_stamp(const CheckedPackage& checked) {
+  const auto& stated = checked.statement.time_stamp;
+  if (const auto& stamp = checked.time_stamp)
+    print("  {:<12}{} by {}; {}\n", "time stamp:", stamp->time, printable(stamp->authority),
+          stamp->authority_checked ? "the authority was checked against --timestamp-ca"
+                                   : "whose authority it is was not checked: give --timestamp-ca");
+  else
+    print("  {:<12}none: {}\n",
+          "time stamp:", stated ? printable(stated->server + " " + stated->failure) : "no server was asked");
 }
 
 // What was not checked is stated, since a person could take it for granted.
@@ -80,6 +109,7 @@ void print_text(const CheckedPackage& checked, const VerifyArguments& arguments)
   print("  {:<12}{} files, {} bytes; packed {}\n", "content:", checked.files, checked.bytes,
         printable(checked.statement.made_at));
   print_signers(checked);
+  print_time_stamp(checked);
   print("  {:<12}record {} of {} in the log of {}\n", "log:", checked.index + 1, checked.log_size,
         printable(name_with_id(checked.log_key)));
   print_comparisons(arguments);
@@ -119,6 +149,11 @@ void add_verify_command(CLI::App& inspection) {
           "--checkpoint", arguments->checkpoint,
           "checkpoint of the log, or record.tlog-proof of another package, that was kept: then the log "
           "has to contain it, too")
+      ->type_name("FILE");
+  command
+      .add_option("--timestamp-ca", arguments->timestamp_ca,
+                  "certificates (PEM) of the CAs whose time stamps are trusted: then the package has to have "
+                  "one")
       ->type_name("FILE");
   command.add_flag("--json", arguments->json, "print JSON instead of text");
   command.callback([arguments] { verify(*arguments); });

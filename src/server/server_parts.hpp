@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "audit/package_writer.hpp"
 #include "audit/site_keys.hpp"
 #include "camera/live_camera.hpp"
 #include "inspect/inspector.hpp"
@@ -31,6 +32,7 @@ struct ServerParts {
   SimulatedWork simulated_work;  ///< empty if the bay is not simulated
   MeasureOptions measure{};      ///< of what people measure
   SiteKeys* keys = nullptr;      ///< of those who sign inspections; null: nobody can
+  TimeStamping time_stamping{};  ///< of signed packages; without a server: none
   /// What people froze.
   std::shared_ptr<FrozenPictures> frozen = std::make_shared<FrozenPictures>();
   std::shared_ptr<Traffic> traffic = std::make_shared<Traffic>();  ///< what the server counts

@@ -28,6 +28,7 @@ constexpr const char* signed_folder = "signed";
 
 std::vector<std::string> files_of_package() {
   std::vector<std::string> files = package_files();
+  files.emplace_back(package_file::time_stamp);
   for (const std::string& file : exported_files()) files.push_back(package_file::payload + file);
   return files;
 }

@@ -89,7 +89,7 @@ ApiResponse Api::sign(const Call& call) const {
   std::vector<SigningKey> signers;
   for (const Credentials& one : people) signers.push_back(parts_.keys->key_of(one.name, one.password));
   const std::filesystem::path& data = parts_.inspector.data();
-  const PackageSigning signing{signers, parts_.keys->log_key(), data / "log"};
+  const PackageSigning signing{signers, parts_.keys->log_key(), data / "log", parts_.time_stamping};
   parts_.inspector.sign(id, [data, id, signing](const InspectionHistory& history, const Progress& progress) {
     write_signed_package(history, data, next_signed_package(data, id), signing, progress);
   });

@@ -16,6 +16,7 @@ import time
 import program
 from console_client import Console, ask
 from simulations import TOOLS
+from time_stamp_server import TimeStampServer
 
 REPOSITORY = pathlib.Path(sys.argv.pop(2)).resolve()
 PASSWORDS = {'ida weber': 'correct horse', 'max': 'battery staple', 'vera': 'purple monkey'}
@@ -51,9 +52,9 @@ class Signing(program.ProgramTest):
         subprocess.run(self.command('account', 'add', name, *more, '--data', self.data), input=f'{password}\n', check=True,
                        capture_output=True, encoding='utf-8')
 
-    def start(self):
+    def start(self, *options):
         self.server = subprocess.Popen(
-            self.command('serve', '--camera', f'sim:{TOOLS}', '--data', self.data, '--port', 0, '--console', self.folder / 'console'),
+            self.command('serve', '--camera', f'sim:{TOOLS}', '--data', self.data, '--port', 0, '--console', self.folder / 'console', *options),
             stdout=subprocess.PIPE, stderr=self.log, encoding='utf-8')
         self.addCleanup(self.server.stdout.close)
         self.addCleanup(self.server.wait, 60)
@@ -110,6 +111,23 @@ class Signing(program.ProgramTest):
         self.assertLessEqual(set(package['signers']), set(published))
         with open(self.data / package['folder'] / 'data' / 'report.html', encoding='utf-8') as page:
             self.assertIn('Closed by <bdi class="typed">Ann</bdi>', page.read())
+
+    def test_what_is_signed_gets_a_time_stamp(self):
+        authority = TimeStampServer(self.folder / 'authority')
+        self.addCleanup(authority.close)
+        self.server.terminate()
+        self.server.wait()
+        (self.folder / 'serve.conf').write_text(f'timestamp-server = {authority.url}\n')
+        self.start('--config', self.folder / 'serve.conf')
+        cookie = self.sign_in('ida weber')
+        for authority.behave in (authority.stamp, lambda _: (500, b'')):
+            self.ask_to_sign(cookie, 'ida weber')
+            self.assertEqual(self.wait_for_end(cookie)['end'], 'done')
+        first, second = (self.data / package['folder'] for package in self.signed(cookie))
+        self.assertIn('Authority of tests', self.succeed('inspection', 'verify', first, '--timestamp-ca', authority.ca).stdout)
+        self.assertIn('HTTP status 500', self.succeed('inspection', 'verify', second).stdout)
+        self.log.seek(0)
+        self.assertRegex(self.log.read(), r'HTTP status 500[^\n]*event=no-time-stamp')
 
     def test_signing_again_appends_and_keeps_what_was_signed(self):
         cookie = self.sign_in('ida weber')
