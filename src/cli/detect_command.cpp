@@ -26,6 +26,7 @@
 #include "core/output_folder.hpp"
 #include "core/path_text.hpp"
 #include "detect/detect.hpp"
+#include "detect/findings/loose_parts.hpp"
 #include "detect/genuine_captures.hpp"
 #include "detect/provenance.hpp"
 #include "detect/regions/ignored_regions.hpp"
@@ -48,6 +49,8 @@ struct DetectArguments {
   std::vector<std::string> within;
   std::string plan;
   PlanOptions planned;
+  bool shake = false;
+  LoosePartOptions loose;
   NamingFlags naming;
   bool overwrite = false;
   bool json = false;
@@ -102,10 +105,19 @@ void print_table(const Findings& findings) {
   }
 }
 
+void print_loose_parts(const std::vector<LoosePart>& parts) {
+  for (const LoosePart& part : parts)
+    print(
+        "loose part: moved {}, by at most {:.0f} mm, {:.0f} x {:.0f} mm in the image (findings {} and {})\n",
+        direction_of(part), part.moved_at_most_mm(), part.size_mm[0], part.size_mm[1], part.added,
+        part.removed);
+}
+
 // @param final the camera of the first final capture
 // @param match findings compared with a plan, if there is one
 void print_for_a_person(const DetectArguments& arguments, const Detection& detection, const Intrinsics& final,
-                        const std::optional<PlanMatch>& match, const std::optional<FindingClasses>& classes) {
+                        const std::optional<PlanMatch>& match, const std::vector<LoosePart>& loose,
+                        const std::optional<FindingClasses>& classes) {
   const Findings& findings = detection.findings;
   print("{} finding(s), method {}, {} + {} frames\n", findings.findings.size(), findings.method,
         findings.initial_frames, findings.final_frames);
@@ -113,6 +125,7 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
     print_plan(*match, findings.findings);
   else
     print_table(findings);
+  print_loose_parts(loose);
   if (classes) print_classes(*classes, match);
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",
@@ -202,11 +215,21 @@ Mask left_out(const DetectArguments& arguments, const CaptureInfo& initial) {
   return mask;
 }
 
+void check_shake(const DetectArguments& arguments) {
+  check_options(arguments.loose);
+  if (arguments.shake && !shows_both_ends(value_of<DetectionMethod>(arguments.method).value()))
+    throw UsageError(
+        "--shake",
+        fmt::format("has no meaning with --method {}, which shows only what came nearer", arguments.method),
+        "leave out --method, or use calibrated or spatial");
+}
+
 // Warnings come last, so that a failure is one line.
 int detect(const DetectArguments& arguments, const CLI::App& command) {
   check_sides(arguments);
   check_options(arguments.detection);
   check_options(arguments.planned);
+  check_shake(arguments);
   const std::optional<Plan> plan =
       arguments.plan.empty() ? std::nullopt : std::optional(read_plan(arguments.plan));
   NamingModel model(arguments.naming);
@@ -229,6 +252,11 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
     add_plan(*match, json);
     write_file(out.path(result_file::plan), json_file_text(json_of(*match)));
   }
+  std::vector<LoosePart> loose;
+  if (arguments.shake) {
+    loose = find_loose_parts(detection, final_camera, arguments.loose);
+    add_loose_parts(loose, json);
+  }
   const auto classes = model.name_findings(detection, *sides.final.front(), json, warnings);
   std::ranges::move(write_result(result, *sides.final.front(), out.path(""), json),
                     std::back_inserter(warnings));
@@ -238,7 +266,7 @@ int detect(const DetectArguments& arguments, const CLI::App& command) {
   if (arguments.json) {
     print("{}", json_file_text(json));
   } else {
-    print_for_a_person(arguments, detection, final_camera, match, classes);
+    print_for_a_person(arguments, detection, final_camera, match, loose, classes);
   }
   return arguments.fail_on_detection && !detection.findings.findings.empty() ? status_detected : 0;
 }
@@ -289,6 +317,16 @@ void add_detect_command(CLI::App& program, Outcome& outcome) {
   add_flags(command, arguments->planned);
   PlanOptions::describe(arguments->planned, [&](const auto& /*value*/, const OptionField& field) {
     command.get_option(fmt::format("--{}", field.name))->needs(plan);
+  });
+  CLI::Option* const shake =
+      command
+          .add_flag("--shake", arguments->shake,
+                    "the structure was rocked or tapped between the captures, and nothing else was done: "
+                    "findings that one loose part left by moving are stated together")
+          ->excludes(plan);
+  add_flags(command, arguments->loose);
+  LoosePartOptions::describe(arguments->loose, [&](const auto& /*value*/, const OptionField& field) {
+    command.get_option(fmt::format("--{}", field.name))->needs(shake);
   });
   arguments->naming.add_to(command);
   arguments->captures.add_to(command);

@@ -15,6 +15,7 @@
 #include "evaluate/planned_study.hpp"
 #include "evaluate/recorded_study.hpp"
 #include "evaluate/report.hpp"
+#include "evaluate/shake_study.hpp"
 #include "evaluate/study_folder.hpp"
 #include "sim/sensor/camera_models.hpp"
 
@@ -26,6 +27,7 @@ struct EvaluateArguments {
   StudySubject subject;
   std::string recorded;
   bool planned = false;
+  std::string shake;
   StudyOptions study;
   bool moved = false;
   MovedStudyOptions moved_study;
@@ -77,6 +79,21 @@ void evaluate_planned(const EvaluateArguments& arguments) {
   write_evaluation(std::move(json), "", out);
   out.commit();
   print("{}{}\n", to_table(inspections), arguments.out);
+}
+
+void evaluate_shake(const EvaluateArguments& arguments) {
+  StudyOptions options = arguments.study;
+  options.sensor = camera_of_each(arguments.subject.cameras);
+  check_options(options);
+  const Shaken shaken = value_of<Shaken>(arguments.shake).value();
+  OutputFolder out(arguments.out, {evaluation_file},
+                   arguments.overwrite ? Existing::replace : Existing::refuse);
+  const std::vector<ShakeInspection> inspections = run_shake_study(options, shaken, terminal_progress());
+  nlohmann::ordered_json json = json_of(inspections, shaken);
+  json["cameras"] = arguments.subject.cameras;
+  write_evaluation(std::move(json), "", out);
+  out.commit();
+  print("{}{}\n", to_table(inspections, shaken), arguments.out);
 }
 
 }  // namespace
@@ -160,18 +177,32 @@ void add_evaluate_command(CLI::App& program) {
           ->excludes(scene)
           ->excludes(resume)
           ->excludes(moved);
+  CLI::Option* const planned =
+      command
+          .add_flag(
+              "--planned", arguments->planned,
+              "planned work with one missing part and one lost object, grouped by a plan; 4 captures a side")
+          ->excludes(frames)
+          ->excludes(scene)
+          ->excludes(resume)
+          ->excludes(moved)
+          ->excludes(bay)
+          ->excludes(recorded);
   command
-      .add_flag(
-          "--planned", arguments->planned,
-          "planned work with one missing part and one lost object, grouped by a plan; 4 captures a side")
+      .add_option("--shake", arguments->shake,
+                  "shake tests, in which a loose part moved by 5 mm or nothing did; 1 capture a side")
+      ->check(name_among<Shaken>())
+      ->type_name("MOVED")
       ->excludes(frames)
       ->excludes(scene)
       ->excludes(resume)
       ->excludes(moved)
       ->excludes(bay)
-      ->excludes(recorded);
+      ->excludes(recorded)
+      ->excludes(planned);
   command.callback([arguments] {
     if (arguments->planned) return evaluate_planned(*arguments);
+    if (!arguments->shake.empty()) return evaluate_shake(*arguments);
     if (!arguments->recorded.empty()) return evaluate_recorded(*arguments);
     arguments->moved ? evaluate_moved(*arguments) : evaluate(*arguments);
   });

@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/printing.hpp"
 #include "detect/detect.hpp"
+#include "detect/findings/loose_parts.hpp"
 #include "doctor/checkup.hpp"
 #include "evaluate/study.hpp"
 #include "inspect/inspector.hpp"
@@ -42,7 +43,7 @@ void print_table(const char* command) {
 // docs/options.md is this text; a test compares the two.
 void print_options() {
   print("# Options\n\nPrinted by `rva options` from the structs that define them.\n");
-  print_table<DetectOptions, PlanOptions, ModelOptions>("rva detect");
+  print_table<DetectOptions, PlanOptions, LoosePartOptions, ModelOptions>("rva detect");
   print_table<NoiseOptions, CheckStandardOptions, RealSenseOptions>("rva noise");
   print_table<StereoSensorOptions>("rva simulate");
   print_table<StudyOptions>("rva evaluate");

@@ -35,6 +35,11 @@ constexpr std::array methods{
 
 }  // namespace
 
+bool shows_both_ends(DetectionMethod method) {
+  return method == DetectionMethod::automatic || method == DetectionMethod::calibrated ||
+         method == DetectionMethod::spatial;
+}
+
 std::vector<std::string> options_of(DetectionMethod method) {
   return std::ranges::find(methods, method, &Method::method)->options();
 }

@@ -30,6 +30,10 @@ inline constexpr auto enum_names<DetectionMethod> = std::to_array<EnumName<Detec
     {DetectionMethod::octree, "octree"},
 });
 
+/// Whether a method reports both where a part is and where it was: the thesis' methods report only what came
+/// nearer.
+[[nodiscard]] bool shows_both_ends(DetectionMethod method);
+
 /// Names of the options (OptionField::name) that have an effect with a method; other options have none.
 [[nodiscard]] std::vector<std::string> options_of(DetectionMethod method);
 

@@ -12,82 +12,18 @@
 
 #include "core/random.hpp"
 #include "core/units.hpp"
+#include "evaluate/mechanic.hpp"
 #include "evaluate/random_wing.hpp"
 #include "plan/plan_areas.hpp"
-#include "scene/camera_stand.hpp"
-#include "scene/debris/debris_catalogue.hpp"
-#include "scene/debris/resting.hpp"
-#include "scene/drop_zone.hpp"
-#include "scene/ray_caster.hpp"
 
 namespace rva {
 namespace {
 
-constexpr double farthest_m = 0.6;
 constexpr double spare_mm = 1.0;
 constexpr int fewest_in_a_row = 5;
 constexpr int fewest_parts = 20;
 constexpr std::array<std::string_view, 5> kinds{"collar-0.36", "collar-0.44", "collar-0.53", "bolt-m6",
                                                 "nut-m6"};
-
-/// Puts parts down in a bay where the camera sees them.
-class Mechanic {
- public:
-  explicit Mechanic(const Scene& bay)
-      : bay_(bay),
-        surface_(bay),
-        camera_(world_from_camera(bay.stand).translation()),
-        camera_from_world_(world_from_camera(bay.stand).inverse()) {}
-
-  // Empty where the part does not come to rest, or is not in full view.
-  [[nodiscard]] std::optional<SceneObject> put(std::string_view kind, const Eigen::Vector2d& at,
-                                               double turn_deg, Role role) const {
-    SceneObject object;
-    object.kind = kind;
-    object.role = role;
-    object.parts = make_debris(kind, 1);
-    const RestingOrientation upright = resting_orientations(object.parts).front();
-    const auto pose =
-        put_down(surface_, object.parts, upright, turn_deg, {at.x(), at.y(), default_look_down_m(bay_)});
-    if (!pose) return std::nullopt;
-    object.world_from_object = *pose;
-    if (!lies_inside(bay_, object) || !is_in_view(object)) return std::nullopt;
-    return object;
-  }
-
-  [[nodiscard]] PlanPoint point(const Eigen::Vector3d& world) const {
-    const Eigen::Vector3d seen = camera_from_world_ * world;
-    return {seen.hnormalized(), seen.z()};
-  }
-
- private:
-  // Looks at corners of the part's extent, drawn in a little, so that what it stands on does not hide it.
-  [[nodiscard]] bool is_in_view(const SceneObject& object) const {
-    constexpr double half_width = 0.85;  // of the view, at a depth of 1 m
-    constexpr double half_height = 0.45;
-    constexpr double drawn_in = 0.8;
-    const Eigen::AlignedBox3d extent = bounds(world_mesh(object));
-    const Eigen::Vector3d middle = extent.center();
-    const PlanPoint seen = point(middle);
-    if (seen.depth_m < 0.2 || seen.depth_m > farthest_m || std::abs(seen.at.x()) > half_width ||
-        std::abs(seen.at.y()) > half_height)
-      return false;
-    std::vector<Ray> rays;
-    for (const auto corner : {Eigen::AlignedBox3d::BottomLeftFloor, Eigen::AlignedBox3d::BottomRightFloor,
-                              Eigen::AlignedBox3d::TopLeftCeil, Eigen::AlignedBox3d::TopRightCeil}) {
-      const Eigen::Vector3d at = middle + drawn_in * (extent.corner(corner) - middle);
-      rays.push_back({camera_.cast<float>(), (at - camera_).cast<float>()});
-    }
-    std::vector<std::uint8_t> blocked(rays.size());
-    surface_.occluded(rays, blocked);
-    return std::ranges::count(blocked, 1) == 0;
-  }
-
-  const Scene& bay_;
-  RayCaster surface_;
-  Eigen::Vector3d camera_;
-  Transform camera_from_world_;
-};
 
 // Parts of one kind, one beside the other, all on one surface; empty where there is no room.
 std::vector<SceneObject> row_of(const Mechanic& mechanic, const Scene& bay, int most, Random& random) {
@@ -117,6 +53,8 @@ Eigen::AlignedBox3d extent_of(const std::vector<SceneObject>& row) {
   return extent;
 }
 
+PlanPoint plan_point(const Eigen::Vector3d& seen) { return {seen.hnormalized(), seen.z()}; }
+
 PlannedItem item_of(const std::vector<SceneObject>& row, const std::string& name, const Mechanic& mechanic) {
   constexpr double around_m = 0.015;
   PlannedItem item;
@@ -132,9 +70,9 @@ PlannedItem item_of(const std::vector<SceneObject>& row, const std::string& name
                                  std::pair{extent.max().x() + around_m, extent.min().y() - around_m},
                                  std::pair{extent.max().x() + around_m, extent.max().y() + around_m},
                                  std::pair{extent.min().x() - around_m, extent.max().y() + around_m}})
-    area.push_back(mechanic.point({x_m, y_m, z_m}));
+    area.push_back(plan_point(mechanic.seen({x_m, y_m, z_m})));
   for (const SceneObject& part : row)
-    item.places.push_back(mechanic.point(bounds(world_mesh(part)).center()));
+    item.places.push_back(plan_point(mechanic.seen(bounds(world_mesh(part)).center())));
   return item;
 }
 
