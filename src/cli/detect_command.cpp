@@ -105,12 +105,16 @@ void print_table(const Findings& findings) {
   }
 }
 
-void print_loose_parts(const std::vector<LoosePart>& parts) {
+// Where nothing else was done, any finding may be something that moved, whether or not its counterpart shows.
+void print_loose_parts(const std::vector<LoosePart>& parts, std::size_t findings) {
   for (const LoosePart& part : parts)
     print(
         "loose part: moved {}, by at most {:.0f} mm, {:.0f} x {:.0f} mm in the image (findings {} and {})\n",
         direction_of(part), part.moved_at_most_mm(), part.size_mm[0], part.size_mm[1], part.added,
         part.removed);
+  if (findings > 2 * parts.size())
+    print("{} finding(s) without a counterpart: something may have moved there, too\n",
+          findings - 2 * parts.size());
 }
 
 // @param final the camera of the first final capture
@@ -125,7 +129,7 @@ void print_for_a_person(const DetectArguments& arguments, const Detection& detec
     print_plan(*match, findings.findings);
   else
     print_table(findings);
-  print_loose_parts(loose);
+  if (arguments.shake) print_loose_parts(loose, findings.findings.size());
   if (classes) print_classes(*classes, match);
   const Coverage& coverage = findings.coverage;
   print("compared {:.1f} % of the view; not seen before {:.1f} %, no measurement {:.1f} %",

@@ -131,6 +131,7 @@ class EvaluateTest(program.ProgramTest):
                         ['--return', 'near'], ['--with-octree'], ['--bay', 'gold'], ['--cameras', 'gold'],
                         ['--bay', 'dirt', '--scene', 'x.yaml'], ['--planned', '--moved'], ['--planned', '--bay', 'dirt'],
                         ['--planned', '--cameras', 'gold'], ['--planned', '--recorded', '.'],
+                        ['--shake', 'some'], ['--shake', 'loose', '--planned'], ['--shake', 'loose', '--frames', '2'],
                         ['--moved', '--return', 'home']):
             with self.subTest(options):
                 done = self.rva('evaluate', *options, '--out', self.out)

@@ -74,6 +74,23 @@ class Plan(SimulationTest):
         done = self.succeed('detect', self.before, self.after, '--height-error', 3, '--out', self.out, status=2)
         self.assertIn('--plan', done.stderr)
 
+    def test_a_shake_test_has_no_plan_and_shows_both_sides_of_a_motion(self):
+        for options, named in ((['--shake', '--plan', PLAN], '--plan'), (['--loose-reach', 20], '--shake'),
+                               (['--shake', '--loose-reach', -1], '--loose-reach'),
+                               (['--shake', '--method', 'constant'], '--shake'),
+                               (['--shake', '--method', 'octree'], '--shake')):
+            with self.subTest(options):
+                done = self.succeed('detect', self.before, self.after, *options, '--out', self.out, status=2)
+                self.assertIn(named, done.stderr)
+                self.assertFalse(self.out.exists())
+
+    def test_a_shake_test_adds_to_the_findings_and_removes_none(self):
+        plain = self.detect(self.before, self.after, out=self.folder / 'still')
+        shaken = self.detect(self.before, self.after, '--shake', out=self.folder / 'shaken')
+        ids = {part[kind] for part in shaken.pop('loose_parts') for kind in ('added', 'removed')}
+        self.assertEqual({finding['id'] for finding in shaken['detections'] if finding.pop('loose_part', None)}, ids)
+        self.assertEqual(shaken['detections'], plain['detections'])
+
 
 if __name__ == '__main__':
     program.main()
