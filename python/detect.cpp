@@ -9,6 +9,7 @@
 #include "core/enum_names.hpp"
 #include "core/file_origin.hpp"
 #include "core/path_text.hpp"
+#include "detect/findings/loose_parts.hpp"
 #include "detect/genuine_captures.hpp"
 #include "detect/provenance.hpp"
 #include "detect/regions/ignored_regions.hpp"
@@ -33,6 +34,8 @@ struct DetectArguments {
   std::optional<std::filesystem::path> plan{};
   DetectOptions detection{};
   PlanOptions planned{};
+  bool shake = false;
+  LoosePartOptions loose{};
   bool classify = false;
   std::optional<std::filesystem::path> classifier{};
   std::optional<std::filesystem::path> model{};
@@ -52,6 +55,10 @@ struct DetectArguments {
     visit("plan", self.plan, "file of the parts that the work order states");
     visit_options(self.detection, visit);
     visit_options(self.planned, visit);
+    visit("shake", self.shake,
+          "the structure was rocked or tapped between the captures, and nothing else was done: findings that "
+          "one loose part left by moving are stated together");
+    visit_options(self.loose, visit);
     visit("classify", self.classify, "state what each finding may be, by the classifier that comes with RVA");
     visit("classifier", self.classifier, "the same by a classifier of your own: its card, beside its model");
     visit("model", self.model, "the same by an object detector, YOLO or SSD; it needs labels");
@@ -112,6 +119,16 @@ std::vector<std::string> without_effect(const std::set<std::string>& given, cons
   return warnings;
 }
 
+void check_shake(const DetectArguments& arguments, DetectionMethod method) {
+  check_options(arguments.loose);
+  if (!arguments.shake) return;
+  if (arguments.plan)
+    throw UsageError("shake", "nothing is planned in a shake test", "give shake or plan, not both");
+  if (!shows_both_ends(method))
+    throw UsageError("shake", fmt::format("{} shows only what came nearer", arguments.method),
+                     "leave out method, or give calibrated or spatial");
+}
+
 void compare_with_plan(const Plan& plan, const PlanOptions& options, const CaptureInfo& initial,
                        DetectionResult& result) {
   const PlanMatch match =
@@ -127,6 +144,7 @@ std::shared_ptr<DetectionResult> compare(const CaptureSide& before, const Captur
   const DetectOptions options = options_of(arguments);
   check_options(options);
   check_options(arguments.planned);
+  check_shake(arguments, options.method);
   const std::optional<Plan> plan = arguments.plan ? std::optional(read_plan(*arguments.plan)) : std::nullopt;
   NamingModel model(naming_of(arguments));
   std::optional<OutputFolder> out;
@@ -147,6 +165,8 @@ std::shared_ptr<DetectionResult> compare(const CaptureSide& before, const Captur
   std::ranges::copy(detection.warnings, std::back_inserter(result->warnings));
   result->json = detections_json(detection.findings, provenance);
   if (plan) compare_with_plan(*plan, arguments.planned, initial_info, *result);
+  if (arguments.shake)
+    add_loose_parts(find_loose_parts(detection, final.front()->info().depth, arguments.loose), result->json);
   result->classes = model.name_findings(detection, *final.front(), result->json, result->warnings);
   if (out) {
     std::ranges::move(write(*result, *out), std::back_inserter(result->warnings));

@@ -156,6 +156,8 @@ def detect(
     icp_distance: float = ...,
     height_error: float = ...,
     inspected: float = ...,
+    shake: bool = ...,
+    loose_reach: float = ...,
     classify: bool = ...,
     classifier: _Path | None = ...,
     model: _Path | None = ...,
