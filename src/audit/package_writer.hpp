@@ -27,11 +27,10 @@ struct PackageSigning {
   TimeStamping time_stamping{};     ///< without a server: none
 };
 
-/// Makes a folder with the payload in `data/` a package: writes its checksums, the signed statement, appends
-/// the record to the log, and writes its proof. Where a time stamp server is
-/// configured, the signed statement gets its time stamp or, if the server gives none, states why; nothing is
-/// blocked by that. For use within an OutputFolder: if this throws, the folder is
-/// incomplete.
+/// Makes a folder with the payload in `data/` a package: writes its checksums and the signed statement,
+/// appends the record to the log, and writes its proof. With a time stamp server, the package has its time
+/// stamp; if the server gives none, the signed statement states why, and the package is written all the same.
+/// For use within an OutputFolder: if this throws, the folder is incomplete.
 /// @param folder  contains `data/` and nothing else
 /// @param made_at ISO 8601 in UTC
 /// @throws Error when the payload has a file that no package can contain, the log is damaged or of another

@@ -115,7 +115,7 @@ std::vector<InspectionSummary> SqliteRecords::summaries(const InspectionFilter& 
 }
 
 std::vector<InspectionTally> SqliteRecords::tallies(const InspectionFilter& filter) const {
-  // Of many inspections this takes seconds, for which nobody else should wait.
+  // With many inspections this takes seconds. A connection of its own keeps other requests from waiting.
   return with_errors(source_, [&] {
     SQLite::Database reader = open_for_reading(file_);
     const SQLite::Transaction transaction(reader);

@@ -35,11 +35,6 @@ from mark m left join mark_decision d on d.id = (
 group by 1, 2, 3
 )sql";
 
-bool is_debris(Verdict verdict) {
-  return verdict == Verdict::debris || verdict == Verdict::debris_removed ||
-         verdict == Verdict::debris_unreachable;
-}
-
 class Tallies {
  public:
   Tallies(SQLite::Database& database, const InspectionFilter& filter) : database_(database) {
@@ -67,10 +62,12 @@ class Tallies {
     while (row.executeStep()) {
       InspectionTally* const tally = find(row.getColumn(0));
       if (tally == nullptr) continue;
-      const Verdict verdict = value_of<Verdict>(row.getColumn(1).getString()).value();
-      const auto objects = static_cast<std::size_t>(row.getColumn(3).getInt64());
-      (tally->*counts).add(verdict, objects);
-      if (is_debris(verdict)) tally->debris_by_name[row.getColumn(2).getString()] += objects;
+      VerdictCounts objects;
+      objects.add(value_of<Verdict>(row.getColumn(1).getString()).value(),
+                  static_cast<std::size_t>(row.getColumn(3).getInt64()));
+      tally->*counts += objects;
+      if (objects.any_debris() > 0)
+        tally->debris_by_name[row.getColumn(2).getString()] += objects.any_debris();
     }
   }
 

@@ -22,9 +22,20 @@ export async function loadTrends(): Promise<void> {
   if (filter === listFilter.value) trends.value = loaded; // otherwise a later request has been sent
 }
 
-/** Loads the trends now and whenever the list changes. Returns how to end that. */
+// Sums over many inspections take seconds, so that they are not asked for at each letter of a search.
+const pause_ms = 500;
+
+/** Loads the trends now, and again once the list has not changed for half a second. Returns how to end that. */
 export function followList(onProblem: (error: unknown) => void): () => void {
   const load = () => void loadTrends().catch(onProblem);
   load();
-  return inspectionList.subscribe(load);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const end = inspectionList.subscribe(() => {
+    clearTimeout(timer);
+    timer = setTimeout(load, pause_ms);
+  });
+  return () => {
+    clearTimeout(timer);
+    end();
+  };
 }
